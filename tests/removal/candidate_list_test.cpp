@@ -11,6 +11,7 @@
 #include <bit>
 #include <cstring>
 #include <numeric>
+#include <string>
 
 #include <gtest/gtest.h>
 
@@ -200,7 +201,7 @@ TEST(CandidateList, PruningNeverChangesABit) {
 // Short moves along smooth paths, back and forth and again: what packs are made of.
 std::vector<Motion> smooth_moves(Random& r, const Scene& s, const Vec3& origin) {
   std::vector<Motion> list;
-  const double bend = r(-0.2, 0.2), slope = s.level ? 0 : r(-0.3, 0.3);
+  const double bend = r.pick(2) ? r(-0.2, 0.2) : 0, slope = s.level ? 0 : r(-0.3, 0.3);
   for (int row = 0; row < 12; ++row) {
     double heading = r(-0.1, 0.1) + (row % 2 ? 3.14 : 0);
     Vec3 at = origin + Vec3{row % 2 ? 3.0 : -3.0, 0.4 * (row - 6), 0.1 * r.pick(3)};
@@ -224,12 +225,25 @@ std::vector<Motion> smooth_moves(Random& r, const Scene& s, const Vec3& origin) 
   return list;
 }
 
+std::vector<Scene> scenes_of_packs() {
+  std::vector<Scene> out{{"ball", {ballmill(6)}, false, false, 0.1},
+                         {"flat", {endmill(6)}, true, false, 0.08},
+                         {"bull", {endmill(6, 1)}, true, false, 0.2},
+                         {"two", {endmill(6), ballmill(4)}, true, false, 0.05}};
+  for (Scene& scene : scenes()) {
+    const std::string name = scene.name;
+    if (name.rfind("slanted", 0) != 0 || name == "slanted slot") continue;
+    scene.step = name == "slanted flat, long" ? 0.3 : 0.1;
+    out.push_back(scene);
+  }
+  out.push_back(
+      {"slanted, all", {out[4].tools[0], out[8].tools[0], out.back().tools[0]}, false, false, 0.1});
+  return out;
+}
+
 TEST(CandidateList, PacksStandForTheirSweeps) {
   Random r(11);
-  for (const Scene& scene : {Scene{"ball", {ballmill(6)}, false, false, 0.1},
-                             Scene{"flat", {endmill(6)}, true, false, 0.08},
-                             Scene{"bull", {endmill(6, 1)}, true, false, 0.2},
-                             Scene{"two", {endmill(6), ballmill(4)}, true, false, 0.05}}) {
+  for (const Scene& scene : scenes_of_packs()) {
     std::size_t sweeps = 0, packed = 0;
     for (int round = 0; round < 60; ++round) {
       const Vec3 origin =
@@ -243,13 +257,13 @@ TEST(CandidateList, PacksStandForTheirSweeps) {
       list_candidates(table, ids, center, plain);
       list_candidates(table, table.all(), center, lists[0]);
       sweeps += plain.size(), packed += lists[0].size();
-      const double band = r(0.1, 1);
+      const double band = r(0.1, 1), asked = round % 5 == 4 ? 0 : band;
       for (int level = 0; level < 6; ++level, half /= 2) {
         PruneRegion region = round % 3 == 0   ? PruneRegion::ball(center, half)
                              : round % 3 == 1 ? PruneRegion::block(center, half)
                                               : PruneRegion::column(center, half, 2 * half);
         region.expand_packs = level == 5;
-        if (!prune(table, region, region.radius + band + 1e-9, band, lists[level],
+        if (!prune(table, region, region.radius + band + 1e-9, asked, lists[level],
                    lists[level + 1])) {
           expect_swept(r, table, plain, region, band);
           if (HasFatalFailure()) FAIL() << scene.name << ", round " << round;
@@ -264,7 +278,9 @@ TEST(CandidateList, PacksStandForTheirSweeps) {
         for (std::size_t k = 0; k < run.count; ++k)
           ASSERT_LT(lists[6].number(run, k), table.size());
     }
-    EXPECT_LT(packed * 6, sweeps) << scene.name;
+    // A bend in plan tells too little of a steep tool.
+    const bool bends = std::string(scene.name).rfind("slanted", 0) == 0;
+    EXPECT_LT(packed * (bends ? 2 : 6), sweeps) << scene.name;
   }
 }
 

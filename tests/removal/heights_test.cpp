@@ -3,7 +3,9 @@
 
 #include "core/units.h"
 #include "removal/columns/height_pieces.h"
+#include "removal/columns/sweep_columns.h"
 #include "removal/forms/path_sweep.h"
+#include "removal/prune/list_candidates.h"
 #include "removal/simd/sweep_kernels.h"
 #include "support/rounds.h"
 #include "sweep_support.h"
@@ -81,14 +83,19 @@ ToolPath random_path(Random& r, bool arc) {
   return path;
 }
 
-HeightArgs square(const Vec3& center, double half_diagonal, const HeightTool& tool) {
+HeightArgs square(const Vec3& center, double half_diagonal, const SweepClass& type) {
   RegionArgs at;
   at.x = static_cast<float>(center.x), at.y = static_cast<float>(center.y);
   at.z = -20;                     // bounds hold for all that lies above
   at.delta = 64 * 20 * 0x1p-24F;  // docs/removal.md, Single precision
   HeightBounds bounds(0);
   bounds.begin(at, static_cast<float>(half_diagonal));
-  return bounds.args(tool);
+  return bounds.args(type);
+}
+HeightArgs square(const Vec3& center, double half_diagonal, const HeightTool& tool) {
+  SweepClass type;
+  type.heights = tool;
+  return square(center, half_diagonal, type);
 }
 
 // The least height over dense positions of a path, at a place in plan.
@@ -135,6 +142,66 @@ TEST(Heights, OfPathsAreBoundsOverASquare) {
   }
   EXPECT_GT(below, 3000) << "bounds that tell something";
   EXPECT_GT(above, 2000);
+}
+
+// Short moves that bend in plan and up and down.
+std::vector<Motion> bent_row(Random& r, int moves) {
+  std::vector<Motion> program;
+  double heading = r(0, kTwoPi);
+  const double bend = r(-0.15, 0.15), slope = r(-0.4, 0.4), wave = r(0, 0.4);
+  Vec3 at{r(-2, 2), r(-2, 2), 0};
+  for (int k = 0; k < moves; ++k) {
+    heading += bend * r(0, 0.2);
+    const Vec3 way{std::cos(heading), std::sin(heading), slope + wave * std::sin(0.3 * k)};
+    program.push_back(line(at, at + 0.1 * way));
+    at = program.back().end;
+  }
+  return program;
+}
+
+TEST(Heights, OfPacksAreBoundsOfTheirMoves) {
+  Random r(94);
+  int below = 0, above = 0;
+  for (unsigned round = 0; round < rounds(200); ++round) {
+    const std::vector<Tool> tools{tools_with_heights()[std::vector{0, 1, 5, 6}[round % 4]]};
+    const SweepTable table(bent_row(r, 64), tools);
+    const SweepColumns& c = table.columns();
+    for (std::uint32_t pack = kFirstPack; pack < kFirstPack + c.packs.size(); ++pack) {
+      std::vector<std::uint32_t> numbers{pack}, sweeps;
+      c.append_sweeps(pack, sweeps);
+      const Vec3 near = c.paths[c.refs[sweeps[sweeps.size() / 2]].row].start;
+      const Vec3 center = near + Vec3{r(-3, 3), r(-3, 3), 0};
+      CandidateList list;
+      list_candidates(table, numbers, {0, 0, 0}, list);
+      const CandidateList::Run& run = list.runs().front();
+      const double wide = r(0, 0.3);
+      float lower[CandidateList::kPad];
+      const float upper = candidate_kernels().piece_heights(
+          list.columns(run.first), 1, square(center, wide, c.classes[run.of]), lower);
+      for (int k = 0; k < 8; ++k) {
+        const double turn = r(0, kTwoPi);
+        const double x = center.x + wide * std::cos(turn), y = center.y + wide * std::sin(turn);
+        double least = std::numeric_limits<double>::infinity(), distance = least, lowest = least;
+        for (const std::uint32_t id : sweeps) {
+          const Vec3 a = c.paths[c.refs[id].row].start, way = c.paths[c.refs[id].row].travel;
+          for (const double s : {0.0, 0.5, 1.0}) {
+            const Vec3 tip = a + s * way;
+            lowest = std::min(lowest, tip.z);
+            least = std::min(
+                least, tip.z + underside(c.cutter(c.refs[id]), std::hypot(x - tip.x, y - tip.y)));
+          }
+          if (upper < kNone) distance = std::min(distance, table.distance(id, {x, y, upper}));
+        }
+        ASSERT_LE(lower[0], least) << "round " << round;
+        below += least < 1e9 ? 1 : 0;
+        if (!(upper < lowest + c.classes[run.of].heights.top)) continue;  // or above the flutes
+        ASSERT_LE(distance, kPathError) << "round " << round;
+        ++above;
+      }
+    }
+  }
+  EXPECT_GT(below, 1000);
+  EXPECT_GT(above, 1000);
 }
 
 // Of a flat end on a line both bounds are the height itself where the square is a point.
@@ -228,7 +295,7 @@ TEST(Heights, AreTheSameOnEveryInstructionSet) {
       Result x;
       x.least = kernels.piece_heights(columns.columns(), n, args, x.lower.data());
       x.least_level = kernels.horizontal_heights(rows, n, args, x.level.data());
-      x.count = kernels.keep_low(x.lower.data(), n, 1, columns.columns(), x.kept.data(),
+      x.count = kernels.keep_low(x.lower.data(), n, 1, columns.columns(), 8, x.kept.data(),
                                  PieceColumns::kStride);
       return x;
     };

@@ -159,8 +159,9 @@ void build_columns(std::span<const Motion> program, std::span<const Tool> tools,
   add_chains(out);
   add_slants(out);
   tag_others(out);
-  out.packs = SweepPacks(out, threads);
   cut_pieces(out);
+  out.packs = SweepPacks(out, threads);
+  out.run_chords = RunChords(out);
   classify(out, threads);
   std::vector<TurnTree::Item> items;
   for (std::size_t i = 0; i < out.refs.size() && !out.turns.empty(); ++i)

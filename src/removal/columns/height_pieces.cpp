@@ -52,26 +52,12 @@ std::size_t read_underside(const std::vector<ProfileEdge>& edges, HeightTool& t)
   return next;
 }
 
-void add(std::vector<LineRecord>& out, Vec3 a, Vec3 b, double eps) {
-  if (b.z < a.z) std::swap(a, b);
-  const double dx = b.x - a.x, dy = b.y - a.y, length = std::sqrt(dx * dx + dy * dy);
-  const bool point = length < kTiny || b.z - a.z > kUpright * length;
-  LineRecord record;
-  record.c[BallSlot::x] = a.x, record.c[BallSlot::y] = a.y, record.c[BallSlot::z] = a.z;
-  record.c[BallSlot::ux] = length > 0 ? dx / length : 1,
-  record.c[BallSlot::uy] = length > 0 ? dy / length : 0;
-  record.c[BallSlot::length] = point ? 0 : length;
-  record.c[BallSlot::slope] = point ? 0 : (b.z - a.z) / length;
-  record.c[BallSlot::error] = eps + (point ? length : 0);
-  out.push_back(record);
-}
-
 template <typename At>
 void add_all(std::vector<LineRecord>& out, int count, double eps, At at) {
   Vec3 from = at(0.0);
   for (int k = 1; k <= count; ++k) {
     const Vec3 to = at(static_cast<double>(k) / count);
-    add(out, from, to, eps);
+    out.push_back(piece_record(from, to, eps));
     from = to;
   }
 }
@@ -110,6 +96,20 @@ HeightTool height_tool(const Profile& tool) {
   return t;
 }
 
+LineRecord piece_record(const Vec3& a, const Vec3& b, double eps) {
+  const Vec3 &low = b.z < a.z ? b : a, &high = b.z < a.z ? a : b;
+  const double dx = high.x - low.x, dy = high.y - low.y, length = std::sqrt(dx * dx + dy * dy);
+  const bool point = length < kTiny || high.z - low.z > kUpright * length;
+  LineRecord record;
+  record.c[BallSlot::x] = low.x, record.c[BallSlot::y] = low.y, record.c[BallSlot::z] = low.z;
+  record.c[BallSlot::ux] = length > 0 ? dx / length : 1,
+  record.c[BallSlot::uy] = length > 0 ? dy / length : 0;
+  record.c[BallSlot::length] = point ? 0 : length;
+  record.c[BallSlot::slope] = point ? 0 : (high.z - low.z) / length;
+  record.c[BallSlot::error] = eps + (point ? length : 0);
+  return record;
+}
+
 bool append_pieces(const ToolPath& path, std::vector<LineRecord>& out) {
   if (!path.arc) {
     const double plan = std::sqrt(path.travel.x * path.travel.x + path.travel.y * path.travel.y);
@@ -129,8 +129,9 @@ bool append_pieces(const ToolPath& path, std::vector<LineRecord>& out) {
 bool append_pieces(const ProfileRow& row, std::vector<LineRecord>& out) {
   const double* c = row.c;
   if (!row.arc) {
-    add(out, {c[LineSlot::x], c[LineSlot::y], row.z},
-        {c[LineSlot::x] + c[LineSlot::dx], c[LineSlot::y] + c[LineSlot::dy], row.z}, 0);
+    out.push_back(piece_record(
+        {c[LineSlot::x], c[LineSlot::y], row.z},
+        {c[LineSlot::x] + c[LineSlot::dx], c[LineSlot::y] + c[LineSlot::dy], row.z}, 0));
     return true;
   }
   const double sweep = c[ArcSlot::radius] > 0 ? row.length / c[ArcSlot::radius] : 0;

@@ -7,6 +7,7 @@
 
 #include "removal/simd/candidate_kernels.h"
 #include "removal/simd/sweep_kernels.h"
+#include <mrsim/types.h>
 
 #include <cstddef>
 #include <vector>
@@ -23,8 +24,10 @@ bool has_heights(const Profile& tool);
 /// `lift` for what it is below them. Requires: has_heights().
 HeightTool height_tool(const Profile& tool);
 
-/// Records of pieces: start of the tip (x, y, z; the lower end), unit direction (x, y) and length
-/// in plan, slope >= 0, eps; all mm. False, and none, where a path would need too many.
+/// Record of a piece from a to b, which the path leaves by up to `eps`: start of the tip (x, y, z;
+/// the lower end), unit direction (x, y) and length in plan, slope >= 0, eps; all mm.
+LineRecord piece_record(const Vec3& a, const Vec3& b, double eps);
+/// Those of a path. False, and none, where it would need too many.
 bool append_pieces(const ToolPath& path, std::vector<LineRecord>& out);
 bool append_pieces(const ProfileRow& row, std::vector<LineRecord>& out);
 

@@ -19,7 +19,12 @@ Box3 SweepColumns::bounds_of_number(std::size_t number) const {
   if (number >= kFirstPack) {
     const auto at = static_cast<std::uint32_t>(number);
     const SweepPack& pack = packs[at];
-    return inflated(bounds_of_line(refs[pack.first], packs.chord(at)), pack.spread);
+    const SweepRef& first = refs[pack.first];
+    if (first.kind == SweepKind::ball_line || first.kind == SweepKind::plane_line)
+      return inflated(bounds_of_line(first, packs.chord(at)), pack.spread);
+    Box3 box;
+    for (std::uint32_t i = pack.first; i <= pack.last; ++i) extend(box, bounds_of(refs[i]));
+    return box;
   }
   std::vector<std::uint32_t> sweeps;
   turn_tree.append_sweeps(static_cast<std::uint32_t>(number - refs.size()), sweeps);

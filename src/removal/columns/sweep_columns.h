@@ -4,6 +4,7 @@
 #pragma once
 
 #include "removal/columns/height_pieces.h"
+#include "removal/columns/run_chords.h"
 #include "removal/columns/sweep_class.h"
 #include "removal/columns/sweep_packs.h"
 #include "removal/columns/turn_tree.h"
@@ -93,6 +94,7 @@ struct SweepColumns {
   std::vector<SweepClass> classes;  ///< in the order of their groups
   TurnTree turn_tree;
   SweepPacks packs;
+  RunChords run_chords;
   std::vector<LineRecord> pieces;             ///< of paths and profiles (height_pieces.h)
   std::vector<std::uint32_t> first_piece;     ///< by sweep, and the end; empty when there are none
   std::vector<std::uint32_t> class_of;        ///< by sweep; empty when all are of the first class

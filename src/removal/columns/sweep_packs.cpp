@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
 
 namespace mrsim {
 namespace {
@@ -16,45 +17,74 @@ constexpr std::size_t kMost = 8, kLeast = 4;  // members of a pack
 constexpr double kStraight = 1.0 / 16;        // of the chord: the largest spread
 constexpr double kJoined = 1e-9;              // mm: ends of moves that follow one another
 constexpr double kShortest = 1e-3;            // mm in plan: shorter chords have no direction
+constexpr double kSteep = 8;                  // slope from which heights tell little of a chord
 constexpr std::size_t kPart = 1 << 13;        // sweeps that are packed on their own
 constexpr double kExpand = 0.7;               // of a pack: smaller regions see its members
+
+using Form = SweepClass::Form;
+
+// How far paths leave a chord, mm: in plan and upwards, or of strips and lines in space.
+struct Spread {
+  double plan = 0, up = 0;
+  friend Spread operator+(const Spread& a, const Spread& b) {
+    return {a.plan + b.plan, a.up + b.up};
+  }
+};
+Spread max(const Spread& a, const Spread& b) {
+  return {std::max(a.plan, b.plan), std::max(a.up, b.up)};
+}
 
 // A sweep or a pack, to be packed.
 struct Item {
   std::uint32_t number = 0, first = 0, last = 0;
-  std::uint32_t form = kOtherForm;
+  Form form = Form::other;  // strip, line or piece; others are not packed
+  SweepKind kind = SweepKind::path;
   std::int32_t shape = 0;
   Vec3 start, end;  // of the path
-  double spread = 0;
+  Spread spread;
 };
 
-Item item_of(const SweepColumns& c, std::uint32_t sweep) {
-  Item item;
-  item.number = item.first = item.last = sweep;
-  const std::uint32_t form = c.tags[sweep] >> kTagShift, row = c.tags[sweep] & kTagRow;
-  item.shape = c.refs[sweep].shape;
-  if (form == 0) {
-    const double* r = c.ball_lines[row].c;
+// Start and end of a sweep's path, where it is one of those that may be packed.
+bool find_ends(const SweepColumns& c, const SweepRef& ref, Item& item) {
+  if (item.form == Form::strip) {
+    const double* r = c.ball_lines[ref.row].c;
     item.start = {r[BallSlot::x], r[BallSlot::y], r[BallSlot::z]};
     item.end = {r[BallSlot::x] + r[BallSlot::ux] * r[BallSlot::length],
                 r[BallSlot::y] + r[BallSlot::uy] * r[BallSlot::length],
                 r[BallSlot::z] + r[BallSlot::slope] * r[BallSlot::length]};
-    item.form = form;
-  } else if (form == 1) {
-    const double* r = c.plane_lines[row].c;
-    item.start = {r[LineSlot::x], r[LineSlot::y], r[LineSlot::low]};
-    item.end = {r[LineSlot::x] + r[LineSlot::dx], r[LineSlot::y] + r[LineSlot::dy],
-                r[LineSlot::low]};
-    item.form = form;
+    return true;
   }
+  if (item.form == Form::line) {
+    const double* r = c.plane_lines[ref.row].c;
+    item.start = {r[LineSlot::x], r[LineSlot::y], r[LineSlot::low]};
+    item.end = item.start + Vec3{r[LineSlot::dx], r[LineSlot::dy], 0};
+    return true;
+  }
+  if (item.form != Form::piece || c.piece_count(item.number) != 1) return false;
+  if (ref.kind == SweepKind::profile) {
+    const ProfileRow& row = c.profiles[ref.row];
+    item.start = {row.c[LineSlot::x], row.c[LineSlot::y], row.z};
+    item.end = item.start + Vec3{row.c[LineSlot::dx], row.c[LineSlot::dy], 0};
+    return !row.arc;
+  }
+  item.start = c.paths[ref.row].start, item.end = item.start + c.paths[ref.row].travel;
+  return !c.paths[ref.row].arc;
+}
+
+Item item_of(const SweepColumns& c, std::uint32_t sweep) {
+  Item item;
+  item.number = item.first = item.last = sweep;
+  const SweepRef& ref = c.refs[sweep];
+  item.form = c.form_of(sweep), item.kind = ref.kind, item.shape = ref.shape;
+  if (!find_ends(c, ref, item)) item.form = Form::other;
   return item;
 }
 
 // Children are sweeps, or packs that were made one after another.
 bool follows(const Item& a, const Item& b) {
-  return b.number == a.number + 1 && a.form != kOtherForm && b.form == a.form &&
-         b.shape == a.shape && b.first == a.last + 1 && (a.form == 0 || a.start.z == b.start.z) &&
-         length(b.start - a.end) <= kJoined;
+  return b.number == a.number + 1 && a.form != Form::other && b.form == a.form &&
+         b.kind == a.kind && b.shape == a.shape && b.first == a.last + 1 &&
+         (a.form != Form::line || a.start.z == b.start.z) && length(b.start - a.end) <= kJoined;
 }
 
 // From the segment that begins at a, d long.
@@ -64,25 +94,26 @@ double squared_distance(const Vec3& p, const Vec3& a, const Vec3& d, double inve
   return dot(off, off);
 }
 
-// The sweep from the start of an item to b, of its form and tool.
-LineRecord chord_of(const SweepColumns& c, const Item& first, const Vec3& b) {
+// The sweep from the start of an item to `end`, of its form and tool; of pieces, one that strays
+// upwards only.
+LineRecord chord_of(const SweepColumns& c, const Item& first, const Vec3& end,
+                    const Spread& spread) {
+  if (first.form == Form::piece) return piece_record(first.start, end, spread.up);
   const std::uint32_t row = c.tags[first.first] & kTagRow;
-  LineRecord chord = first.form == 0 ? c.ball_lines[row] : c.plane_lines[row];
-  const double dx = b.x - first.start.x, dy = b.y - first.start.y;
-  if (first.form == 1) {
+  LineRecord chord = first.form == Form::strip ? c.ball_lines[row] : c.plane_lines[row];
+  const double dx = end.x - first.start.x, dy = end.y - first.start.y;
+  if (first.form == Form::line) {
     chord.c[LineSlot::dx] = dx, chord.c[LineSlot::dy] = dy;
     return chord;
   }
   const double n = std::sqrt(dx * dx + dy * dy);
   chord.c[BallSlot::ux] = dx / n, chord.c[BallSlot::uy] = dy / n, chord.c[BallSlot::length] = n,
-  chord.c[BallSlot::slope] = (b.z - first.start.z) / n;
+  chord.c[BallSlot::slope] = (end.z - first.start.z) / n;
   return chord;
 }
 
-}  // namespace
-
 // Lane k: a child with the record `child`.
-void put_child(PackColumns& to, std::size_t k, std::uint32_t form, const double* chord,
+void put_child(PackColumns& to, std::size_t k, Form form, const double* chord,
                const double* child) {
   const auto put = [&](std::initializer_list<double> values) {
     std::size_t i = 0;
@@ -90,22 +121,28 @@ void put_child(PackColumns& to, std::size_t k, std::uint32_t form, const double*
   };
   const double x = child[BallSlot::x] - chord[BallSlot::x],
                y = child[BallSlot::y] - chord[BallSlot::y];
-  if (form == 0)
-    put({x, y, child[BallSlot::z] - chord[BallSlot::z], child[BallSlot::ux], child[BallSlot::uy],
-         child[BallSlot::length], child[BallSlot::slope],
-         1 / (1 + child[BallSlot::slope] * child[BallSlot::slope])});
-  else
-    put({x, y, child[LineSlot::dx], child[LineSlot::dy],
-         1 / std::max(child[LineSlot::dx] * child[LineSlot::dx] +
-                          child[LineSlot::dy] * child[LineSlot::dy],
-                      1e-30),
-         0, 0});
+  if (form == Form::line)
+    return put({x, y, child[LineSlot::dx], child[LineSlot::dy],
+                1 / std::max(child[LineSlot::dx] * child[LineSlot::dx] +
+                                 child[LineSlot::dy] * child[LineSlot::dy],
+                             1e-30),
+                0, 0});
+  const double slope = child[BallSlot::slope];
+  put({x, y, child[BallSlot::z] - chord[BallSlot::z], child[BallSlot::ux], child[BallSlot::uy],
+       child[BallSlot::length], slope,
+       form == Form::strip ? 1 / (1 + slope * slope) : child[BallSlot::error]});
 }
+
+}  // namespace
 
 // The packs of some sweeps, numbered from kFirstPack on.
 class SweepPacks::Builder {
  public:
-  explicit Builder(const SweepColumns& columns) : columns_(columns) {}
+  explicit Builder(const SweepColumns& columns) : columns_(columns) {
+    for (const ToolShape& shape : columns.shapes)
+      slopes_.push_back(shape.turning ? 1
+                                      : std::max<double>(height_tool(shape.cutter).steepest, 1));
+  }
 
   // Level by level, until nothing more can be packed.
   SweepPacks build(std::uint32_t first, std::uint32_t end) {
@@ -127,11 +164,12 @@ class SweepPacks::Builder {
       std::size_t n = 1;
       while (n < kMost && i + n < items.size() && follows(items[i + n - 1], items[i + n])) ++n;
       // What bends too much for few moves mostly does for more.
-      double spread = n < kLeast ? -1 : spread_of({&items[i], kLeast});
-      if (spread >= 0)
-        while (n > kLeast && (spread = spread_of({&items[i], n})) < 0) --n;
-      if (spread >= 0) {
-        above.push_back(add({&items[i], n}, spread));
+      std::optional<Spread> spread;
+      if (n >= kLeast) spread = spread_of({&items[i], kLeast});
+      if (spread)
+        while (n > kLeast && !(spread = spread_of({&items[i], n}))) --n;
+      if (spread) {
+        above.push_back(add({&items[i], n}, *spread));
         i += n;
       } else if (items[i++].number >= kFirstPack) {
         above.push_back(items[i - 1]);
@@ -140,22 +178,51 @@ class SweepPacks::Builder {
     return packs_.size() > before;
   }
 
-  // How far the paths leave their chord; negative where that is too much.
-  static double spread_of(std::span<const Item> items) {
+  // How far the paths leave their chord; nothing where that is too much.
+  std::optional<Spread> spread_of(std::span<const Item> items) const {
     const Vec3 &a = items.front().start, d = items.back().end - a;
-    if (d.x * d.x + d.y * d.y < kShortest * kShortest) return -1;
+    if (d.x * d.x + d.y * d.y < kShortest * kShortest) return std::nullopt;
+    return items[0].form == Form::piece ? spread_of_pieces(items, a, d)
+                                        : spread_in_space(items, a, d);
+  }
+  static std::optional<Spread> spread_in_space(std::span<const Item> items, const Vec3& a,
+                                               const Vec3& d) {
     const double size = dot(d, d), most = kStraight * kStraight * size, inverse = 1 / size;
     double joints = 0, own = 0;
     for (const Item& item : items) {
       joints = std::max(joints, squared_distance(item.start, a, d, inverse));
-      if (joints > most) return -1;
-      own = std::max(own, item.spread);
+      if (joints > most) return std::nullopt;
+      own = std::max(own, item.spread.plan);
     }
     const double spread = std::sqrt(joints) + own + 4 * kJoined;
-    return spread * spread <= most ? spread : -1;
+    if (spread * spread > most) return std::nullopt;
+    return Spread{spread};
+  }
+  // In plan and upwards at the same place along the chord, which no joint leaves at an end.
+  std::optional<Spread> spread_of_pieces(std::span<const Item> items, const Vec3& a,
+                                         const Vec3& d) const {
+    const double n = std::sqrt(d.x * d.x + d.y * d.y), ux = d.x / n, uy = d.y / n, m = d.z / n;
+    if (std::fabs(m) > kSteep) return std::nullopt;
+    Spread joints, own;
+    for (const Item& item : items) {
+      const Vec3 q = item.start - a;
+      const double along = q.x * ux + q.y * uy;
+      if (along < -kJoined || along > n + kJoined) return std::nullopt;
+      joints = max(joints, {std::fabs(q.y * ux - q.x * uy), std::fabs(q.z - m * along)});
+      own = max(own, item.spread);
+    }
+    const double room = 4 * kJoined * (1 + kSteep);
+    const Spread spread = joints + own + Spread{room, room};
+    if (in_height(items[0], spread) > kStraight * n) return std::nullopt;
+    return spread;
+  }
+  // What it may change in the height of a tool, about.
+  double in_height(const Item& item, const Spread& spread) const {
+    if (item.form != Form::piece) return spread.plan;
+    return spread.up + slopes_[static_cast<std::size_t>(item.shape)] * spread.plan;
   }
 
-  Item add(std::span<const Item> items, double spread) {
+  Item add(std::span<const Item> items, const Spread& spread) {
     const Item& first = items.front();
     Item item = first;
     item.number = kFirstPack + static_cast<std::uint32_t>(packs_.size());
@@ -164,17 +231,18 @@ class SweepPacks::Builder {
     item.spread = spread;
     SweepPack pack;
     pack.first = item.first, pack.last = item.last;
-    pack.spread = std::nextafter(static_cast<float>(spread), std::numeric_limits<float>::max());
+    pack.spread =
+        std::nextafter(static_cast<float>(spread.plan), std::numeric_limits<float>::max());
     const double chord_length = length(item.end - item.start);
     const double reach = columns_.cutter(columns_.refs[item.first]).max_radius();
     pack.length = static_cast<float>(chord_length);
-    pack.expand_below =
-        static_cast<float>(kExpand * std::max(chord_length, std::sqrt(8 * spread * reach)));
+    pack.expand_below = static_cast<float>(
+        kExpand * std::max(chord_length, std::sqrt(8 * in_height(first, spread) * reach)));
     if (first.number >= kFirstPack) {
       pack.child = first.number - kFirstPack;
       pack.count = static_cast<std::uint32_t>(items.size());
     }
-    const LineRecord chord = chord_of(columns_, first, item.end);
+    const LineRecord chord = chord_of(columns_, first, item.end, spread);
     PackColumns& children = packs_.children_.emplace_back();
     for (std::size_t k = 0; k < items.size(); ++k)
       put_child(children, k, item.form, chord.c, record_of(items[k]));
@@ -185,11 +253,13 @@ class SweepPacks::Builder {
 
   const double* record_of(const Item& item) const {
     if (item.number >= kFirstPack) return packs_.chord(item.number).c;
+    if (item.form == Form::piece) return columns_.pieces[columns_.first_piece[item.number]].c;
     const std::uint32_t row = columns_.tags[item.number] & kTagRow;
-    return item.form == 0 ? columns_.ball_lines[row].c : columns_.plane_lines[row].c;
+    return item.form == Form::strip ? columns_.ball_lines[row].c : columns_.plane_lines[row].c;
   }
 
   const SweepColumns& columns_;
+  std::vector<double> slopes_;  // of the tools' undersides, by shape; 1 or more
   SweepPacks packs_;
 };
 

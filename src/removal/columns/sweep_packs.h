@@ -22,7 +22,9 @@ struct SweepPack {
   std::uint32_t first = 0, last = 0;   ///< its sweeps, all between them included
   std::uint32_t child = 0, count = 0;  ///< its packs; none: its children are the sweeps
   std::uint32_t of = 0;                ///< index of its class
-  float spread = 0;        ///< mm: how far path and chord are from each other at most, both ways
+  /// mm: how far path and chord are from each other at most, both ways; of paths in plan, and their
+  /// chord tells how far upwards.
+  float spread = 0;
   float length = 0;        ///< of the chord, mm
   float expand_below = 0;  ///< mm: radius of regions that are to see its children
 
@@ -31,8 +33,8 @@ struct SweepPack {
 };
 
 /// The children of a pack as a list has them (candidate_kernels.h), less what they have in common:
-/// strip about the start of the chord; line the same, tip and height number 0. Unused lanes hold
-/// nothing of use.
+/// strip and piece about the start of the chord; line the same, tip and height number 0. Unused
+/// lanes hold nothing of use.
 struct PackColumns {
   static constexpr std::size_t kColumns = 8, kLanes = 8;
   alignas(32) float c[kColumns][kLanes] = {};
@@ -44,8 +46,8 @@ struct SweepColumns;
 class SweepPacks {
  public:
   SweepPacks() = default;
-  /// Packs the sweeps of `columns` that have a closed form along lines; the same for any number of
-  /// threads. Their classes are not yet known.
+  /// Packs the sweeps of `columns` along lines that have a closed form or a piece; the same for any
+  /// number of threads. Their classes are not yet known.
   SweepPacks(const SweepColumns& columns, int threads);
 
   std::size_t size() const { return packs_.size(); }
@@ -54,7 +56,7 @@ class SweepPacks {
   }
   const SweepPack& operator[](std::uint32_t number) const { return packs_[number - kFirstPack]; }
   std::vector<SweepPack>& all() { return packs_; }
-  /// The sweep along the chord, in the form of the members.
+  /// The sweep along the chord, in the form of the members; of paths, a piece with their spread.
   const LineRecord& chord(std::uint32_t number) const { return chords_[number - kFirstPack]; }
   const PackColumns& children(std::uint32_t number) const { return children_[number - kFirstPack]; }
   /// Asks for the memory of chord() and children(), which is far from that of other packs.

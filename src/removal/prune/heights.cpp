@@ -16,10 +16,11 @@ void HeightBounds::begin(const RegionArgs& at, float lateral) {
   twice_ = 2 * band + 4 * at.delta;
 }
 
-HeightArgs HeightBounds::args(const HeightTool& tool) const {
+HeightArgs HeightBounds::args(const SweepClass& type) const {
   HeightArgs a = args_;
-  a.tool = tool;
-  a.error *= 1 + tool.steepest / 8;  // heights err with the slope
+  a.tool = type.heights;
+  a.error *= 1 + a.tool.steepest / 8;  // heights err with the slope
+  if (type.packs) a.wide += static_cast<float>(1.0001 * type.spread), a.stray = 0;
   return a;
 }
 

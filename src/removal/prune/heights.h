@@ -5,6 +5,7 @@
 // the air than that.
 #pragma once
 
+#include "removal/columns/sweep_class.h"
 #include "removal/prune/candidate_list.h"
 
 #include <limits>
@@ -19,8 +20,8 @@ class HeightBounds {
   /// Before the first question: the region as the loops see it, `lateral` mm wide in plan about its
   /// centre.
   void begin(const RegionArgs& at, float lateral);
-  /// What the loops take.
-  HeightArgs args(const HeightTool& tool) const;
+  /// What the loops take for the sweeps, or packs, of a class.
+  HeightArgs args(const SweepClass& type) const;
   /// Some sweep reaches down to `upper` over the whole square, and up beyond the region.
   void add(float upper) { least_ = upper < least_ ? upper : least_; }
 

@@ -111,14 +111,16 @@ class RunWriter {
     const double* chord = columns_.packs.chord(number).c;
     float common[PackColumns::kColumns] = {static_cast<float>(chord[BallSlot::x] - origin_.x),
                                            static_cast<float>(chord[BallSlot::y] - origin_.y)};
-    if (form_ == SweepClass::Form::strip) {
+    if (form_ != SweepClass::Form::line) {
       common[StripColumn::z] = static_cast<float>(chord[BallSlot::z] - origin_.z);
     } else {
       common[LineColumn::z] =
           static_cast<float>(chord[LineSlot::low] - chord[LineSlot::round] - origin_.z);
       common[LineColumn::height_number] = static_cast<float>(height_number_of(pack.first));
     }
-    spread_ = std::max(spread_, pack.spread);
+    spread_ = std::max<double>(spread_, pack.spread);
+    if (form_ == SweepClass::Form::piece)
+      spread_ = std::max(spread_, pack.spread + chord[BallSlot::error]);
     for (std::size_t i = 0; i < PackColumns::kColumns; ++i) {
       float sums[kLanes];  // in registers
       for (std::size_t k = 0; k < kLanes; ++k) sums[k] = children.c[i][k] + common[i];
@@ -150,14 +152,7 @@ class RunWriter {
   }
   void add_pieces(std::uint32_t id) {
     for (std::uint32_t k = columns_.first_piece[id]; k < columns_.first_piece[id + 1]; ++k) {
-      const double* c = columns_.pieces[k].c;
-      const double x = c[BallSlot::x] - origin_.x, y = c[BallSlot::y] - origin_.y,
-                   z = c[BallSlot::z] - origin_.z;
-      put({x, y, z, c[BallSlot::ux], c[BallSlot::uy], c[BallSlot::length], c[BallSlot::slope],
-           c[BallSlot::error]});
-      widen(x, y, z);
-      widen(x + c[BallSlot::ux] * c[BallSlot::length], y + c[BallSlot::uy] * c[BallSlot::length],
-            z + c[BallSlot::slope] * c[BallSlot::length]);
+      piece(columns_.pieces[k].c);
       put(kIdColumn, id);
       ++slot_;
     }
@@ -165,7 +160,9 @@ class RunWriter {
   void add_pack(std::uint32_t number) {
     const std::uint32_t first = columns_.packs[number].first;
     const double* chord = columns_.packs.chord(number).c;
-    if (form_ == SweepClass::Form::strip)
+    if (form_ == SweepClass::Form::piece)
+      piece(chord);
+    else if (form_ == SweepClass::Form::strip)
       widen_strip(chord), strip(chord);
     else
       widen_line(chord), line(chord, first);
@@ -174,6 +171,12 @@ class RunWriter {
     ++slot_;
   }
 
+  void piece(const double* c) {
+    put({c[BallSlot::x] - origin_.x, c[BallSlot::y] - origin_.y, c[BallSlot::z] - origin_.z,
+         c[BallSlot::ux], c[BallSlot::uy], c[BallSlot::length], c[BallSlot::slope],
+         c[BallSlot::error]});
+    widen_strip(c);
+  }
   void strip(const double* c) {
     const double s = c[BallSlot::slope];
     put({c[BallSlot::x] - origin_.x, c[BallSlot::y] - origin_.y, c[BallSlot::z] - origin_.z,
@@ -233,7 +236,7 @@ class RunWriter {
   SweepClass::Form form_ = SweepClass::Form::other;
   std::size_t first_ = 0, slot_ = 0;
   double extent_ = 0;
-  float spread_ = 0;
+  double spread_ = 0;
 };
 
 void copy_run(const CandidateList& in, const CandidateList::Run& run, CandidateList& out) {
@@ -260,8 +263,8 @@ void copy_some(const CandidateList& in, const CandidateList::Run& run, Candidate
 // Puts children in place of the packs of a list that are large beside a region.
 class PackExpander {
  public:
-  PackExpander(const SweepColumns& columns, const PruneRegion& region)
-      : c_(columns), region_(region), expanded_(scratch()) {
+  PackExpander(const SweepColumns& columns, const PruneRegion& region, bool by_heights)
+      : c_(columns), region_(region), by_heights_(by_heights), expanded_(scratch()) {
     expanded_.clear();
   }
 
@@ -305,11 +308,17 @@ class PackExpander {
     return entries;
   }
   bool is_large(std::uint32_t pack) const {
-    return region_.expand_packs || region_.radius < c_.packs[pack].expand_below;
+    return region_.expand_packs || region_.radius < c_.packs[pack].expand_below ||
+           !is_measured(c_.classes[c_.packs[pack].of]);
   }
   bool may_be_large(const CandidateList::Run& run) const {
     const SweepClass& type = c_.classes[run.of];
-    return type.packs && (region_.expand_packs || region_.radius < type.expand_below);
+    return type.packs &&
+           (region_.expand_packs || region_.radius < type.expand_below || !is_measured(type));
+  }
+  // Packs of paths have heights, but no distances.
+  bool is_measured(const SweepClass& type) const {
+    return by_heights_ || type.form != SweepClass::Form::piece;
   }
 
   // The children of a large pack, or theirs.
@@ -336,6 +345,7 @@ class PackExpander {
 
   const SweepColumns& c_;
   const PruneRegion& region_;
+  bool by_heights_;
   ByClass& expanded_;
   std::size_t room_ = 0;
 };
@@ -377,9 +387,9 @@ void list_candidates(const SweepTable& table, std::span<const std::uint32_t> ids
   out.close_run(turned.size());
 }
 
-bool expand_packs(const SweepTable& table, const PruneRegion& region, const CandidateList& in,
-                  CandidateList& out) {
-  PackExpander expander(table.columns(), region);
+bool expand_packs(const SweepTable& table, const PruneRegion& region, bool by_heights,
+                  const CandidateList& in, CandidateList& out) {
+  PackExpander expander(table.columns(), region, by_heights);
   if (!expander.find(in)) return false;
   expander.write(in, out);
   return true;

@@ -78,8 +78,8 @@ void MeasuredList::measure(const SweepTable& table) {
     extent = std::max(extent, std::fabs(scratch_.turned.distance));
   }
   set_delta(at_, extent, region_.radius);
-  for (const CandidateList::Run& run : in_.runs())
-    spread_ = std::max(spread_, columns_.classes[run.of].spread);
+  for (std::size_t i = 0; i < in_.runs().size(); ++i)
+    if (!is_bounded(i)) spread_ = std::max(spread_, type(i).spread);
   for (std::size_t i = 0; i < in_.runs().size() && !is_swept(); ++i) probe_run(i);
   for (std::size_t i = 0; i < in_.runs().size() && !is_swept(); ++i)
     if (!is_bounded(i)) measure_run(i);
@@ -194,11 +194,10 @@ void MeasuredList::measure_heights() {
     const CandidateList::Run& run = in_.runs()[i];
     float* lower = scratch_.lower.data() + run.first;
     if (is_bounded(i))
-      heights_.add(kernels_.piece_heights(in_.columns(run.first), run.count,
-                                          heights_.args(type(i).heights), lower));
-    else if (is_measured_horizontal(i))
       heights_.add(
-          kernels_.horizontal_heights(rows(i), run.count, heights_.args(type(i).heights), lower));
+          kernels_.piece_heights(in_.columns(run.first), run.count, heights_.args(type(i)), lower));
+    else if (is_measured_horizontal(i))
+      heights_.add(kernels_.horizontal_heights(rows(i), run.count, heights_.args(type(i)), lower));
   }
   for (std::size_t i = 0; i < in_.runs().size() && !heights_.is_swept(); ++i)
     if (is_measured_horizontal(i)) drop_high(i);

@@ -91,9 +91,9 @@ class Keeper {
     for (std::size_t i = from; i < to; ++i) {
       const CandidateList::Run& run = in_.runs()[i];
       const std::size_t first = out.begin_run(run.of, run.numbers);
-      const std::size_t kept =
-          kernels_.keep_low(measured_.lower(i), run.count, measured_.height_limit(),
-                            in_.columns(run.first), out.column(0) + first, out.stride());
+      const std::size_t kept = kernels_.keep_low(
+          measured_.lower(i), run.count, measured_.height_limit(), in_.columns(run.first),
+          type(i).packs ? kPackColumn + 1 : kPackColumn, out.column(0) + first, out.stride());
       reaches_ = reaches_ || kept > 0;
       out.close_run(kept);
     }
@@ -216,8 +216,11 @@ bool prune(const SweepTable& table, const PruneRegion& region, double reach, dou
     out.reset(0, in.origin);
     return true;
   }
+  const bool by_heights = band > 0;
+  if (!by_heights && expand_packs(table, region, by_heights, in, expanded))
+    return prune_once(table, region, reach, band, expanded, out);
   if (!prune_once(table, region, reach, band, in, out)) return false;
-  return !expand_packs(table, region, out, expanded) ||
+  return !expand_packs(table, region, by_heights, out, expanded) ||
          prune_once(table, region, reach, band, expanded, out);
 }
 

@@ -49,6 +49,7 @@ struct HeightArgs {
   float wide = 0;      ///< radius in plan of what the bounds are for
   float top = 0;       ///< height above which a bound need not hold
   float error = 0;     ///< of a bound
+  float stray = 1;     ///< how much of what a path leaves its piece by it may do in plan
   HeightTool tool;
 };
 
@@ -128,9 +129,10 @@ struct CandidateKernels {
   float (*horizontal_heights)(const CandidateRows& rows, std::size_t n, const HeightArgs& a,
                               float* lower);
 
-  /// Copies the eight columns and the number of those entries whose `lower` is at most `limit`.
+  /// Copies the first `columns` and the number of those entries whose `lower` is at most `limit`.
   std::size_t (*keep_low)(const float* lower, std::size_t n, float limit,
-                          const CandidateColumns& in, float* out, std::size_t out_stride);
+                          const CandidateColumns& in, std::size_t columns, float* out,
+                          std::size_t out_stride);
 
   // Strips of one tool for a region without parts, where nothing but their numbers is wanted.
   /// For each of four parts, about (-b, -b), (-b, b), (b, -b) and (b, b) of the centre in plan, the

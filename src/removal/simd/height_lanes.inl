@@ -67,7 +67,7 @@ static float piece_heights(const CandidateColumns& c, std::size_t n, const Heigh
             uy = load(c[BallSlot::uy] + k), end = load(c[BallSlot::length] + k),
             m = load(c[BallSlot::slope] + k), eps = load(c[BallSlot::error] + k);
     const V u = dx * ux + dy * uy, v = vabs(dx * uy - dy * ux), vv = v * v;
-    const V wide = splat(a.wide) + eps, error = splat(a.error) + eps;
+    const V wide = splat(a.wide) + splat(a.stray) * eps, error = splat(a.error) + eps;
     const M real = first_lanes(n - k);
     // The positions within reach of the widened tool.
     const V rw = splat(t.radius) + wide, ww = rw * rw - vv, w = vsqrt(vmax(ww, zero));
@@ -127,13 +127,13 @@ static float horizontal_heights(const CandidateRows& rows, std::size_t n, const 
 }
 
 static std::size_t keep_low(const float* lower, std::size_t n, float limit,
-                            const CandidateColumns& in, float* out, std::size_t out_stride) {
-  constexpr std::size_t kColumns = 8;
+                            const CandidateColumns& in, std::size_t columns, float* out,
+                            std::size_t out_stride) {
   std::size_t kept = 0;
   for (std::size_t k = 0; k < n; k += kLanes) {
     const M stay = both(less_equal(load(lower + k), splat(limit)), first_lanes(n - k));
     if (!any(stay)) continue;
-    for (std::size_t i = 0; i < kColumns; ++i)
+    for (std::size_t i = 0; i < columns; ++i)
       compress(out + i * out_stride + kept, load(in[i] + k), stay);
     kept += compress(out + kIdColumn * out_stride + kept, load(in[kIdColumn] + k), stay);
   }

@@ -11,12 +11,12 @@
 
 namespace mrsim {
 
-/// The moves of a run lie within its spread of its chord, from where the first begins to where the
-/// last ends. What a convex tool sweeps along a line is convex, so the distance from what it would
-/// sweep along the chord, less the spread, is not above the distance from any of the moves.
+/// The moves of a run lie within its spread of its chord (RunChords). What a convex tool sweeps
+/// along a line is convex, so the distance from what it would sweep along the chord, less the
+/// spread, is not above the distance from any of the moves.
 class MoveRuns {
  public:
-  /// Finds the runs of a list, unless it is the one before: some ten nanoseconds a sweep.
+  /// Finds the runs of a list, unless it is the one before: a few nanoseconds a sweep.
   void prepare(const SweepColumns& c, std::span<const std::uint32_t> list);
   /// Finds the bounds of all runs at p. Where one is above `limit`, any bound that is.
   void measure(const SweepColumns& c, const Vec3& p, double limit);
@@ -38,15 +38,10 @@ class MoveRuns {
     std::uint32_t chord = 0;           ///< of the first
     double spread = 0;                 ///< the largest
   };
-  struct Move {
-    Vec3 start, end;
-  };
-  void add_moves(const SweepColumns& c, std::uint32_t first, std::uint32_t count);
-  bool add_run(const SweepColumns& c, std::uint32_t first, std::uint32_t count);
+  void add_moves(const SweepColumns& c, std::uint32_t first, std::uint32_t end);
 
   std::uint64_t table_ = 0;  ///< SweepColumns::serial that the list is of
   std::vector<std::uint32_t> list_, within_;
-  std::vector<Move> moves_;  ///< by place in the list
   std::vector<Run> runs_;
   std::vector<Group> groups_;
   std::vector<ChainLine> chords_;  ///< of the runs that have one
