@@ -169,7 +169,7 @@ TEST(Heights, OfPacksAreBoundsOfTheirMoves) {
     for (std::uint32_t pack = kFirstPack; pack < kFirstPack + c.packs.size(); ++pack) {
       std::vector<std::uint32_t> numbers{pack}, sweeps;
       c.append_sweeps(pack, sweeps);
-      const Vec3 near = c.paths[c.refs[sweeps[sweeps.size() / 2]].row].start;
+      const Vec3 near = c.paths.line(c.refs[sweeps[sweeps.size() / 2]].row).start;
       const Vec3 center = near + Vec3{r(-3, 3), r(-3, 3), 0};
       CandidateList list;
       list_candidates(table, numbers, {0, 0, 0}, list);
@@ -183,7 +183,7 @@ TEST(Heights, OfPacksAreBoundsOfTheirMoves) {
         const double x = center.x + wide * std::cos(turn), y = center.y + wide * std::sin(turn);
         double least = std::numeric_limits<double>::infinity(), distance = least, lowest = least;
         for (const std::uint32_t id : sweeps) {
-          const Vec3 a = c.paths[c.refs[id].row].start, way = c.paths[c.refs[id].row].travel;
+          const auto& [a, way] = c.paths.line(c.refs[id].row);
           for (const double s : {0.0, 0.5, 1.0}) {
             const Vec3 tip = a + s * way;
             lowest = std::min(lowest, tip.z);

@@ -37,7 +37,7 @@ class Joiner {
                                    append(from.plane_arcs, table_.plane_arcs),
                                    append(from.ball_arcs, table_.ball_arcs),
                                    append(from.profiles, table_.profiles),
-                                   append(from.paths, table_.paths),
+                                   append_paths(from.paths),
                                    append(from.turns, table_.turns)};
     static_assert(
         static_cast<int>(SweepKind::ball_line) == 0 &&
@@ -75,6 +75,12 @@ class Joiner {
     return first;
   }
 
+  std::uint32_t append_paths(const PathColumn& rows) {
+    const auto first = static_cast<std::uint32_t>(table_.paths.size());
+    table_.paths.append(rows, joined_, parts_);
+    return first;
+  }
+
   std::vector<std::int32_t> shapes_of(SweepBuilder& part) {
     std::vector<std::int32_t> places;
     for (std::size_t k = 0; k < part.keys().size(); ++k) {
@@ -109,19 +115,21 @@ void add_chains(SweepColumns& c) {
   for (const ToolShape& shape : c.shapes)
     c.chain_tools.push_back(shape.turning ? ChainTool{} : chain_tool(shape.cutter));
   for (const SweepRef& ref : c.refs) {
-    if (ref.kind != SweepKind::path || c.paths[ref.row].arc) continue;
+    if (ref.kind != SweepKind::path || !c.paths.is_line(ref.row)) continue;
     const ChainTool& tool = c.chain_tools[ref.shape];
     if (tool.count == 0) continue;
     c.chain_lines.resize(c.paths.size());
-    c.chain_lines[ref.row] = chain_line(tool, c.paths[ref.row]);
+    c.chain_lines[ref.row] = chain_line(tool, *c.paths[ref.row]);
   }
 }
 
 void add_slants(SweepColumns& c) {
   for (const SweepRef& ref : c.refs) {
-    if (ref.kind != SweepKind::path || !is_slant(c.cutter(ref), c.paths[ref.row])) continue;
+    if (ref.kind != SweepKind::path || !c.paths.is_line(ref.row) ||
+        !is_slant(c.cutter(ref), *c.paths[ref.row]))
+      continue;
     c.slant_lines.resize(c.paths.size());
-    c.slant_lines[ref.row] = slant_record(c.cutter(ref), c.paths[ref.row]);
+    c.slant_lines[ref.row] = slant_record(c.cutter(ref), *c.paths[ref.row]);
   }
 }
 

@@ -30,12 +30,14 @@ double spread_of(const SweepColumns& c, std::uint32_t pack) {
 
 // Of two packs with the same tool, the second behind the first.
 std::optional<RunChords::Run> run_of_pair(const SweepColumns& c, std::uint32_t a, std::uint32_t b) {
-  const auto& first = c.paths[c.refs[c.packs[a].first].row];
-  const auto& middle = c.paths[c.refs[c.packs[b].first].row];
-  const auto& last = c.paths[c.refs[c.packs[b].last].row];
+  const auto line_of = [&](std::uint32_t sweep) -> const PathColumn::Line& {
+    return c.paths.line(c.refs[sweep].row);
+  };
+  const Vec3 middle = line_of(c.packs[b].first).start;
   ToolPath path;
-  path.start = first.start, path.travel = last.start + last.travel - first.start;
-  const Vec3 &way = path.travel, off = middle.start - path.start;
+  path.start = line_of(c.packs[a].first).start;
+  path.travel = line_of(c.packs[b].last).end() - path.start;
+  const Vec3 &way = path.travel, off = middle - path.start;
   const double square = dot(way, way);
   if (!(way.x * way.x + way.y * way.y > kSteep * kSteep * square)) return std::nullopt;
   const Vec3 aside = off - std::clamp(dot(off, way) / square, 0.0, 1.0) * way;

@@ -144,7 +144,7 @@ void SweepBuilder::add_milling(SweepRef ref, const Motion& m, const Tool& tool) 
     add_path(ref, l, cutter);
   bool two_sided =
       l.arc ? ref.kind == SweepKind::profile : dx * dx + dy * dy >= kNoTravel * kNoTravel;
-  if (l.arc && ref.kind == SweepKind::path) two_sided = is_two_sided(columns_.paths[ref.row]);
+  if (l.arc && ref.kind == SweepKind::path) two_sided = is_two_sided(*columns_.paths[ref.row]);
   ref.grooves = two_sided && columns_.shapes[shape].cutter.has_sharp_tip();
   if (ref.kind != SweepKind::ball_line && ref.kind != SweepKind::plane_line)
     columns_.bounds[static_cast<std::size_t>(ref.kind)].push_back(

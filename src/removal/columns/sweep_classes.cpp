@@ -116,7 +116,7 @@ void cut_pieces(SweepColumns& c) {
       c.first_piece[i] = static_cast<std::uint32_t>(c.pieces.size() + some.size());
     if (ref.frame == 0 && (path || profile) && has_heights(c.cutter(ref))) {
       const bool cut =
-          path ? append_pieces(c.paths[ref.row], some) : append_pieces(c.profiles[ref.row], some);
+          path ? append_pieces(*c.paths[ref.row], some) : append_pieces(c.profiles[ref.row], some);
       if (cut && c.first_piece.empty()) c.first_piece.resize(c.refs.size() + 1);
     }
     if ((i + 1) % kTogether != 0 && i + 1 != c.refs.size()) continue;

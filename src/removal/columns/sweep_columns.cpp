@@ -68,7 +68,7 @@ double SweepColumns::distance(const SweepRef& ref, const Vec3& p) const {
     }
     case SweepKind::path:
       if (is_chain(ref) || is_slant_line(ref)) return path_sample(ref, p).distance;
-      return path_value(cutter(ref), paths[ref.row], p);
+      return path_value(cutter(ref), *paths[ref.row], p);
     case SweepKind::turn:
       return turn_distance(turns[ref.row], p);
   }
@@ -78,7 +78,7 @@ double SweepColumns::distance(const SweepRef& ref, const Vec3& p) const {
 PathSample SweepColumns::path_sample(const SweepRef& ref, const Vec3& p) const {
   if (is_chain(ref)) return chain_minimum(chain_tools[ref.shape], chain_lines[ref.row], p);
   if (is_slant_line(ref)) return slant_minimum(slant_lines[ref.row], p);
-  return path_distance(cutter(ref), paths[ref.row], p);
+  return path_distance(cutter(ref), *paths[ref.row], p);
 }
 
 SweepColumns::Foot SweepColumns::foot(const SweepRef& ref, const Vec3& p) const {

@@ -4,13 +4,13 @@
 #pragma once
 
 #include "removal/columns/height_pieces.h"
+#include "removal/columns/path_column.h"
 #include "removal/columns/run_chords.h"
 #include "removal/columns/sweep_class.h"
 #include "removal/columns/sweep_packs.h"
 #include "removal/columns/turn_tree.h"
 #include "removal/forms/chain_sweep.h"
 #include "removal/forms/curtain_sweep.h"
-#include "removal/forms/path_sweep.h"
 #include "removal/forms/slant_sweep.h"
 #include "removal/forms/sweep_motion.h"
 #include "removal/forms/turn_sweep.h"
@@ -84,7 +84,7 @@ struct SweepColumns {
   std::vector<ArcRecord> plane_arcs;
   std::vector<BallArc> ball_arcs;
   std::vector<ProfileRow> profiles;
-  std::vector<ToolPath> paths;
+  PathColumn paths;
   std::vector<ChainLine> chain_lines;    ///< by row of paths; empty when there are none
   std::vector<ChainTool> chain_tools;    ///< by shape, likewise
   std::vector<SlantRecord> slant_lines;  ///< by row of paths; empty when there are none

@@ -67,8 +67,9 @@ bool find_ends(const SweepColumns& c, const SweepRef& ref, Item& item) {
     item.end = item.start + Vec3{row.c[LineSlot::dx], row.c[LineSlot::dy], 0};
     return !row.arc;
   }
-  item.start = c.paths[ref.row].start, item.end = item.start + c.paths[ref.row].travel;
-  return !c.paths[ref.row].arc;
+  if (!c.paths.is_line(ref.row)) return false;
+  item.start = c.paths.line(ref.row).start, item.end = c.paths.line(ref.row).end();
+  return true;
 }
 
 Item item_of(const SweepColumns& c, std::uint32_t sweep) {

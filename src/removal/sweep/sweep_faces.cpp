@@ -76,22 +76,24 @@ struct Contact {
   bool at_end = false;
 };
 
-Contact contact_at(const ToolPath& path, double t, const Vec3& p) {
+Contact contact_at(const SweepColumns& columns, const SweepRef& ref, double t, const Vec3& p) {
   Contact c;
-  const PathPoint at = path_point(path, t);
+  const PathPoint at = columns.paths.point(ref.row, t);
   c.q = p - at.position;
   c.travel = at.direction;
   c.rho = std::sqrt(c.q.x * c.q.x + c.q.y * c.q.y);
-  c.at_end = t <= 0 || t >= (path.arc ? path.sweep : 1);
+  c.at_end = t <= 0 || t >= columns.paths.end(ref.row);
   return c;
 }
 
 Vec3 around(const Contact& c, Vec2 g) { return revolved(c.q, 0, 0, g); }
 
-std::int32_t path_patch(const Profile& tool, const ToolPath& path, double t, const Vec3& p) {
-  const Contact c = contact_at(path, t, p);
+std::int32_t path_patch(const SweepColumns& columns, const SweepRef& ref, double t, const Vec3& p) {
+  const Profile& tool = columns.cutter(ref);
+  const Contact c = contact_at(columns, ref, t, p);
   const ProfileSample s = tool_sample(tool, c.rho, c.q.z);
-  const std::int32_t branch = path.arc ? path_branch(path, t) * kBranchPatch : 0;
+  const bool line = columns.paths.is_line(ref.row);
+  const std::int32_t branch = line ? 0 : path_branch(columns.paths.arc(ref.row), t) * kBranchPatch;
   if (c.at_end) return s.patch + branch;
   const double slope = dot(around(c, s.gradient), c.travel);
   const double steep = 1e-6 * length(c.travel);
@@ -125,22 +127,25 @@ double facing_angle(const ToolPath& path, const Vec3& p, double from, double to)
 
 // The upright wall of a flat mill that reaches up, continued to all heights: the position that is
 // nearest to p in space may touch p with its lower edge, so that its wall would be the floor.
-std::optional<FacePlane> path_wall(const Profile& tool, const ToolPath& path, const Vec3& p,
+std::optional<FacePlane> path_wall(const SweepColumns& columns, const SweepRef& ref, const Vec3& p,
                                    std::int32_t patch) {
   constexpr std::int32_t kWall = 1;  // of a tool with is_rounded() without a fillet
-  const bool has_plan = path.arc ? path.horizontal : path.travel.x != 0 || path.travel.y != 0;
-  if (!has_plan || !tool.is_rounded() || !tool.is_rising() || tool.round() > 0 ||
-      patch % kBranchPatch != kWall)
+  const Profile& tool = columns.cutter(ref);
+  if (!tool.is_rounded() || !tool.is_rising() || tool.round() > 0 || patch % kBranchPatch != kWall)
     return std::nullopt;
   double t;
-  if (path.arc) {
+  if (columns.paths.is_line(ref.row)) {
+    const PathColumn::Line& path = columns.paths.line(ref.row);
+    const Vec3 d{path.travel.x, path.travel.y, 0};
+    if (d.x == 0 && d.y == 0) return std::nullopt;
+    t = std::clamp(dot(p - path.start, d) / dot(d, d), 0.0, 1.0);
+  } else {
+    const ToolPath& path = columns.paths.arc(ref.row);
+    if (!path.horizontal) return std::nullopt;
     const auto [from, to] = branch_ends(path, patch / kBranchPatch);
     t = facing_angle(path, p, from, to);
-  } else {
-    const Vec3 d{path.travel.x, path.travel.y, 0};
-    t = std::clamp(dot(p - path.start, d) / dot(d, d), 0.0, 1.0);
   }
-  const Vec3 foot = path_point(path, t).position;
+  const Vec3 foot = columns.paths.point(ref.row, t).position;
   const double dx = p.x - foot.x, dy = p.y - foot.y, rho = std::sqrt(dx * dx + dy * dy);
   return FacePlane{revolved(p, foot.x, foot.y, {1, 0}), rho - tool.core()};
 }
@@ -149,22 +154,22 @@ std::optional<FacePlane> path_wall(const Profile& tool, const ToolPath& path, co
 // has the face, which another one may cover there.
 PathSample face_place(const SweepColumns& columns, const SweepRef& ref, const Vec3& p,
                       std::int32_t patch) {
-  const ToolPath& path = columns.paths[ref.row];
   const Profile& tool = columns.cutter(ref);
   const std::int32_t branch = patch / kBranchPatch, face = patch % kBranchPatch;
   if (!tool.convex_pieces().empty())
     return piece_distance(face >= kCornerPatch ? tool.piece_of_corner(face - kCornerPatch)
                                                : tool.piece_of_patch(face),
-                          path, p, branch);
-  return path.arc ? branch_distance(tool, path, p, branch) : columns.path_sample(ref, p);
+                          *columns.paths[ref.row], p, branch);
+  return columns.paths.is_line(ref.row)
+             ? columns.path_sample(ref, p)
+             : branch_distance(tool, columns.paths.arc(ref.row), p, branch);
 }
 
 FacePlane path_face(const SweepColumns& columns, const SweepRef& ref, const Vec3& p,
                     std::int32_t patch) {
-  const ToolPath& path = columns.paths[ref.row];
   const Profile& tool = columns.cutter(ref);
-  if (const auto wall = path_wall(tool, path, p, patch)) return *wall;
-  const Contact c = contact_at(path, face_place(columns, ref, p, patch).t, p);
+  if (const auto wall = path_wall(columns, ref, p, patch)) return *wall;
+  const Contact c = contact_at(columns, ref, face_place(columns, ref, p, patch).t, p);
   const std::int32_t face = patch % kBranchPatch;
   if (face >= kCornerPatch) return corner_face(tool, c, face - kCornerPatch);
   return {around(c, face_gradient(tool, c.rho, c.q.z, face)),
@@ -177,16 +182,20 @@ FacePlane path_face(const SweepColumns& columns, const SweepRef& ref, const Vec3
 std::optional<FacePlane> sheared_cylinder(const SweepColumns& columns, const SweepRef& ref,
                                           const Vec3& p, std::int32_t patch) {
   constexpr double kLeastSlope = 1e-4;
-  const ToolPath& path = columns.paths[ref.row];
   const std::int32_t face = patch % kBranchPatch;
-  if ((path.arc && !path.horizontal) || face < kCornerPatch) return std::nullopt;
-  const double rise = path.arc ? path.rise.z : path.travel.z;
-  const double plan2 = path.arc ? path.radius * path.radius
-                                : path.travel.x * path.travel.x + path.travel.y * path.travel.y;
+  if (face < kCornerPatch) return std::nullopt;
+  double z, rise, plan2;
+  if (columns.paths.is_line(ref.row)) {
+    const auto& [start, travel] = columns.paths.line(ref.row);
+    z = start.z, rise = travel.z, plan2 = travel.x * travel.x + travel.y * travel.y;
+  } else {
+    const ToolPath& path = columns.paths.arc(ref.row);
+    if (!path.horizontal) return std::nullopt;
+    z = path.center.z, rise = path.rise.z, plan2 = path.radius * path.radius;
+  }
   if (!(rise * rise > kLeastSlope * kLeastSlope * plan2)) return std::nullopt;
   const Vec2 corner = columns.cutter(ref).corner_point(face - kCornerPatch);
-  const double z = path.arc ? path.center.z : path.start.z;
-  const PathPoint at = path_point(path, (p.z - corner.y - z) / rise);
+  const PathPoint at = columns.paths.point(ref.row, (p.z - corner.y - z) / rise);
   const double x = p.x - at.position.x, y = p.y - at.position.y;
   const double rho = std::sqrt(x * x + y * y);
   if (!(rho > 0)) return std::nullopt;
@@ -242,9 +251,8 @@ SweepSample local_sample(const SweepColumns& c, const SweepRef& ref, const Vec3&
       return {c.distance(ref, p), half * kBranchPatch};
     }
     case SweepKind::path: {
-      const ToolPath& path = c.paths[ref.row];
       const PathSample s = c.path_sample(ref, p);
-      return {s.distance, path_patch(c.cutter(ref), path, s.t, p)};
+      return {s.distance, path_patch(c, ref, s.t, p)};
     }
     case SweepKind::turn:
       return turn_sample(c.turns[ref.row], p);
@@ -311,9 +319,12 @@ GrooveSide groove_side(const SweepColumns& c, const SweepRef& ref, const Vec3& p
     return GrooveSide{r - radius, {rx / r, ry / r, 0}, radius};
   };
   if (ref.kind == SweepKind::path) {
-    const ToolPath& path = c.paths[ref.row];
+    if (c.paths.is_line(ref.row)) {
+      const auto& [start, travel] = c.paths.line(ref.row);
+      return beside_line(start.x, start.y, travel.x, travel.y);
+    }
+    const ToolPath& path = c.paths.arc(ref.row);
     const Vec3 &at = path.center, normal = cross(path.u, path.v);
-    if (!path.arc) return beside_line(path.start.x, path.start.y, path.travel.x, path.travel.y);
     if (path.horizontal) return beside_circle(at.x, at.y, path.radius);
     return beside_line(at.x, at.y, -normal.y, normal.x);
   }
@@ -333,7 +344,7 @@ SweepSample sweep_sample(const SweepColumns& c, std::size_t i, const Vec3& point
 
 std::int32_t sweep_patch(const SweepColumns& c, std::size_t i, const Vec3& p, double t) {
   const SweepRef& ref = c.refs[i];
-  return with_flank(c, ref, p, path_patch(c.cutter(ref), c.paths[ref.row], t, p));
+  return with_flank(c, ref, p, path_patch(c, ref, t, p));
 }
 
 FacePlane sweep_face_plane(const SweepColumns& c, std::size_t i, const Vec3& p,

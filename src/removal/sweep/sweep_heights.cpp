@@ -99,12 +99,13 @@ SweepHeights::Row SweepHeights::row_of(std::uint32_t sweep) {
   } else if (ref.kind == SweepKind::profile) {
     row.form = Form::horizontal, row.z = c.profiles[ref.row].z;
   } else if (ref.kind == SweepKind::path) {
-    const ToolPath& path = c.paths[ref.row];
-    if (!path.arc && row.tool->is_convex()) set_slant(row, path.start, path.start + path.travel);
-    if (path.lowest_turn && row.tool->is_flat())
+    const bool line = c.paths.is_line(ref.row);
+    if (line && row.tool->is_convex())
+      set_slant(row, c.paths.line(ref.row).start, c.paths.line(ref.row).end());
+    else if (!line && c.paths.arc(ref.row).lowest_turn && row.tool->is_flat())
       row.form = Form::helix;
-    else if (path.arc && row.tool->is_convex())
-      set_pieces(row, path);
+    else if (!line && row.tool->is_convex())
+      set_pieces(row, c.paths.arc(ref.row));
   }
   return row;
 }
@@ -192,7 +193,7 @@ Underside::Bounds SweepHeights::piece_bounds(const Row& row, double x, double y,
 // the place.
 double SweepHeights::helix_bottom(const Row& row, double x, double y, double radius) const {
   const SweepColumns& c = sweeps_.columns();
-  const ToolPath& path = c.paths[c.refs[row.sweep].row];
+  const ToolPath& path = c.paths.arc(c.refs[row.sweep].row);
   const Vec3 off{x - path.center.x, y - path.center.y, 0};
   const double from = std::sqrt(dot(off, off)), turn = path.radius;
   if (radius < 0 || std::fabs(from - turn) > radius) return kInfinity;

@@ -42,8 +42,8 @@ void least_of(const SweepColumns& c, std::uint32_t id, PointColumns& points) {
     return sweep_kernels().chain(c.chain_tools[ref.shape], c.chain_lines[ref.row], id, points);
   if (c.is_slant_line(ref) && ref.frame == 0)
     return sweep_kernels().slant(c.slant_lines[ref.row], id, points);
-  if (ref.kind == SweepKind::path && ref.frame == 0) {
-    const ToolPath& path = c.paths[ref.row];
+  if (ref.kind == SweepKind::path && ref.frame == 0 && !c.paths.is_line(ref.row)) {
+    const ToolPath& path = c.paths.arc(ref.row);
     const Profile& tool = c.cutter(ref);
     if (path.bored) open &= sweep_kernels().bore(bore_record(tool, path), id, points);
     if (path.lowest_turn && tool.is_rounded())

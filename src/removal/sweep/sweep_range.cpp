@@ -170,14 +170,15 @@ class RangeOf {
   }
 
   FaceRange path() const {
-    const bool moved_body = !columns_.paths[ref_.row].arc && columns_.cutter(ref_).is_convex();
-    return moved_body ? straight(columns_.cutter(ref_), columns_.paths[ref_.row]) : FaceRange{};
+    const bool moved_body = columns_.paths.is_line(ref_.row) && columns_.cutter(ref_).is_convex();
+    return moved_body ? straight(columns_.cutter(ref_), columns_.paths.line(ref_.row))
+                      : FaceRange{};
   }
 
   // A convex tool on a line sweeps a convex body: its signed distance is at most that of the
   // corners, and at least that of any half space about the body, here one that touches it near the
   // triangle.
-  FaceRange straight(const Profile& tool, const ToolPath& path) const {
+  FaceRange straight(const Profile& tool, const PathColumn::Line& path) const {
     const Vec3 at = weighted(smallest_circle(t_), t_);
     Vec3 n = sweep_gradient(columns_, i_, at, sweep_sample(columns_, i_, at).patch);
     if (ref_.frame > 0) n = columns_.frames[ref_.frame - 1].in(n);
