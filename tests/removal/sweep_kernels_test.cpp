@@ -293,11 +293,25 @@ TEST(SweepKernels, BoundsAreTheSameOnEveryInstructionSet) {
     for (std::uint32_t& row : rows) row = static_cast<std::uint32_t>(r.pick(40));
     const Vec3 p{r(0, 5), r(0, 5), r(-3, 8)};
     const double limit = round % 2 == 0 ? std::numeric_limits<double>::infinity() : r(0, 2);
+    constexpr std::size_t kStride = 32 + PointColumns::kPad;
+    std::vector<double> columns(ChainColumns::kCount * kStride);
+    for (std::size_t k = 0; k < rows.size(); ++k) {
+      const ChainLine& m = chains[rows[k]];
+      const double numbers[] = {m.x,       m.y,       m.z,        m.ux,      m.uy,
+                                m.plan,    m.rise,    m.per_plan, m.per_way, m.tilt[0],
+                                m.tilt[1], m.tilt[2], m.tilt[3]};
+      for (std::size_t i = 0; i < ChainColumns::kCount; ++i) columns[i * kStride + k] = numbers[i];
+    }
     const auto found = [&](const SweepKernels& set) {
       std::vector<double> out(32 + PointColumns::kPad);
       set.chain_bounds(tool, chains.data(), rows.data(), rows.size(), p, limit, out.data());
-      for (double& d : out)
-        if (d > limit) d = std::numeric_limits<double>::infinity();
+      std::vector<double> beside(32 + PointColumns::kPad);
+      set.chain_bounds_beside(tool, {columns.data(), kStride}, rows.size(), p, limit,
+                              beside.data());
+      for (double* d : {out.data(), beside.data()})
+        for (std::size_t k = 0; k < rows.size(); ++k)
+          if (d[k] > limit) d[k] = std::numeric_limits<double>::infinity();
+      EXPECT_EQ(std::memcmp(out.data(), beside.data(), rows.size() * sizeof(double)), 0);
       std::vector<double> some(32 + PointColumns::kPad);
       set.slant_bounds(slants.data(), rows.data(), rows.size(), p, some.data());
       out.resize(rows.size());

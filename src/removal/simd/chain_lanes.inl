@@ -81,13 +81,13 @@ MRSIM_LANE FlankPlace flank_place(const ChainTool& tool, const Move& move, const
   return x;
 }
 
-/// No position of the tool is nearer: it ends within its radius of the move's ends, and between its
-/// lowest and its highest place.
+/// No position of the tool is nearer: it ends within its radius of the move in plan, along and
+/// across it, and between its lowest and its highest place.
 template <class Move>
 MRSIM_LANE V ends_bound(const ChainTool& tool, const Move& move, const ChainView& at) {
   const V zero = splat(0.0), rise = move.rise();
   const V low = splat(tool.bottom) + vmin(rise, zero), high = splat(tool.top) + vmax(rise, zero);
-  return vmax(vmax(zero - at.u, at.u - move.plan()) - splat(tool.radius),
+  return vmax(vmax(vmax(zero - at.u, at.u - move.plan()), at.v) - splat(tool.radius),
               vmax(low - at.w, at.w - high));
 }
 

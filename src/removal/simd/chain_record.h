@@ -39,4 +39,12 @@ struct alignas(64) ChainLine {
   double tilt[kMostFlanks] = {};
 };
 
+/// Moves side by side, number by number: those of a ChainLine in their order.
+struct ChainColumns {
+  static constexpr std::size_t kCount = 9 + kMostFlanks;
+  const double* base = nullptr;
+  std::size_t stride = 0;
+  const double* operator[](std::size_t i) const { return base + i * stride; }
+};
+
 }  // namespace mrsim

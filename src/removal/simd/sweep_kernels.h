@@ -74,6 +74,9 @@ struct SweepKernels {
   /// `limit`, any that is.
   void (*chain_bounds)(const ChainTool& tool, const ChainLine* lines, const std::uint32_t* rows,
                        std::size_t n, const Vec3& p, double limit, double* out);
+  /// The same of moves side by side, with room for a register behind the last.
+  void (*chain_bounds_beside)(const ChainTool& tool, const ChainColumns& lines, std::size_t n,
+                              const Vec3& p, double limit, double* out);
   /// Brings `points` up to date with sweep `id`, a straight move of a convex tool.
   void (*chain)(const ChainTool& tool, const ChainLine& line, std::uint32_t id,
                 PointColumns& points);

@@ -107,6 +107,31 @@ static void chain_bounds(const ChainTool& tool, const ChainLine* lines, const st
   }
 }
 
+// Moves side by side, from `k` on.
+struct ChainsBeside {
+  const ChainColumns& c;
+  std::size_t k;
+  V x() const { return read(c[0] + k); }
+  V y() const { return read(c[1] + k); }
+  V z() const { return read(c[2] + k); }
+  V ux() const { return read(c[3] + k); }
+  V uy() const { return read(c[4] + k); }
+  V plan() const { return read(c[5] + k); }
+  V rise() const { return read(c[6] + k); }
+  V per_plan() const { return read(c[7] + k); }
+  V per_way() const { return read(c[8] + k); }
+  V tilt(std::size_t i) const { return read(c[9 + i] + k); }
+};
+
+static void chain_bounds_beside(const ChainTool& tool, const ChainColumns& lines, std::size_t n,
+                                const Vec3& p, double limit, double* out) {
+  const V x = splat(p.x), y = splat(p.y), z = splat(p.z);
+  for (std::size_t k = 0; k < n; k += kLanes) {
+    const ChainsBeside move{lines, k};
+    store(out + k, chain_bound(tool, move, chain_view(move, x, y, z), splat(limit)));
+  }
+}
+
 static void slant_least_of(const SlantRecord& record, std::uint32_t id, PointColumns& points) {
   const V round = splat(record.round), own = splat(static_cast<double>(id));
   const double numbers[] = {record.x,      record.y,    record.z,    record.ux,   record.uy,
@@ -232,6 +257,7 @@ static const SweepKernels kKernels = {
     slant_bounds,
     slant_least_of,
     chain_bounds,
+    chain_bounds_beside,
     chain_least_of,
     polygons,
     polygon_least,

@@ -41,8 +41,17 @@ void MoveRuns::prepare(const SweepColumns& c, std::span<const std::uint32_t> lis
       group.spread = std::max(group.spread, runs_[k].spread);
     groups_.push_back(group);
   }
-  // A register of results may reach beyond the last run.
+  // A register may reach beyond the last run.
   bounds_.resize(runs_.size() + PointColumns::kPad);
+  stride_ = chords_.size() + PointColumns::kPad;
+  columns_.resize(ChainColumns::kCount * stride_);
+  for (std::size_t k = 0; k < chords_.size(); ++k) {
+    const ChainLine& m = chords_[k];
+    double* to = columns_.data() + k;
+    for (const double number : {m.x, m.y, m.z, m.ux, m.uy, m.plan, m.rise, m.per_plan, m.per_way})
+      *to = number, to += stride_;
+    for (const double tilt : m.tilt) *to = tilt, to += stride_;
+  }
 }
 
 void MoveRuns::add_moves(const SweepColumns& c, std::uint32_t first, std::uint32_t end) {
@@ -68,8 +77,6 @@ void MoveRuns::add_moves(const SweepColumns& c, std::uint32_t first, std::uint32
 }
 
 void MoveRuns::measure(const SweepColumns& c, const Vec3& p, double limit) {
-  static thread_local std::vector<std::uint32_t> rows;
-  for (auto k = static_cast<std::uint32_t>(rows.size()); k < runs_.size(); ++k) rows.push_back(k);
   for (const Group& g : groups_) {
     double* out = bounds_.data() + g.first;
     if (g.tool < 0) {
@@ -77,8 +84,8 @@ void MoveRuns::measure(const SweepColumns& c, const Vec3& p, double limit) {
       continue;
     }
     const std::size_t n = g.end - g.first;
-    sweep_kernels().chain_bounds(c.chain_tools[g.tool], chords_.data() + g.chord, rows.data(), n, p,
-                                 limit + g.spread, out);
+    sweep_kernels().chain_bounds_beside(c.chain_tools[g.tool], {columns_.data() + g.chord, stride_},
+                                        n, p, limit + g.spread, out);
     for (std::size_t k = 0; k < n; ++k) out[k] -= runs_[g.first + k].spread;
   }
 }

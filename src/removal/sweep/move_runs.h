@@ -45,6 +45,8 @@ class MoveRuns {
   std::vector<Run> runs_;
   std::vector<Group> groups_;
   std::vector<ChainLine> chords_;  ///< of the runs that have one
+  std::vector<double> columns_;    ///< the same side by side (ChainColumns)
+  std::size_t stride_ = 0;         ///< of the columns
   std::vector<double> bounds_;     ///< by run; minus infinity where there is none
 };
 
