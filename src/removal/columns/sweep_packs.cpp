@@ -273,6 +273,12 @@ SweepPacks::SweepPacks(const SweepColumns& columns, int threads) {
                       static_cast<std::uint32_t>(std::min((k + 1) * kPart, sweeps)));
                 },
                 [&](const SweepPacks& part) { append(part, sweeps); });
+  if (packs_.empty()) return;
+  leaf_of_.resize(sweeps);
+  for (std::size_t k = 0; k < packs_.size(); ++k)
+    if (packs_[k].count == 0)
+      std::fill(leaf_of_.begin() + packs_[k].first, leaf_of_.begin() + packs_[k].last + 1,
+                kFirstPack + static_cast<std::uint32_t>(k));
 }
 
 void SweepPacks::append(const SweepPacks& part, std::size_t sweeps) {

@@ -52,7 +52,8 @@ class SweepPacks {
 
   std::size_t size() const { return packs_.size(); }
   std::size_t memory() const {  ///< bytes
-    return bytes_of(packs_) + bytes_of(chords_) + bytes_of(children_) + bytes_of(roots_);
+    return bytes_of(packs_) + bytes_of(chords_) + bytes_of(children_) + bytes_of(roots_) +
+           bytes_of(leaf_of_);
   }
   const SweepPack& operator[](std::uint32_t number) const { return packs_[number - kFirstPack]; }
   std::vector<SweepPack>& all() { return packs_; }
@@ -62,6 +63,10 @@ class SweepPacks {
   /// Asks for the memory of chord() and children(), which is far from that of other packs.
   void prefetch_children(std::uint32_t number) const {
     prefetch(children(number)), prefetch(chord(number));
+  }
+  /// The smallest pack that holds a sweep; 0 where there is none.
+  std::uint32_t leaf_of(std::uint32_t sweep) const {
+    return sweep < leaf_of_.size() ? leaf_of_[sweep] : 0;
   }
   /// Packs that are in no other, ascending.
   std::span<const std::uint32_t> roots() const { return roots_; }
@@ -83,6 +88,7 @@ class SweepPacks {
   std::vector<LineRecord> chords_;
   std::vector<PackColumns> children_;
   std::vector<std::uint32_t> roots_;
+  std::vector<std::uint32_t> leaf_of_;  ///< by sweep; empty without packs
 };
 
 }  // namespace mrsim

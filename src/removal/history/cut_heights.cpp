@@ -18,6 +18,7 @@ constexpr int kBlock = 4;  // columns of a block that is cut at once, each way
 // Of the depth of cut: where heights differ by more, columns halve; in a file sooner, as the middle
 // of a column says little of the sharp valleys of V tools. Balls leave none.
 constexpr double kSteep = 0.5, kSteepInFile = 0.125;
+constexpr std::size_t kWorthRun = 3;   // sweeps that are worth a bound of all
 constexpr std::size_t kFewSweeps = 6;  // whose walls are worth finer columns
 
 template <class Visit>
@@ -169,8 +170,20 @@ bool HeightWalker::narrow(const Square& square, std::size_t level, bool& is_even
   bool has_wall = false;
   List& left = lists_[level + 1];
   left.clear();
-  for (const std::uint32_t place : lists_[level]) {
+  const List& list = lists_[level];
+  std::uint32_t asked = 0;  // place behind the last run that was asked
+  for (std::size_t i = 0; i < list.size(); ++i) {
+    const std::uint32_t place = list[i];
     if (most <= low_) break;
+    if (place >= asked) {
+      asked = heights_.run_end(place);
+      const std::size_t last = i + kWorthRun - 1;
+      if (last < list.size() && list[last] < asked &&
+          !(heights_.run_lower(place, square.center.x, square.center.y, r, most) < most)) {
+        while (i + 1 < list.size() && list[i + 1] < asked) ++i;
+        continue;
+      }
+    }
     const Underside::Bounds bottom =
         heights_.bounds(place, square.center.x, square.center.y, r, most);
     if (!(bottom.lower < most)) continue;

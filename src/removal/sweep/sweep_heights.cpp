@@ -69,6 +69,7 @@ SweepUndersides::SweepUndersides(const SweepTable& sweeps) {
 void SweepHeights::assign(std::span<const std::uint32_t> sweeps) {
   rows_.clear(), pieces_.clear();
   for (const std::uint32_t i : sweeps) rows_.push_back(row_of(i));
+  find_runs();
   balls_.clear();
   if (!std::ranges::all_of(
           rows_, [](const Row& row) { return row.form == Form::slant && row.tool->is_ball(); }))
@@ -76,6 +77,44 @@ void SweepHeights::assign(std::span<const std::uint32_t> sweeps) {
   for (const Row& row : rows_)
     balls_.push_back(
         {{row.x, row.y, row.z, row.ux, row.uy, row.length, row.slope, row.tool->radius()}});
+}
+
+void SweepHeights::find_runs() {
+  const SweepColumns& c = sweeps_.columns();
+  runs_.clear();
+  run_of_.assign(rows_.size(), kNoRun);
+  std::uint32_t last = 0;  // pack
+  for (std::uint32_t place = 0; place < rows_.size(); ++place) {
+    const Row& row = rows_[place];
+    const std::uint32_t pack = c.packs.leaf_of(row.sweep);
+    if (pack == 0 || row.form != Form::slant || c.refs[row.sweep].kind != SweepKind::path) {
+      last = 0;
+      continue;
+    }
+    if (pack != last) {
+      Run& run = runs_.emplace_back();
+      const double* piece = c.packs.chord(pack).c;
+      run.chord = row;
+      run.chord.x = piece[BallSlot::x], run.chord.y = piece[BallSlot::y],
+      run.chord.z = piece[BallSlot::z];
+      run.chord.ux = piece[BallSlot::ux], run.chord.uy = piece[BallSlot::uy];
+      run.chord.length = piece[BallSlot::length], run.chord.slope = piece[BallSlot::slope];
+      run.plan = c.packs[pack].spread + kSlack, run.up = piece[BallSlot::error] + kSlack;
+      last = pack;
+    }
+    runs_.back().end = place + 1;
+    run_of_[place] = static_cast<std::uint32_t>(runs_.size() - 1);
+  }
+}
+
+double SweepHeights::run_lower(std::uint32_t place, double x, double y, double r,
+                               double below) const {
+  const Run& run = runs_[run_of_[place]];
+  const Row& row = run.chord;
+  Underside::Slant at = seen_from(x - row.x, y - row.y, row.ux, row.uy);
+  at.length = row.length, at.slope = row.slope;
+  const double above = run.up - row.z;  // of a height, as the chord's tip sees it
+  return row.tool->bounds(at, r + run.plan, below + above).lower - above;
 }
 
 SweepHeights::Row SweepHeights::row_of(std::uint32_t sweep) {

@@ -44,6 +44,13 @@ class SweepHeights {
   /// Requires: is_upward() of all.
   void assign(std::span<const std::uint32_t> sweeps);
 
+  /// Slanted moves at the places [place, end) are of one pack: no bottom() of them within r of
+  /// (x, y) is less than `lower`. `end` is no farther than the next place where there is no pack.
+  std::uint32_t run_end(std::uint32_t place) const {
+    return run_of_[place] == kNoRun ? place + 1 : runs_[run_of_[place]].end;
+  }
+  double run_lower(std::uint32_t place, double x, double y, double r, double below) const;
+
   /// By place, as kernels take them, where all are straight moves of balls; else empty.
   std::span<const LineRecord> balls() const { return balls_; }
 
@@ -69,6 +76,13 @@ class SweepHeights {
     double length = 0, slope = 0;      // slant: in plan, mm
     std::size_t first = 0, count = 0;  // pieces
   };
+  struct Run {
+    std::uint32_t end = 0;    // place behind its last sweep
+    Row chord;                // what its moves are beside
+    double plan = 0, up = 0;  // mm: how far they leave it
+  };
+  static constexpr std::uint32_t kNoRun = ~std::uint32_t{0};
+  void find_runs();
   Row row_of(std::uint32_t sweep);
   void set_slant(Row& row, const Vec3& start, const Vec3& end) const;
   void set_pieces(Row& row, const ToolPath& path);
@@ -83,6 +97,8 @@ class SweepHeights {
   std::vector<Row> rows_;
   std::vector<LineRecord> pieces_;  // straight ones of arcs (height_pieces.h)
   std::vector<LineRecord> balls_;
+  std::vector<Run> runs_;
+  std::vector<std::uint32_t> run_of_;  // by place
 };
 
 }  // namespace mrsim
