@@ -1,4 +1,5 @@
-// Tools with a conical flank on arcs in upright planes against brute force.
+// Tools with a conical flank on helices and on arcs in upright planes against brute force.
+#include "removal/forms/cone_helix.h"
 #include "removal/forms/flank_sweep.h"
 #include "removal/forms/upright_sweep.h"
 #include "sweep_support.h"
@@ -76,6 +77,42 @@ TEST(Flanks, EqualTheLeastDistanceOverAllPositions) {
   EXPECT_GT(asked, 8000);
   EXPECT_GT(found, asked / 2);
   EXPECT_GT(found_round, 2 * round_tips / 3);
+}
+
+// Falling, rising and level, whole and in part, with the axis and places far from it.
+TEST(Flanks, OnHelicesEqualTheLeastDistanceOverAllPositions) {
+  Random r(22);
+  int found = 0, asked = 0;
+  for (int round = 0; round < 600; ++round) {
+    const Vec3 start{r(-5, 5), r(-5, 5), r(-2, 2)}, center{r(-5, 5), r(-5, 5), start.z};
+    const double turn = (r.pick(2) ? 1 : -1) * (r.pick(4) == 0 ? kTwoPi : r(0.1, 6.2));
+    const Motion m = arc(start, center, {0, 0, 1}, turn, r.pick(3) == 0 ? 0 : r(-4, 4));
+    const Profile cutter = make_cutter(any_tool(r));
+    if (!cutter.is_convex()) continue;
+    ToolPath path = path_of(m);
+    path.horizontal = true;
+    const bool whole = r.pick(2) != 0;
+    const double begin = whole ? 0 : r(0, 0.6) * path.sweep,
+                 end = whole ? path.sweep : r(begin, path.sweep);
+    for (int k = 0; k < 12; ++k) {
+      const Vec3 at = path_point(path, r(0, path.sweep)).position;
+      Vec3 p = at + Vec3{r(-5, 5), r(-5, 5), r(-3, 6)};
+      if (k == 0) p = path.center + Vec3{0, 0, r(-1, 4)};
+      const auto got = cone_helix_minimum(cutter, path, p, begin, end);
+      ++asked;
+      if (!got) continue;
+      ++found;
+      const auto distance = [&](double t) {
+        return at_rest(cutter, p - path_point(path, t).position);
+      };
+      const double want = least([&](double s) { return distance(begin + s * (end - begin)); }, 300);
+      ASSERT_NEAR(got->distance, want, 1e-9) << "round " << round << " point " << k;
+      ASSERT_TRUE(got->t >= begin && got->t <= end);
+      EXPECT_NEAR(distance(got->t), got->distance, 1e-11);
+    }
+  }
+  EXPECT_GT(asked, 5000);
+  EXPECT_GT(found, asked / 2);
 }
 
 }  // namespace

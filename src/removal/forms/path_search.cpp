@@ -15,6 +15,7 @@
 
 #include "core/trig.h"
 #include "core/units.h"
+#include "removal/forms/cone_helix.h"
 
 #include <algorithm>
 #include <array>
@@ -264,6 +265,12 @@ PathSample search_steep(const Objective& F, const Profile& tool, const ToolPath&
   return search_all(F, tool, path, begin, end, nearer(local.least(), ends(F, begin, end)));
 }
 
+std::optional<PathSample> cone_minimum(const Profile& tool, const ToolPath& path, const Vec3& p,
+                                       double begin, double end) {
+  if (!path.horizontal || !tool.is_convex() || end - begin > kTwoPi) return std::nullopt;
+  return cone_helix_minimum(tool, path, p, begin, end);
+}
+
 PathSample search(const Profile& tool, const ToolPath& path, const Vec3& p, double begin,
                   double end, PathSample best = {std::numeric_limits<double>::infinity()});
 
@@ -290,6 +297,7 @@ PathSample search(const Profile& tool, const ToolPath& path, const Vec3& p, doub
                   double end, PathSample best) {
   if (const std::span<const Profile> pieces = tool.convex_pieces(); !pieces.empty())
     return search_pieces(pieces, path, p, begin, end, best);
+  if (const auto least = cone_minimum(tool, path, p, begin, end)) return nearer(best, *least);
   const Objective F(tool, path, p);
   if (!tool.is_convex()) return search_all(F, tool, path, begin, end, ends(F, begin, end));
   if (!path.arc) return descend(F, begin, end);
@@ -310,6 +318,7 @@ PathSample search_path(const Profile& tool, const ToolPath& path, const Vec3& p,
 // distance and the height both grow, so that the lateral distance at the beginning of an interval
 // and the height at its end bound F. The end of the path is the lowest, and a candidate by itself.
 PathSample search_lowest_turn(const Profile& tool, const ToolPath& path, const Vec3& p) {
+  if (const auto least = cone_minimum(tool, path, p, 0, path.sweep)) return *least;
   const Objective F(tool, path, p);
   const double end = path.sweep, facing = F.towards();
   if (end >= kTwoPi) {  // beside the wall of a bore heights do not matter
