@@ -86,11 +86,13 @@ TEST(Flanks, OnHelicesEqualTheLeastDistanceOverAllPositions) {
   for (int round = 0; round < 600; ++round) {
     const Vec3 start{r(-5, 5), r(-5, 5), r(-2, 2)}, center{r(-5, 5), r(-5, 5), start.z};
     const double turn = (r.pick(2) ? 1 : -1) * (r.pick(4) == 0 ? kTwoPi : r(0.1, 6.2));
-    const Motion m = arc(start, center, {0, 0, 1}, turn, r.pick(3) == 0 ? 0 : r(-4, 4));
+    const Motion m = arc(start, center, {0, 0, 1}, turn);
     const Profile cutter = make_cutter(any_tool(r));
     if (!cutter.is_convex()) continue;
     ToolPath path = path_of(m);
     path.horizontal = true;
+    path.rise = {0, 0, r.pick(3) == 0 ? 0 : r(-1.5, 1.5)};
+    path.last = {std::cos(path.sweep), std::sin(path.sweep)};
     const bool whole = r.pick(2) != 0;
     const double begin = whole ? 0 : r(0, 0.6) * path.sweep,
                  end = whole ? path.sweep : r(begin, path.sweep);

@@ -27,14 +27,9 @@ class ConeHelix {
   ConeHelix(const ToolPath& path, const Vec3& p, double begin, double end)
       : path_(path),
         away_(p - path.center),
-        d_(std::sqrt(away_.x * away_.x + away_.y * away_.y)),
-        r_(path.radius),
-        ends_{at(begin), at(end)} {
-    if (!(d_ * r_ > 0)) return;
-    facing_ = mrsim::atan2(dot(away_, path.v), dot(away_, path.u));
-    while (facing_ < begin) facing_ += kTwoPi;
-    while (facing_ - kTwoPi >= begin) facing_ -= kTwoPi;
-  }
+        facing_{dot(away_, path.u) / path.radius, dot(away_, path.v) / path.radius},
+        d_(std::sqrt(dot(facing_, facing_))),
+        ends_{end_at(begin), end_at(end)} {}
 
   // Seen from the tool's tip at t.
   struct Place {
@@ -53,29 +48,38 @@ class ConeHelix {
       if (const double value = f(x); value < best.f) best = {value, x};
     };
     take(ends_[1]);
-    if (!(d_ * r_ > 0) || !(a > 0)) return best;
+    const double r = path_.radius;
+    if (!(d_ > 0) || !(a > 0)) return best;
     const double k = c * path_.rise.z / a, kk = k * k;
-    const double left = (d_ * d_ - kk) * (r_ * r_ - kk);
+    const double left = (d_ * d_ - kk) * (r * r - kk);
     if (left < 0 || kk > d_ * d_) return best;
-    const double x = std::min((kk + std::sqrt(left)) / (d_ * r_), 1.0);
-    const double turn = k == 0 ? 0 : mrsim::atan2(std::sqrt(1 - x * x), x);
-    double t = facing_ + (k < 0 ? -turn : turn);
-    if (t >= ends_[0].t + kTwoPi) t -= kTwoPi;
-    if (t < ends_[0].t) t += kTwoPi;
-    if (t <= ends_[1].t) take(at(t));
+    const double x = std::min((kk + std::sqrt(left)) / (d_ * r), 1.0);
+    const double y = (k < 0 ? -1 : 1) * std::sqrt(1 - x * x);
+    const Vec2 w = (1 / d_) * Vec2{facing_.x * x - facing_.y * y, facing_.y * x + facing_.x * y};
+    double t = mrsim::atan2(w.y, w.x);
+    while (t < ends_[0].t) t += kTwoPi;
+    if (t <= ends_[1].t) take(at(t, w));
     return best;
   }
 
  private:
-  Place at(double t) const {
-    const Vec3 q = away_ - (path_point(path_, t).position - path_.center);
-    return {t, std::sqrt(q.x * q.x + q.y * q.y), q.z};
+  Place end_at(double t) const {
+    if (t == 0) return at(t, {1, 0});
+    if (t == path_.sweep) return at(t, path_.last);
+    const SinCos sc = sincos(t);
+    return at(t, {sc.cos, sc.sin});
+  }
+  // The position with the direction w from the centre, in (u, v).
+  Place at(double t, const Vec2& w) const {
+    const double x = away_.x - w.x * path_.u.x - w.y * path_.v.x;
+    const double y = away_.y - w.x * path_.u.y - w.y * path_.v.y;
+    return {t, std::sqrt(x * x + y * y), away_.z - t * path_.rise.z};
   }
 
   const ToolPath& path_;
-  const Vec3 away_;     // p from the centre
-  const double d_, r_;  // of p and of the path, from the axis
-  double facing_ = 0;   // the angle of p, within a turn behind the beginning
+  const Vec3 away_;    // p from the centre
+  const Vec2 facing_;  // the same in plan, in (u, v)
+  const double d_;     // from the axis
   const Place ends_[2];
 };
 
