@@ -4,6 +4,7 @@
 #include "core/real_path.h"
 #include "core/suggest.h"
 #include "core/text_io.h"
+#include "setup/toml_text.h"
 
 #include <algorithm>
 #include <array>
@@ -231,7 +232,7 @@ std::vector<std::string> JobReader::variables(const OptionRow& key,
 JobFile JobReader::read() const {
   toml::table root;
   try {
-    root = toml::parse(text_);
+    root = parse_toml(text_);
   } catch (const toml::parse_error& error) {
     fail(error.source().begin, "job-syntax", std::string(error.description()));
   }
