@@ -1,6 +1,7 @@
 // Whole programs by the public functions interpret() and trace().
 
 #include "core/heap.h"
+#include "core/json_text.h"
 #include "core/memory_limit.h"
 #include "core/text_io.h"
 #include "interp/interpreter.h"

@@ -4,6 +4,7 @@
 #include "cli/report.h"
 #include "cli/standard_streams.h"
 #include "cli/terminal.h"
+#include "core/json_text.h"
 #include <mrsim/mrsim.h>
 
 #include <algorithm>
@@ -101,7 +102,7 @@ class Checker {
           fmt::format("{{\"kind\":\"summary\",\"program\":{},\"dialect\":\"{}\",\"machine\":\"{}\","
                       "\"motions\":{},\"cuts\":{},\"errors\":{},\"warnings\":{},\"notes\":{},"
                       "\"ok\":{}}}\n",
-                      json_quoted(path), dialect_word(program.dialect),
+                      json_string(path), dialect_word(program.dialect),
                       machine_word(program.machine), report.motions, report.cuts, findings.errors(),
                       findings.warnings(), findings.notes(), !findings.failed()));
     } else if (many_ && !arguments_.quiet) {

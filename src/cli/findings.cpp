@@ -4,6 +4,7 @@
 #include "cli/standard_streams.h"
 #include "cli/stop.h"
 #include "cli/terminal.h"
+#include "core/json_text.h"
 #include <mrsim/mrsim.h>
 
 #include <cstdio>
@@ -11,18 +12,6 @@
 #include <fmt/format.h>
 
 namespace mrsim::cli {
-
-std::string json_quoted(const std::string& text) {
-  std::string out = "\"";
-  for (const char c : text) {
-    if (c == '"' || c == '\\') out += '\\';
-    if (static_cast<unsigned char>(c) < 0x20)
-      out += fmt::format("\\u{:04x}", static_cast<unsigned>(c));
-    else
-      out += c;
-  }
-  return out + "\"";
-}
 
 void tell_stop_as_finding(const Arguments& arguments) {
   if (!arguments.json) return;
@@ -43,8 +32,8 @@ void Findings::add(const Diagnostic& diagnostic) {
   ++count_[static_cast<std::size_t>(diagnostic.severity)];
   if (json_) {
     std::string line = diagnostic_json(diagnostic);
-    if (!other_file_.empty()) line.insert(1, "\"file\":" + json_quoted(other_file_) + ",");
-    if (!program_.empty()) line.insert(1, "\"program\":" + json_quoted(program_) + ",");
+    if (!other_file_.empty()) line.insert(1, "\"file\":" + json_string(other_file_) + ",");
+    if (!program_.empty()) line.insert(1, "\"program\":" + json_string(program_) + ",");
     return print(line + "\n");
   }
   if (quiet_ && !fails(diagnostic.severity)) return;

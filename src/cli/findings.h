@@ -43,7 +43,4 @@ class Findings {
 /// From now on a stop is told as an error, with --json as an object of its line like others.
 void tell_stop_as_finding(const Arguments& arguments);
 
-/// `text` as a JSON string, with its quotes.
-std::string json_quoted(const std::string& text);
-
 }  // namespace mrsim::cli

@@ -50,6 +50,7 @@ int fail(const std::string& text, const char* code, int exit_code) {
 
 int run_guarded(int argc, const char* const* argv) {
   try {
+    require_stack();
     if (argc > 1 && std::string_view(argv[1]) == "compare") return run_compare(argc - 1, argv + 1);
     if (argc > 1 && std::string_view(argv[1]) == "tools") return run_tools(argc - 1, argv + 1);
     if (argc > 1 && std::string_view(argv[1]) == "rest") return run_rest(argc - 1, argv + 1);

@@ -8,6 +8,7 @@
 #include <system_error>
 
 #include <pthread.h>
+#include <sys/resource.h>
 #include <unistd.h>
 
 namespace mrsim::cli {
@@ -62,5 +63,12 @@ const Shortage* find_shortage(const std::exception& error) {
 }
 
 void catch_shortages() { other_ends = std::set_terminate(end); }
+
+void require_stack() {
+  constexpr rlim_t kLeast = rlim_t(1) << 20;
+  rlimit limit{};
+  if (::getrlimit(RLIMIT_STACK, &limit) == 0 && limit.rlim_cur < kLeast)
+    throw Error("memory", "a run needs a stack of 1 MB: raise its limit (ulimit -s)");
+}
 
 }  // namespace mrsim::cli

@@ -211,6 +211,7 @@ bool prepare_frames(const std::vector<Arguments>& frames, PreparedFiles& files, 
                     JobResult& whole) {
   std::vector<WrittenFile> written;
   for (const Arguments& frame : frames) {
+    release_freed_memory();  // the whole run's, or the moment's before
     JobResult part;
     Job job = job_of(frame);
     job.prepared = &files;
@@ -222,8 +223,6 @@ bool prepare_frames(const std::vector<Arguments>& frames, PreparedFiles& files, 
       return false;
     }
     written.insert(written.end(), part.files.begin(), part.files.end());
-    part = {};
-    release_freed_memory();  // before the next moment's
   }
   whole.files.insert(whole.files.begin(), written.begin(), written.end());
   return true;

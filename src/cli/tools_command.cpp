@@ -7,6 +7,7 @@
 #include "cli/standard_streams.h"
 #include "cli/terminal.h"
 #include "cli/typed_options.h"
+#include "core/json_text.h"
 #include "core/output_place.h"
 #include "core/publish.h"
 #include "core/text_io.h"
@@ -25,7 +26,7 @@ namespace {
 
 std::string tool_json(const Tool& tool) {
   std::string out =
-      fmt::format("{{\"id\":{},\"type\":\"{}\"", json_quoted(tool.id), tool_type_name(tool.type));
+      fmt::format("{{\"id\":{},\"type\":\"{}\"", json_string(tool.id), tool_type_name(tool.type));
   const auto add = [&](const char* name, double value) {
     if (value != 0) out += fmt::format(",\"{}\":{:.9g}", name, value);
   };
@@ -39,8 +40,8 @@ std::string tool_json(const Tool& tool) {
   add("insert_angle", degrees(tool.insert_angle));
   add("lead_angle", degrees(tool.lead_angle));
   add("width", tool.width);
-  if (!tool.insert.empty()) out += fmt::format(",\"insert\":{}", json_quoted(tool.insert));
-  return out + fmt::format(",\"origin\":{}}}\n", json_quoted(tool.origin));
+  if (!tool.insert.empty()) out += fmt::format(",\"insert\":{}", json_string(tool.insert));
+  return out + fmt::format(",\"origin\":{}}}\n", json_string(tool.origin));
 }
 
 void list(const ToolTable& table, bool json) {

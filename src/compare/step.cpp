@@ -12,6 +12,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstring>
+#include <filesystem>
 #include <memory>
 #include <new>
 #include <optional>
@@ -53,8 +54,12 @@ TriMesh weld_facets(const StepFacets& facets) {
 }
 
 // A file that is no STEP never reaches the module, whose messages for such files say little.
-// The size of the file.
+// The size of the file. Read here and by the module: a pipe would be empty by then.
 std::size_t require_step_header(const std::string& path) {
+  std::error_code ignored;
+  const auto status = std::filesystem::status(path, ignored);
+  if (std::filesystem::is_fifo(status) || std::filesystem::is_character_file(status))
+    throw Error("step-unreadable", path + " is a pipe or a device: store the model in a file");
   const std::string text = read_file(path);
   const std::string head = text.substr(0, 4096);
   if (head.find("ISO-10303-21") == std::string::npos)

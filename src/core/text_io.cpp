@@ -11,6 +11,9 @@
 #include <cstdint>
 #include <cstring>
 #include <memory>
+#include <mutex>
+#include <set>
+#include <utility>
 #include <vector>
 
 #include <fcntl.h>
@@ -94,6 +97,29 @@ bool looks_like_number(std::string_view text, bool exponent) {
   return digits > 0;
 }
 
+// Pipes that have been read to their end. They may never be filled again, and opening one then
+// waits for a writer.
+class ReadPipes {
+ public:
+  bool contains(const struct stat& info) {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    return S_ISFIFO(info.st_mode) && all_.contains({info.st_dev, info.st_ino});
+  }
+  void add(const struct stat& info) {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    if (S_ISFIFO(info.st_mode)) all_.emplace(info.st_dev, info.st_ino);
+  }
+
+ private:
+  std::mutex mutex_;
+  std::set<std::pair<dev_t, ino_t>> all_;
+};
+
+ReadPipes& read_pipes() {
+  static ReadPipes& all = *new ReadPipes;  // outlives all threads
+  return all;
+}
+
 }  // namespace
 
 std::optional<double> parse_number(std::string_view text, bool exponent) {
@@ -112,13 +138,14 @@ std::optional<double> parse_number(std::string_view text, bool exponent) {
 }
 
 std::string read_file(const std::string& path, std::size_t limit) {
-  const FileDescriptor fd(::open(path.c_str(), O_RDONLY | O_CLOEXEC));
+  struct stat info {};
+  bool was_read = ::stat(path.c_str(), &info) == 0 && read_pipes().contains(info);
+  const FileDescriptor fd(::open(path.c_str(), O_RDONLY | O_CLOEXEC | (was_read ? O_NONBLOCK : 0)));
   if (fd.get() < 0) {
     if (errno == ENOENT || errno == ENOTDIR)
       throw Error("file-missing", fmt::format("{}: no such file", path));
     throw Error("file-unreadable", fmt::format("cannot read {}: {}", path, std::strerror(errno)));
   }
-  struct stat info {};
   if (::fstat(fd.get(), &info) != 0)
     throw Error("file-unreadable", fmt::format("cannot read {}: {}", path, std::strerror(errno)));
   if (S_ISDIR(info.st_mode))
@@ -133,9 +160,22 @@ std::string read_file(const std::string& path, std::size_t limit) {
   for (;;) {
     const ssize_t n = ::read(fd.get(), chunk.data(), chunk.size());
     if (n < 0 && errno == EINTR) continue;
+    if (n == 0 && was_read)
+      throw Error("file-read-once",
+                  fmt::format("{} is a pipe and gives its text once, which has been read; store it "
+                              "in a file",
+                              path));
+    if (was_read) {  // there is a writer again
+      was_read = false;
+      ::fcntl(fd.get(), F_SETFL, 0);
+      if (n < 0 && errno == EAGAIN) continue;
+    }
     if (n < 0)
       throw Error("file-unreadable", fmt::format("cannot read {}: {}", path, std::strerror(errno)));
-    if (n == 0) return text;
+    if (n == 0) {
+      read_pipes().add(info);
+      return text;
+    }
     if (text.size() + static_cast<std::size_t>(n) > limit)
       throw Error("file-too-large",
                   S_ISREG(info.st_mode)

@@ -2,6 +2,7 @@
 
 #include "core/bytes.h"
 #include "core/error.h"
+#include "core/memory_limit.h"
 
 #include <algorithm>
 
@@ -163,6 +164,7 @@ std::string unzip(std::string_view bytes, const ZipEntry& entry, std::size_t lim
   if (begin > bytes.size() || bytes.size() - begin < entry.packed_size)
     fail(name, "it is cut short");
   const std::string_view packed = bytes.substr(begin, entry.packed_size);
+  require_memory(static_cast<double>(entry.size), "unpacking " + name);
   std::string out;
   if (entry.method == kDeflated)
     out = inflated(packed, entry.size, name);

@@ -1,8 +1,10 @@
 #include "setup/job_file.h"
 
 #include "core/option_table.h"
+#include "core/real_path.h"
 #include "core/suggest.h"
 #include "core/text_io.h"
+#include "setup/toml_text.h"
 
 #include <algorithm>
 #include <array>
@@ -102,14 +104,19 @@ std::string JobReader::text(const OptionRow& key, const toml::node& node) const 
 
 std::string JobReader::path(const OptionRow& key, const toml::node& node) const {
   const std::filesystem::path value = text(key, node);
-  if (!allow_outside_ && value.is_relative() && *value.lexically_normal().begin() == "..")
+  const std::filesystem::path folder = std::filesystem::path(name_).parent_path();
+  const std::filesystem::path whole = (folder / value).lexically_normal();
+  // A link in a folder that is not the user's own may name any file of the machine.
+  const auto leads_out = [&] {
+    return *value.lexically_normal().begin() == ".." ||
+           !lies_in(real_path(whole), real_path(folder.empty() ? "." : folder));
+  };
+  if (!allow_outside_ && value.is_relative() && value != "-" && leads_out())
     fail(node.source().begin, "job-outside",
          fmt::format("{} \"{}\" leads out of the job's folder: give an absolute path, or "
                      "--allow-outside on the command line",
                      key.key, value.string()));
-  const std::filesystem::path folder = std::filesystem::path(name_).parent_path();
-  return folder.empty() || value == "-" ? value.string()
-                                        : (folder / value).lexically_normal().string();
+  return folder.empty() || value == "-" ? value.string() : whole.string();
 }
 
 std::string JobReader::stock(const OptionRow& key, const toml::node& node) const {
@@ -225,7 +232,7 @@ std::vector<std::string> JobReader::variables(const OptionRow& key,
 JobFile JobReader::read() const {
   toml::table root;
   try {
-    root = toml::parse(text_);
+    root = parse_toml(text_);
   } catch (const toml::parse_error& error) {
     fail(error.source().begin, "job-syntax", std::string(error.description()));
   }

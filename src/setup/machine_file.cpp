@@ -4,6 +4,7 @@
 #include "core/suggest.h"
 #include "core/text_io.h"
 #include "core/vec.h"
+#include "setup/toml_text.h"
 
 #include <array>
 #include <cmath>
@@ -52,7 +53,7 @@ class MachineReader {
   MachineData read() {
     toml::table root;
     try {
-      root = toml::parse(text_);
+      root = parse_toml(text_);
     } catch (const toml::parse_error& error) {
       fail(error.source().begin, "machine-syntax", std::string(error.description()));
     }

@@ -4,6 +4,7 @@
 #include "core/text_io.h"
 #include "core/tool_types.h"
 #include "core/units.h"
+#include "setup/toml_text.h"
 #include "setup/tool_keys.h"
 
 #include <array>
@@ -273,7 +274,7 @@ void Reader::read_work(const toml::node& node) {
 ToolTable Reader::read() {
   toml::table root;
   try {
-    root = toml::parse(text_);
+    root = parse_toml(text_);
   } catch (const toml::parse_error& error) {
     fail(error.source().begin, "tools-syntax", std::string(error.description()));
   }

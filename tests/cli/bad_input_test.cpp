@@ -4,6 +4,8 @@
 #include <cstdint>
 #include <cstring>
 
+#include <sys/stat.h>
+
 namespace mrsim {
 namespace {
 
@@ -25,6 +27,25 @@ TEST_F(BadInput, Program) {
   expect_failure("nocuts.MPF --machine mill --stock block.stl -o part.stl", 1, "cuts nothing");
   write("error.MPF", "G54\nTRANS X0\nT4 M6\nG0 X0 Y0 Z5\nG1 Z-1 F100\nG1 X12.3.4\nM30\n");
   expect_failure("error.MPF --tool 4=endmill:d=5 --stock block.stl -o part.stl", 1, "error.MPF:6:");
+}
+
+// A pipe gives its text once. What would read it again says so and does not wait.
+TEST_F(BadInput, PipesThatAreReadTwice) {
+  for (const char* name : {"pipe.stl", "pipe.step"})
+    ASSERT_EQ(::mkfifo((folder_ / name).c_str(), 0600), 0);
+  const std::string filled = "{ cat block.stl > pipe.stl & } && timeout 30";
+  const Outcome once = run("PRIMER_2F.MPF --stock pipe.stl --voxel 2 -o part.stl", filled);
+  EXPECT_EQ(once.code, 0) << once.err;
+  std::filesystem::remove(folder_ / "part.stl");
+  for (const char* arguments : {"PRIMER_2F.MPF --stock pipe.stl --voxel 2 -o part.stl --frames 2",
+                                "compare pipe.stl pipe.stl"}) {
+    const Outcome outcome = run(arguments, filled);
+    EXPECT_EQ(outcome.code, 1) << arguments;
+    EXPECT_TRUE(contains(outcome.err, "[file-read-once]")) << outcome.err;
+  }
+  const Outcome step = run("compare pipe.step block.stl", "timeout 30");
+  EXPECT_EQ(step.code, 1);
+  EXPECT_TRUE(contains(step.err, "store the model in a file")) << step.err;
 }
 
 TEST_F(BadInput, Environment) {

@@ -36,6 +36,18 @@ TEST_F(CheckCli, ManyProgramsAreOneProcess) {
   EXPECT_TRUE(contains(json.out, "{\"kind\":\"total\",\"programs\":3,\"failed\":1")) << json.out;
 }
 
+// JSON is UTF-8, whatever bytes a name has.
+TEST_F(CheckCli, JsonNamesAreUtf8) {
+  write("b\xE6.nc", "G0 X0\n");
+  for (const char* command :
+       {"check --json 'b\xE6.nc'", "check --json 'b\xE6.nc' 'b\xE6.nc'", "check --json 'no\xE6.nc'",
+        "trace --json 'no\xE6.nc'", "tools --json 'no\xE6.toml'"}) {
+    const Outcome json = run(command);
+    EXPECT_TRUE(contains(json.out, "\u0107.")) << json.out;  // as Latin-2
+    EXPECT_FALSE(contains(json.out, "\xE6")) << command;
+  }
+}
+
 TEST_F(CheckCli, TraceIsQuietAndNeedsNoTools) {
   write("bare.nc", "G1 X5 Y5 Z1 F100\nX6\n");
   const Outcome quiet = run("trace -q -o path.svg bare.nc");

@@ -58,6 +58,17 @@ TEST_F(JobRun, LeadsOutOfItsFolderOnlyWhereThatIsAllowed) {
   EXPECT_FALSE(exists("part.ply"));
   EXPECT_EQ(run("jobs/out.toml --allow-outside").code, 0);
   EXPECT_TRUE(exists("part.ply"));
+  std::filesystem::create_directory_symlink("..", folder_ / "jobs/link");
+  std::filesystem::create_symlink("../linked.ply", folder_ / "jobs/file.ply");
+  for (const char* output : {"link/linked.ply", "file.ply"}) {
+    write("jobs/link.toml",
+          "program = \"PRIMER_2F.MPF\"\nstock = \"block.stl\"\nvoxel = 2\noutputs = \"" +
+              std::string(output) + "\"\n");
+    expect_failure("jobs/link.toml", 1, "jobs/link.toml:4:11");
+    EXPECT_FALSE(exists("linked.ply")) << output;
+  }
+  EXPECT_EQ(run("jobs/link.toml --allow-outside").code, 0);
+  EXPECT_TRUE(exists("linked.ply"));
   const std::string place = (folder_ / "far.ply").string();
   write("jobs/far.toml",
         "program = \"PRIMER_2F.MPF\"\nstock = \"block.stl\"\nvoxel = 2\noutputs = \"" + place +

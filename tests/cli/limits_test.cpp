@@ -24,6 +24,24 @@ TEST_F(Limits, FilesThatNeverEnd) {
   expect_failure("compare zero.stl block.stl", 1, "[file-too-large]");
 }
 
+// Each part of a key is a table in the next one, freed by recursion.
+TEST_F(Limits, PartsOfAKey) {
+  std::string key = "a";
+  for (int i = 0; i < 100000; ++i) key += ".a";
+  for (const std::string& text : {key + " = 1\n", "[" + key + "]\n", "b = { " + key + " = 1 }\n"}) {
+    write("deep.toml", "# many\n" + text);
+    for (const char* arguments : {"PRIMER_2F.MPF --stock block.stl --tools deep.toml", "deep.toml",
+                                  "PRIMER_2F.MPF --stock block.stl --machine-file deep.toml"})
+      expect_failure(arguments, 1, "deep.toml:2:");
+  }
+  write("fine.toml",
+        "[[tool]]\nid = \"4\"\ntype = \"form\"\nprofile = [[0.0, 0.0], [1.5, 0.0], "
+        "[1.6, 0.1], [1.7, 0.2], [1.8, 0.3], [1.9, 0.4], [2.0, 0.5], [2.1, 0.6], "
+        "[2.2, 0.7], [2.5, 8.0]]  # 1.2.3.4.5.6.7.8.9.0.1.2.3.4.5.6.7.8.9\n"
+        "name = \"a.b.c.d.e.f.g.h.i.j.k.l.m.n.o.p.q.r\"\n");
+  EXPECT_FALSE(contains(run("tools fine.toml").err, "16 parts"));
+}
+
 TEST_F(Limits, MessagesOfADamagedProgram) {
   write("flood.MPF", std::string(200000, '!') + "\n");
   const Outcome outcome = run("flood.MPF --machine mill --stock block.stl -o part.stl");

@@ -58,6 +58,16 @@ TEST_F(Memory, LittleAddressSpaceIsAnError) {
     }
 }
 
+TEST_F(Memory, ALittleStackIsAnError) {
+  if (!kIsPlain) GTEST_SKIP();
+  for (const char* command : {"PRIMER_2F.MPF --stock block.stl --voxel 1 -o part.stl -o part.vdb",
+                              "compare block.stl block.stl"}) {
+    const Outcome outcome = run(command, "ulimit -s 64 &&");
+    EXPECT_EQ(outcome.code, 1) << command;
+    EXPECT_TRUE(contains(outcome.err, "ulimit -s")) << outcome.err;
+  }
+}
+
 TEST_F(Memory, LittleAddressSpaceIsAnErrorInOtherCommands) {
   if (!kIsPlain) GTEST_SKIP();
   std::filesystem::copy(MRSIM_DATA_DIR "/../tests/fuzz/corpus/step/box", folder_ / "box.step");

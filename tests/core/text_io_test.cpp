@@ -3,8 +3,10 @@
 #include "support/error_code.h"
 #include "support/temp_folder.h"
 
+#include <chrono>
 #include <filesystem>
 #include <fstream>
+#include <thread>
 
 #include <gtest/gtest.h>
 #include <sys/stat.h>
@@ -67,6 +69,19 @@ TEST_F(TextIo, NamesWhatIsWrong) {
   EXPECT_EQ(testing::error_code([&] { check_writable(folder_.string()); }), "output-unwritable");
   std::ofstream(path("big")) << std::string(100, 'x');
   EXPECT_EQ(testing::error_code([&] { read_file(path("big"), 99); }), "file-too-large");
+}
+
+// A second reading would wait for a writer for ever.
+TEST_F(TextIo, ReadsAPipeAgainOnlyWhereItIsFilledAgain) {
+  const std::string pipe = path("pipe");
+  ASSERT_EQ(::mkfifo(pipe.c_str(), 0600), 0);
+  for (const char* text : {"one", "two"}) {
+    std::thread writer([&] { std::ofstream(pipe) << text; });
+    std::this_thread::sleep_for(std::chrono::milliseconds(100));  // until it waits for a reader
+    EXPECT_EQ(read_file(pipe), text);
+    writer.join();
+  }
+  EXPECT_EQ(testing::error_code([&] { read_file(pipe); }), "file-read-once");
 }
 
 TEST(XmlEscaped, LeavesNoMarkupAndNoControlCharacters) {

@@ -1,5 +1,6 @@
 #include "interp/calls/subprogram.h"
 
+#include "core/real_path.h"
 #include "interp/text/characters.h"
 #include "interp/text/line_scan.h"
 #include "interp/text/source.h"
@@ -50,17 +51,6 @@ std::string sinumerik_section(std::string_view line) {
 }
 
 // The file behind a link; as it stands where that can not be told.
-fs::path real_path(const fs::path& path) {
-  std::error_code error;
-  const fs::path real = fs::canonical(path, error);
-  return error ? path : real;
-}
-
-bool lies_in(const fs::path& file, const fs::path& folder) {
-  return std::mismatch(folder.begin(), folder.end(), file.begin(), file.end()).first ==
-         folder.end();
-}
-
 }  // namespace
 
 std::string section_name(std::string_view line, Dialect dialect) {

@@ -1,3 +1,4 @@
+#include "core/json_text.h"
 #include "interp/show/motion_text.h"
 
 #include <algorithm>

@@ -1,5 +1,6 @@
 #include "interp/show/motion_text.h"
 
+#include "core/json_text.h"
 #include "core/units.h"
 
 #include <charconv>
@@ -74,19 +75,6 @@ std::string number_text(double value) {
 
 std::string vector_text(const Vec3& v) {
   return fmt::format("[{},{},{}]", number_text(v.x), number_text(v.y), number_text(v.z));
-}
-
-std::string json_string(std::string_view text) {
-  std::string out = "\"";
-  for (const char c : text) {
-    if (c == '"' || c == '\\')
-      (out += '\\') += c;
-    else if (static_cast<unsigned char>(c) < 0x20 || c == 0x7F)
-      out += fmt::format("\\u{:04x}", static_cast<unsigned>(static_cast<unsigned char>(c)));
-    else
-      out += c;
-  }
-  return out + "\"";
 }
 
 std::string motion_json(const Program& program, const Motion& motion) {

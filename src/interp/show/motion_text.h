@@ -25,7 +25,4 @@ std::string called_text(const Program& program, int file, int call);
 /// "[x,y,z]"
 std::string vector_text(const Vec3& v);
 
-/// With quotes; control characters and quotes escaped.
-std::string json_string(std::string_view text);
-
 }  // namespace mrsim

@@ -1,0 +1,15 @@
+// TOML of files that anybody may have written.
+#pragma once
+
+#include <string_view>
+
+#include <toml++/toml.h>
+
+namespace mrsim {
+
+/// What toml::parse() gives and throws. A key of more than 16 parts ("a.b.c ...") is a
+/// toml::parse_error, too: the library makes a table of each part, and frees them by recursion,
+/// which takes all of the stack.
+toml::table parse_toml(std::string_view text);
+
+}  // namespace mrsim
