@@ -3,13 +3,13 @@
 namespace mrsim {
 namespace {
 
-struct Row {
+struct MCodeRow {
   int number;
   MCode code;
 };
 
 // As DIN 66025 and ISO 6983 have them.
-constexpr Row kCommon[] = {
+constexpr MCodeRow kCommon[] = {
     {0, MCode::stop},
     {1, MCode::optional_stop},
     {2, MCode::end},
@@ -32,24 +32,24 @@ constexpr int kNoEffect[] = {10, 11, 13, 14, 29, 36, 37, 38, 40,
                              41, 42, 43, 44, 45, 46, 48, 49, 70};
 
 // On lathes 13 and 14 belong to the live tool (Okuma) or the chuck (Haas).
-constexpr Row kMills[] = {
+constexpr MCodeRow kMills[] = {
     {13, MCode::clockwise_flood},
     {14, MCode::counter_clockwise_flood},
 };
 
 // Haas, and what posts for FANUC's controls write.
-constexpr Row kFanucMills[] = {
+constexpr MCodeRow kFanucMills[] = {
     {88, MCode::through},
     {89, MCode::coolant_off},
 };
 
-constexpr Row kLinuxCnc[] = {
+constexpr MCodeRow kLinuxCnc[] = {
     {60, MCode::stop},  // and another pallet
 };
 
 template <std::size_t n>
-MCode find(const Row (&rows)[n], int number) {
-  for (const Row& row : rows)
+MCode find(const MCodeRow (&rows)[n], int number) {
+  for (const MCodeRow& row : rows)
     if (row.number == number) return row.code;
   return MCode::unknown;
 }
