@@ -1,8 +1,12 @@
-// G47 of Haas mills: where the letters stand, how high and deep they are, and which digits count.
+// Engraved texts, G47 of Haas mills and CYCLE60 of SINUMERIK: where the letters stand, how high and
+// deep they are, how they are spaced, and which digits count.
 #include "interp/path/stroke_font.h"
 #include "interp/support.h"
 
 #include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
 
 namespace mrsim {
 namespace {
@@ -119,6 +123,166 @@ TEST(Engraving, WhatIsMissingIsTold) {
   EXPECT_EQ(found("G91 G47 P0 J5. R2. Z-1. F100. (A)\n"), "not-supported ");
   EXPECT_EQ(found("G68 X0 Y0 R30.\nG47 P0 J5. R2. Z-1. F100. (A)\n"), "not-supported ");
   EXPECT_EQ(found("G47 X10. D1\n"), "not-supported ");
+}
+
+Program cycle60(const std::string& values) {
+  return read_text("T1 D1 M6\nG0 X0 Y0 Z60\nS900 M3 F300\nCYCLE60(" + values + ")\nM30\n",
+                   at_origin(Dialect::sinumerik));
+}
+
+std::string faults(const std::string& values) { return codes(cycle60(values)); }
+
+// H is 14 of 21 units wide.
+constexpr double kWide = 14.0 / 21;
+
+TEST(Cycle60, ALineOfTextIsAsHighAndAsDeepAsTheProgramSays) {
+  const Program p = cycle60("\"HH\",50,1,2,,0.5,30,40,0,,,6,1.5,80,200,0,1252");
+  const Cuts c = cuts_of(p);
+  EXPECT_EQ(codes(p), "engraving-font");
+  EXPECT_EQ(c.plunges, 6U);
+  EXPECT_EQ(c.plunge_feed, 80);
+  EXPECT_EQ(c.feed, 200);
+  EXPECT_DOUBLE_EQ(c.low.x, 30);
+  EXPECT_DOUBLE_EQ(c.high.x, 30 + 2 * kWide * 6 + 1.5) << "two letters and the gap";
+  EXPECT_DOUBLE_EQ(c.low.y, 40);
+  EXPECT_DOUBLE_EQ(c.high.y, 46);
+  EXPECT_DOUBLE_EQ(c.low.z, 0.5) << "DPR below RFP";
+  EXPECT_DOUBLE_EQ(c.high.z, 0.5);
+  EXPECT_DOUBLE_EQ(p.motions.back().end.z, 50);
+}
+
+TEST(Cycle60, DepthsAreLevelsOrIncrements) {
+  EXPECT_DOUBLE_EQ(cuts_of(cycle60("\"H\",50,1,2,-0.2,,0,0,0,,,6,1,80,200,0")).low.z, -0.2);
+  const std::string tail = ",0,0,0,,,6,1,80,200,0,1252,0,0,1,";
+  EXPECT_DOUBLE_EQ(cuts_of(cycle60("\"H\",50,1,2,0.2," + tail + "1")).low.z, 0.8);
+  EXPECT_DOUBLE_EQ(cuts_of(cycle60("\"H\",50,1,2,0.2," + tail + "2")).low.z, 0.2);
+}
+
+// Thousands and ten thousands of VARI: where in the text the reference point is.
+TEST(Cycle60, TheReferencePointIsACornerAnEdgeOrTheMiddle) {
+  const double width = 2 * kWide * 6 + 1.5;
+  for (int across = 0; across < 3; ++across)
+    for (int up = 0; up < 3; ++up) {
+      const Cuts c = cuts_of(cycle60(
+          fmt::format("\"HH\",50,0,2,-1,,30,40,0,,,6,1.5,80,200,{}", across * 1000 + up * 10000)));
+      EXPECT_NEAR(c.low.x, 30 - across * width / 2, 1e-12);
+      EXPECT_NEAR(c.high.x, 30 + (2 - across) * width / 2, 1e-12);
+      EXPECT_NEAR(c.low.y, 40 - up * 3.0, 1e-12);
+      EXPECT_NEAR(c.high.y, 40 + (2 - up) * 3.0, 1e-12);
+    }
+}
+
+TEST(Cycle60, TheTextTurnsAboutItsReferencePointWhichMayBePolar) {
+  const Cuts c = cuts_of(cycle60("\"HH\",50,0,2,-1,,50,90,90,,,6,1.5,80,200,1"));
+  EXPECT_NEAR(c.high.x, 0, 1e-12);
+  EXPECT_NEAR(c.low.x, -6, 1e-12);
+  EXPECT_NEAR(c.low.y, 50, 1e-12);
+  EXPECT_NEAR(c.high.y, 50 + 2 * kWide * 6 + 1.5, 1e-12);
+}
+
+TEST(Cycle60, AWholeWidthSpreadsTheLetters) {
+  const Cuts c = cuts_of(cycle60("\"HIH\",50,0,2,-1,,30,40,0,,,6,44,80,200,100000"));
+  EXPECT_NEAR(c.low.x, 30, 1e-12);
+  EXPECT_NEAR(c.high.x, 74, 1e-12);
+}
+
+/// Angle and distance of a point from the centre {10, 20}.
+Vec2 polar_of(const Vec3& v) {
+  return {std::atan2(v.y - 20, v.x - 10) * 180 / 3.14159265358979323846,
+          std::hypot(v.x - 10, v.y - 20)};
+}
+
+// I is one stroke: on an arc it points to the centre wherever it stands.
+TEST(Cycle60, LettersStandOnAnArc) {
+  struct Case {
+    int form;
+    std::vector<double> angles;
+    double inner;
+  };
+  for (const Case& e : {
+           Case{200010, {90, 60, 30}, 40},    // over the centre, clockwise from the point
+           Case{201010, {120, 90, 60}, 40},   // centred
+           Case{202010, {150, 120, 90}, 40},  // ends there
+           Case{220010, {90, 60, 30}, 34},    // its tops at the point
+           Case{210010, {90, 60, 30}, 37},    // its middle
+           Case{200020, {90, 120, 150}, 34},  // tops inwards, anticlockwise
+           Case{221020, {60, 90, 120}, 40},
+           Case{11201010, {60, 90, 120}, 40},  // mirrored; a polar centre is told below
+       }) {
+    SCOPED_TRACE(e.form);
+    const bool polar = e.form >= 10000000;
+    const Program p = cycle60(fmt::format(
+        "\"III\",50,0,2,-1,,10,60,0,{},6,60,80,200,{}",
+        polar ? fmt::format("{:.15f},{:.15f}", std::sqrt(500.0), 63.434948822922011) : "10,20",
+        e.form));
+    ASSERT_EQ(codes(p), "engraving-font");
+    std::vector<double> angles;
+    for (const Motion& m : p.motions) {
+      if (m.kind != MotionKind::line || m.start.z > m.end.z) continue;
+      const Vec2 a = polar_of(m.start), b = polar_of(m.end);
+      EXPECT_NEAR(a.x, b.x, 1e-9) << "radial";
+      EXPECT_NEAR(std::min(a.y, b.y), e.inner, 1e-9);
+      EXPECT_NEAR(std::max(a.y, b.y), e.inner + 6, 1e-9);
+      angles.push_back(a.x);
+    }
+    ASSERT_EQ(angles.size(), e.angles.size());
+    for (std::size_t i = 0; i < angles.size(); ++i) EXPECT_NEAR(angles[i], e.angles[i], 1e-9);
+  }
+}
+
+// L's foot points in the direction of reading, clockwise over the centre.
+TEST(Cycle60, LettersOnAnArcAreNotMirrored) {
+  const auto foot = [](const char* form) {
+    const Program p = cycle60(std::string("\"L\",50,0,2,-1,,10,60,0,10,20,6,1,80,200,") + form);
+    const Motion& last = *std::find_if(p.motions.rbegin(), p.motions.rend(),
+                                       [](const Motion& m) { return m.kind == MotionKind::line; });
+    return last.end.x - last.start.x;
+  };
+  EXPECT_GT(foot("1010"), 3.4);
+  EXPECT_LT(foot("1020"), -3.4);
+  EXPECT_LT(foot("10001010"), -3.4);
+}
+
+TEST(Cycle60, AMirroredTextIsReadFromBehind) {
+  const Program plain = cycle60("\"LH\",50,0,2,-1,,30,40,0,,,6,1.5,80,200,1000");
+  const Program mirrored = cycle60("\"LH\",50,0,2,-1,,30,40,0,,,6,1.5,80,200,10001000");
+  ASSERT_EQ(plain.motions.size(), mirrored.motions.size());
+  for (std::size_t i = 2; i < plain.motions.size(); ++i) {
+    EXPECT_NEAR(plain.motions[i].end.x - 30, 30 - mirrored.motions[i].end.x, 1e-12);
+    EXPECT_EQ(plain.motions[i].end.y, mirrored.motions[i].end.y);
+  }
+}
+
+TEST(Cycle60, VariablesAndJoinedTextsAreLetters) {
+  const auto path = [](const std::string& text) {
+    return path_text(read_text("T1 D1 M6\nG0 X0 Y0 Z60\nS900 M3 F300\n" + text + "\nM30\n",
+                               at_origin(Dialect::sinumerik)));
+  };
+  EXPECT_EQ(path("R1=47\nCYCLE60(\"NR \"<<R1,50,0,2,-1,,0,0,0,,,6,1,80,200,0)"),
+            path("\nCYCLE60(\"NR 47\",50,0,2,-1,,0,0,0,,,6,1,80,200,0)"));
+}
+
+TEST(Cycle60, WhatIsNotKnownIsRefused) {
+  const std::string head = "50,0,2,-1,,0,0,0,,,6,1,80,200,";
+  EXPECT_EQ(faults("\"A<#,R1>\"," + head + "0"), "not-supported");
+  EXPECT_EQ(faults("\"\xC4\"," + head + "0"), "not-supported");
+  EXPECT_EQ(faults("," + head + "0"), "value-missing");
+  EXPECT_EQ(faults("\"A\",50,0,2"), "value-missing");
+  EXPECT_EQ(faults("\"A\",50,0,2,-1,,0,0,0,,,6,,80,200,0"), "value-missing");
+  EXPECT_EQ(faults("\"A\",50,0,2,1,,0,0,0,,,6,1,80,200,0"), "value-range");
+  EXPECT_EQ(faults("\"A\",50,0,2,-1,,0,0,0,,,0,1,80,200,0"), "value-range");
+  EXPECT_EQ(faults("\"A\"," + head + "2"), "value-range");
+  EXPECT_EQ(faults("\"A\"," + head + "100"), "value-range");
+  EXPECT_EQ(faults("\"A\"," + head + "200000"), "value-range") << "an angle for a line";
+  EXPECT_EQ(faults("\"AB\"," + head + "100000"), "value-range") << "1 mm for two letters";
+  EXPECT_EQ(faults("\"A\"," + head + "10"), "value-range") << "no radius";
+  EXPECT_EQ(faults("\"A\"," + head + "10000000"), "not-supported") << "mirrored about what?";
+  EXPECT_EQ(faults("\"A\"," + head + "0,932"), "not-supported");
+  EXPECT_EQ(faults("\"A\"," + head + "0,1252,0,0,2,1"), "cycle-plane");
+  EXPECT_EQ(faults("\"A\"," + head + "0,1252,0,0,1,101"), "not-supported");
+  EXPECT_EQ(faults("\"" + std::string(100, 'H') + "\",50,0,2,-1,,9,0,0,0,0,6,1,80,200,10"),
+            "value-range")
+      << "longer than its circle";
 }
 
 }  // namespace

@@ -101,34 +101,30 @@ bool Engraving::read(Text& out) {
 }
 
 void Engraving::cut(const Text& text) {
-  const TextStrokes set = text_strokes(text.letters);
-  const Vec2 start = mover_.place();
+  TextStrokes set = text_strokes(text.letters);
+  const Vec2 start = cutter_.mover().place();
   const SinCos turn = sincos_deg(text.turn);
   const auto place = [&](Vec2 p) {
     const Vec2 at{p.x * kHaasWidth * text.height, p.y * text.height};
     return start + Vec2{turn.cos * at.x - turn.sin * at.y, turn.sin * at.x + turn.cos * at.y};
   };
-  mover_.rapid_height(text.retract);
-  for (const std::vector<Vec2>& stroke : set.strokes) {
-    mover_.rapid(place(stroke.front()));
-    mover_.line_height(text.depth, text.plunge);
-    for (const Vec2 point : stroke) mover_.line(place(point), 0);
-    mover_.rapid_height(text.retract);
-  }
-  mover_.rapid(place({set.width, 0}));
+  LetterCutter::Levels levels;
+  levels.safe = text.retract;
+  levels.depth = text.depth;
+  levels.plunge = text.plunge;
+  for (std::vector<Vec2>& stroke : set.strokes)
+    for (Vec2& point : stroke) point = place(point);
+  cutter_.cut(set.strokes, levels);
+  cutter_.mover().rapid(place({set.width, 0}));
 }
 
 bool Engraving::run() {
   Text text;
   Target start;
   if (!allowed() || !read(text) || !axes_.target(start, position_.programmed)) return false;
-  mover_.begin(*block_.oneshot);
-  mover_.rapid({start.programmed.x, start.programmed.y});
+  cutter_.begin(*block_.oneshot);
+  cutter_.mover().rapid({start.programmed.x, start.programmed.y});
   cut(text);
-  reporter_.once(Severity::warning, "engraving-font",
-                 "the letters are those of a plain font: the control's own may be wider or "
-                 "narrower; place, height, angle and depth are as programmed",
-                 *block_.oneshot, "engraving-font");
   return true;
 }
 

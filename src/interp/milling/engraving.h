@@ -2,7 +2,7 @@
 // depths are the program's, the letters those of a plain font. Private to src/interp.
 #pragma once
 
-#include "interp/cycles/cycle_mover.h"
+#include "interp/milling/letter_cutter.h"
 #include "interp/statements/statements.h"
 
 #include <optional>
@@ -13,7 +13,7 @@ namespace mrsim {
 class Engraving : public ControlPart {
  public:
   Engraving(Control& control, Statements* statements, AxisWords& axes, Moves& moves)
-      : ControlPart(control), statements_(statements), axes_(axes), mover_(control, moves) {}
+      : ControlPart(control), statements_(statements), axes_(axes), cutter_(control, moves) {}
 
   /// The comment of the block is a text to engrave.
   bool wants_block() const { return block_.oneshot && block_.oneshot_code == Code::engrave; }
@@ -39,7 +39,7 @@ class Engraving : public ControlPart {
 
   Statements* statements_;  ///< null: a control without a language
   AxisWords& axes_;
-  CycleMover mover_;
+  LetterCutter cutter_;
 };
 
 }  // namespace mrsim

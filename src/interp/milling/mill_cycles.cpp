@@ -4,6 +4,7 @@
 #include "core/rounding.h"
 #include "core/trig.h"
 #include "core/units.h"
+#include "interp/cycles/cycle_planes.h"
 
 #include <algorithm>
 #include <cmath>
@@ -47,24 +48,19 @@ bool MillCycles::run(const CycleCall& call, const Word& where, bool at_position)
 }
 
 bool MillCycles::depth(Levels& l) {
-  const double unit = scale();
-  if (!call_->given(0) || !call_->given(1) || (!call_->given(3) && value(list_->dpr) == 0))
+  const int mode = list_->amode < 0 ? 0 : call_->digit(static_cast<std::size_t>(list_->amode), 0);
+  const auto planes = cycle_planes(*call_, 0, list_->dpr, mode, scale());
+  if (!planes)
     return fail("value-missing",
                 fmt::format("{} needs RTP, RFP and DP, its planes and its depth", call_->shown()));
-  l.top = call_->get(0) * unit;
-  l.reference = call_->get(1) * unit;
-  const double down = l.top < l.reference ? 1 : -1;
-  l.safe = l.reference - down * std::abs(call_->get(2)) * unit;
-  const int amode = list_->amode < 0 ? 0 : call_->digit(static_cast<std::size_t>(list_->amode), 0);
-  const double dpr = value(list_->dpr);
-  l.bottom = call_->get(3) * unit;
-  const double relative = call_->given(3) ? call_->get(3) : dpr;  // with a mode, in DP or DPR
-  if (amode == 1) l.bottom = l.reference + down * std::abs(relative) * unit;
-  if (amode == 0 && dpr != 0) l.bottom = l.reference + down * std::abs(dpr) * unit;
-  if ((l.bottom - l.reference) * down <= 0)
+  if (!planes->cuts())
     return fail("value-range",
                 fmt::format("{}: the depth does not lie below the reference plane (alarm 61101)",
                             call_->shown()));
+  l.top = planes->top;
+  l.reference = planes->reference;
+  l.safe = planes->safe;
+  l.bottom = planes->bottom;
   return true;
 }
 

@@ -1,5 +1,8 @@
 #include "interp/path/stroke_font.h"
 
+#include <algorithm>
+#include <limits>
+
 namespace mrsim {
 namespace {
 
@@ -28,7 +31,22 @@ void add_glyph(std::string_view glyph, TextStrokes& out) {
 TextStrokes text_strokes(std::string_view text) {
   TextStrokes out;
   for (const char c : text)
-    if (c >= ' ' && c <= '~') add_glyph(kStrokeFont[c - ' '], out);
+    if (font_has(c)) add_glyph(kStrokeFont[c - ' '], out);
+  return out;
+}
+
+TextStrokes letter_strokes(char c) {
+  TextStrokes out = text_strokes({&c, 1});
+  if (out.strokes.empty()) return out;
+  double left = std::numeric_limits<double>::infinity(), right = -left;
+  for (const std::vector<Vec2>& stroke : out.strokes)
+    for (const Vec2 p : stroke) {
+      left = std::min(left, p.x);
+      right = std::max(right, p.x);
+    }
+  for (std::vector<Vec2>& stroke : out.strokes)
+    for (Vec2& p : stroke) p.x -= left;
+  out.width = right - left;
   return out;
 }
 

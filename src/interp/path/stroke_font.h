@@ -19,7 +19,13 @@ struct TextStrokes {
   double width = 0;                        ///< to where a next letter would begin
 };
 
+inline bool font_has(char c) { return c >= ' ' && c <= '~'; }
+
 /// `text` on the line y = 0 from {0, 0}; capitals have the height 1. What is not ASCII is left out.
 TextStrokes text_strokes(std::string_view text);
+
+/// One letter without the space on its sides: its strokes begin at x = 0. A blank is as wide as it
+/// is in a text.
+TextStrokes letter_strokes(char c);
 
 }  // namespace mrsim

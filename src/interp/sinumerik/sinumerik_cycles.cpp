@@ -64,6 +64,7 @@ double iso_pitch(double thread) {
 bool SinumerikCycles::knows(std::string_view name) {
   return is_cycle(name) || is_of_802(name) || MillCycles::knows(name) ||
          SinumerikContours::knows(name) || TurnCycles::knows(name) || measures(name) ||
+         SinumerikEngraving::knows(name) ||
          std::find(kPatterns.begin(), kPatterns.end(), name) != kPatterns.end();
 }
 
@@ -103,6 +104,7 @@ bool SinumerikCycles::run() {
   if (MillCycles::knows(call.name)) return mills_.run(call, where(), false);
   if (SinumerikContours::knows(call.name)) return contours_.run(call, where());
   if (TurnCycles::knows(call.name)) return turns_.run(call, where());
+  if (SinumerikEngraving::knows(call.name)) return engraving_.run(call, where());
   if (is_cycle(call.name)) return drill(call);
   return call.written.empty() ? pattern(call) : pattern_802(call);
 }

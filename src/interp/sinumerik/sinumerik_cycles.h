@@ -5,6 +5,7 @@
 
 #include "interp/milling/mill_cycles.h"
 #include "interp/sinumerik/sinumerik_contours.h"
+#include "interp/sinumerik/sinumerik_engraving.h"
 #include "interp/statements/statements.h"
 #include "interp/turning/turn_cycles.h"
 #include "interp/words/dwell_time.h"
@@ -27,7 +28,8 @@ class SinumerikCycles : public ControlPart {
         dwell_(control),
         mills_(control, tools, moves),
         contours_(control, reader, statements, tools, moves, out),
-        turns_(control, tools, moves) {}
+        turns_(control, tools, moves),
+        engraving_(control, moves) {}
 
   /// A name that run() knows.
   static bool knows(std::string_view name);
@@ -79,6 +81,7 @@ class SinumerikCycles : public ControlPart {
   MillCycles mills_;
   SinumerikContours contours_;
   TurnCycles turns_;
+  SinumerikEngraving engraving_;
   std::optional<Call> modal_call_;
 };
 

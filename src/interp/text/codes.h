@@ -213,7 +213,7 @@ std::span<const std::string_view> read_calls();
 /// Cycles without brackets, whose values stand in R parameters.
 std::span<const std::string_view> cycles_of_802();
 
-/// What an upper-case name (WHEN, CYCLE60) announces that this reader does not do yet; or empty.
+/// What an upper-case name (WHEN, CYCLE64) announces that this reader does not do yet; or empty.
 std::string_view unsupported_name(std::string_view name);
 
 }  // namespace mrsim

@@ -1,0 +1,21 @@
+// The levels that lead the list of a SINUMERIK cycle: RTP RFP SDIS DP, and DPR where it has one.
+// Private to src/interp.
+#pragma once
+
+#include "interp/cycles/cycle_call.h"
+
+namespace mrsim {
+
+/// mm along the plane's normal.
+struct CyclePlanes {
+  double top = 0, reference = 0, safe = 0, bottom = 0;
+  double up = 1;  ///< sign of the way out of the part
+  bool cuts() const { return (reference - bottom) * up > 0; }
+};
+
+/// RTP at `first`; `dpr` -1: the list has none. `mode`, the unit of AMODE: 0 DPR counts where it is
+/// not 0, 1 the depth counts from the reference plane, 2 it is a level. None: a value is missing.
+std::optional<CyclePlanes> cycle_planes(const CycleCall& call, std::size_t first, int dpr, int mode,
+                                        double unit);
+
+}  // namespace mrsim
