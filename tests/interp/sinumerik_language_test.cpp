@@ -113,6 +113,38 @@ TEST(SinumerikParts, EndlabelEndsBehindItsBlock) {
 }
 
 // A name stands for its text in the program that defines it, and from a file of definitions in all.
+// Several jumps in a block: the first whose condition holds.
+TEST(SinumerikJumps, SeveralStandInABlock) {
+  const std::string block = "IF R1==1 GOTOF AA IF R1==2 GOTOF \"N\"<<20 IF (R1==3) GOTOF CC\n";
+  const std::string marks = "X9\nAA: X1\nN20 X2\nCC: X3\n";
+  EXPECT_EQ(moves("R1=1\n" + block + marks), "l1,0,0 l2,0,0 l3,0,0");
+  EXPECT_EQ(moves("R1=2\n" + block + marks), "l2,0,0 l3,0,0");
+  EXPECT_EQ(moves("R1=3\n" + block + marks), "l3,0,0");
+  EXPECT_EQ(moves("R1=4\n" + block + marks), "l9,0,0 l1,0,0 l2,0,0 l3,0,0");
+  EXPECT_EQ(moves("R1=4\nIF R1==1 GOTOF AA X5\nAA: X1\n"), " | statement")
+      << "what stands behind a jump is not left out in silence";
+}
+
+TEST(SinumerikMacros, TextsAreRunAsBlocks) {
+  EXPECT_EQ(moves("DEF STRING[40] TX\nR2=7\nTX=\"X\"<<R2\nEXECSTRING(TX)\n"
+                  "EXECSTRING(\"R1=3\")\nX=R1\n"),
+            "l7,0,0 l3,0,0");
+  EXPECT_EQ(moves("R1=0\nAA: R1=R1+1\nX=R1\nEXECSTRING(\"IF R1<3 GOTOB AA\")\nX9\n"),
+            "l1,0,0 l2,0,0 l3,0,0 l9,0,0");
+  EXPECT_EQ(moves("EXECSTRING(\"IF TRUE\")\nX1\n"), " | not-supported");
+  EXPECT_EQ(moves("EXECSTRING(\"GOTOF BB\")\nX1\nBB: X2\n"), "l2,0,0");
+  EXPECT_EQ(moves("EXECSTRING(\"SUB(4)\")\nX9\n", {{"SUB.SPF", "PROC SUB(REAL AA)\nX=AA\nRET\n"}}),
+            "l4,0,0 l9,0,0");
+  EXPECT_EQ(moves("EXECSTRING(\"X1 Q=\")\n"), " | address-without-number");
+  EXPECT_EQ(moves("EXECSTRING(5)\n"), " | statement");
+  EXPECT_EQ(moves("EXECSTRING(\"DEF INT II\")\n"), " | not-supported");
+  InterpOptions options = at_origin(Dialect::sinumerik);
+  options.max_steps = 1000;
+  EXPECT_EQ(codes(read_text("DEF STRING[40] TX=\"EXECSTRING(TX)\"\nEXECSTRING(TX)\n", options),
+                  Severity::error),
+            "program-endless");
+}
+
 TEST(SinumerikMacros, NamesStandForText) {
   EXPECT_EQ(moves("DEFINE GOHOME AS G0 X5 Y5 ; a comment\nGOHOME Z1\nG1 X1 ; GOHOME\n"),
             "r5,5,1 l1,5,1");

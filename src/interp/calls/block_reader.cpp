@@ -61,6 +61,7 @@ bool BlockReader::read_line(Activation& top) {
   top.line_offset = top.source->next_offset();
   if (top.line_offset >= top.end || !top.source->next(top.line)) return false;
   top.line_number = top.source->line_number();
+  top.replaced = false;
   if (is(Dialect::fanuc) && modal_.okuma) join_lines(top);
   const Macros& own = program_read().macros;
   if (!(own.empty() && macros_.empty()) && expand_macros(top.line, own, macros_, top.joined))
@@ -107,6 +108,16 @@ void BlockReader::join_lines(Activation& top) {
   top.line = {top.joined.data(), top.joined.size()};
 }
 
+bool BlockReader::replace_line(std::string_view text) {
+  if (!count_step()) return false;
+  Activation& top = stack_.back();
+  top.joined = std::vector<char>(text.begin(), text.end());
+  top.line = {top.joined.data(), top.joined.size()};
+  top.position = 0;
+  top.replaced = true;
+  return true;
+}
+
 Place BlockReader::place_at(std::size_t position) const {
   const Activation& top = stack_.back();
   return {top.line_offset, top.line_number - 1, position};
@@ -126,7 +137,7 @@ bool BlockReader::count_step() {
 bool BlockReader::jump(const Place& to) {
   if (!count_step()) return false;
   Activation& top = stack_.back();
-  if (to.offset == top.line_offset && top.has_line) {
+  if (to.offset == top.line_offset && top.has_line && !top.replaced) {
     top.position = std::min(to.position, top.line.size());
     return true;
   }

@@ -70,6 +70,8 @@ class BlockReader : public ControlPart {
   }
   /// DEFINE of SINUMERIK: a name that stands for text in the program that is being read, or in all.
   void define_macro(const std::string& name, std::string_view text, bool everywhere);
+  /// `text` stands for the line being read. False: too many steps of loops and calls.
+  bool replace_line(std::string_view text);
   /// No further runs of what is being read.
   void drop_repeats() { stack_.back().repeats = 0; }
   /// Ends stretches that are no calls (repeated parts of a program) about what is being read.
@@ -94,7 +96,8 @@ class BlockReader : public ControlPart {
     std::size_t position = 0;
     std::size_t resume = 0;  ///< position in the next line where reading goes on
     bool has_line = false;
-    bool started = false;  ///< a block was executed
+    bool replaced = false;  ///< the line is none of the file's
+    bool started = false;   ///< a block was executed
     int file = 0;
     int call = -1;
     int repeats = 0;  ///< further runs after this one

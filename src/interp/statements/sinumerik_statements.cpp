@@ -48,7 +48,7 @@ bool SinumerikStatements::starts_statement(std::string_view line, std::size_t p)
   for (const std::string_view keyword : kKeywords)
     if (name == keyword) return true;
   if (name == "CALL") return is_letter(next) || next == '(';
-  if (name == "RET") return next == '(';
+  if (name == "RET" || name == "EXECSTRING") return next == '(';
   if (next != '(' || name.size() < 2 || find_function(name).code != Code::unknown) return false;
   SubprogramName wanted;
   wanted.text = name;
@@ -73,6 +73,7 @@ bool SinumerikStatements::statement(std::size_t from) {
   if (name == "DEFINE") return define_macro(p, false);
   if (name == "MCALL") return modal_call(p);
   if (name == "RET") return go_back(from, p);
+  if (name == "EXECSTRING") return run_text(from, p);
   if (name == "EXTERN" || name == "PROC" || name == "SETAL") {
     if (name == "SETAL")
       note_once("alarm-set", "the program sets an alarm of its own", place_word(from, p), "setal");
@@ -101,21 +102,30 @@ bool SinumerikStatements::branch(std::size_t from, std::size_t p) {
   bool holds = false;
   const bool asks = upper(at(from)) == 'I';
   if (asks && !condition(p, holds)) return false;
-  if (asks) {
-    std::size_t behind = p;
-    const std::string word = name_at(behind);
-    if (word.starts_with("GOTO")) {
-      if (holds) return go_to(word, behind);
-      reader_.set_position(block_.line.size());
-      return true;
-    }
-  }
+  std::size_t behind = p;
+  if (const std::string word = asks ? name_at(behind) : ""; word.starts_with("GOTO"))
+    return holds ? go_to(word, behind) : next_jump(word, behind);
   const FlowEntry* const entry = entry_at(from);
   if (!entry) return false;
   if (entry->word == FlowWord::branch_else)
     return jump_behind(places_.outline().entry(entry->last));
   if (asks && !holds) return jump_behind(places_.outline().entry(entry->next));
   return end_statement(p);
+}
+
+// Behind a jump that is not taken: another one, IF ... GOTOF, or the end of the block.
+bool SinumerikStatements::next_jump(const std::string& word, std::size_t p) {
+  p = skip_blanks(p);
+  std::size_t behind = p;
+  const std::string target = word == "GOTOS" ? "" : name_at(behind);
+  if (variables_.is_defined(target) || at(p) == '"' || at(p) == '(') {
+    Value value;
+    behind = p;
+    if (!evaluator_.expression(block_.line, behind, value)) return report(evaluator_.fault());
+  }
+  const std::size_t next = skip_blanks(behind);
+  p = next;
+  return name_at(p) == "IF" ? branch(next, p) : end_statement(next);
 }
 
 bool SinumerikStatements::loop(const FlowEntry& entry, std::size_t p) {
@@ -283,23 +293,6 @@ bool SinumerikStatements::case_of(std::size_t p) {
   }
   reader_.set_position(p);
   return true;
-}
-
-// A block of words under MCALL ends with the call, where it moved, in subprograms too.
-void SinumerikStatements::end_block(bool moved) {
-  if (!moved || !modal_call_.active || in_modal_call_) return;
-  call(modal_call_.name, modal_call_.arguments, 1, block_.words.front(), true);
-}
-
-bool SinumerikStatements::modal_call(std::size_t p) {
-  std::string name = name_at(p);
-  modal_call_ = {};
-  if (name.empty()) return end_statement(p);
-  if (at(skip_blanks(p)) == '(' && !arguments(p, modal_call_.arguments)) return false;
-  modal_call_.name.text = name;
-  if (!reader_.locate(modal_call_.name, place_word(p - name.size(), p))) return false;
-  modal_call_.active = true;
-  return end_statement(p);
 }
 
 // REPEAT A, REPEAT A B, REPEATB A, each with P=n.

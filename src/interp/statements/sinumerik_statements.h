@@ -56,6 +56,7 @@ class SinumerikStatements : public Statements {
             std::span<const Value> at_index, bool repeats, std::size_t from);
   bool indices(std::string_view line, std::size_t& p, std::vector<Value>& out);
   bool branch(std::size_t from, std::size_t p);
+  bool next_jump(const std::string& word, std::size_t p);
   bool loop(const FlowEntry& entry, std::size_t p);
   bool for_loop(const FlowEntry& entry, std::size_t p, bool first);
   bool loop_end(const FlowEntry& entry, std::size_t p);
@@ -73,6 +74,7 @@ class SinumerikStatements : public Statements {
   bool call_part(std::size_t p);
   bool run_part(const std::vector<std::string>& labels, bool line_alone, double runs,
                 std::size_t from, std::size_t p);
+  bool run_text(std::size_t from, std::size_t p);
   bool call_by_path(std::size_t from, std::size_t p);
   bool call_statement(std::size_t from, std::size_t p);
   bool modal_call(std::size_t p);

@@ -18,6 +18,9 @@ namespace {
 
 constexpr std::size_t kMostValues = 10'000;  // of SET( )
 constexpr std::size_t kAllElements = std::numeric_limits<std::size_t>::max();
+constexpr std::string_view kStructures[] = {"IF",       "ELSE",   "ENDIF",  "WHILE",
+                                            "ENDWHILE", "FOR",    "ENDFOR", "LOOP",
+                                            "ENDLOOP",  "REPEAT", "UNTIL"};
 
 }  // namespace
 
@@ -163,9 +166,6 @@ bool SinumerikStatements::definitions(std::size_t& p, bool global) {
 // DEFINE NAME AS TEXT. Structures are found in the lines as they are written, so that none may be
 // behind a name.
 bool SinumerikStatements::define_macro(std::size_t p, bool everywhere) {
-  static constexpr std::string_view kStructures[] = {"IF",       "ELSE",   "ENDIF",  "WHILE",
-                                                     "ENDWHILE", "FOR",    "ENDFOR", "LOOP",
-                                                     "ENDLOOP",  "REPEAT", "UNTIL",  "DEFINE"};
   const std::size_t from = p;
   const std::string name = name_at(p);
   std::size_t q = p;
@@ -178,12 +178,45 @@ bool SinumerikStatements::define_macro(std::size_t p, bool everywhere) {
   text = text.substr(0, text.find_last_not_of(" \t\r") + 1);
   q = begin;
   const std::string first = name_at(q);
-  if (std::ranges::find(kStructures, first) != std::end(kStructures))
+  if (std::ranges::find(kStructures, first) != std::end(kStructures) || first == "DEFINE")
     return fail("not-supported", fmt::format("{} behind a name of DEFINE is not supported", first),
                 begin, q);
   reader_.define_macro(name, text, everywhere);
   if (!everywhere) reader_.set_position(block_.line.size());
   return true;
+}
+
+// A block of words under MCALL ends with the call, where it moved, in subprograms too.
+void SinumerikStatements::end_block(bool moved) {
+  if (!moved || !modal_call_.active || in_modal_call_) return;
+  call(modal_call_.name, modal_call_.arguments, 1, block_.words.front(), true);
+}
+
+bool SinumerikStatements::modal_call(std::size_t p) {
+  std::string name = name_at(p);
+  modal_call_ = {};
+  if (name.empty()) return end_statement(p);
+  if (at(skip_blanks(p)) == '(' && !arguments(p, modal_call_.arguments)) return false;
+  modal_call_.name.text = name;
+  if (!reader_.locate(modal_call_.name, place_word(p - name.size(), p))) return false;
+  modal_call_.active = true;
+  return end_statement(p);
+}
+
+// EXECSTRING(TEXT): the text stands for the block.
+bool SinumerikStatements::run_text(std::size_t from, std::size_t p) {
+  Value text;
+  if (!evaluator_.expression(block_.line, p, text)) return report(evaluator_.fault());
+  if (text.kind != Value::Kind::text)
+    return fail("statement", "EXECSTRING(TEXT): a text is expected", from, p);
+  if (!end_statement(p)) return false;
+  std::size_t behind = 0;
+  const std::string first = word_at(text.text, behind);
+  const bool jumps = first == "IF" && upper_case(text.text).find("GOTO") != std::string::npos;
+  if ((std::ranges::find(kStructures, first) != std::end(kStructures) && !jumps) ||
+      first == "DEF" || first == "PROC" || first == "DEFINE")
+    return fail("not-supported", fmt::format("{} in EXECSTRING is not supported", first), from, p);
+  return reader_.replace_line(text.text);
 }
 
 // Files of definitions (UGUD.DEF) among the search path: their variables live as long as the run.

@@ -35,7 +35,8 @@ constexpr std::string_view kHarmlessCalls[] = {
     "COUPONC",   "COUPOF", "COUPOFS", "COUPDEF",  "COUPDEL", "COUPRES",  "GROUP_BEGIN",
     "GROUP_END", "BRISKA", "SOFTA",   "DRIVEA",   "JERKA",   "CALLPATH", "GWPSON",
     "GWPSOF",    "CANCEL", "FPRAON",  "FPRAOF",   "FPR",     "CORROF",   "GROUP_ADDEND",
-    "CLEARM",    "SETM",   "RELEASE", "GET",      "GETD",    "WRITE",    "DELETE"};
+    "CLEARM",    "SETM",   "RELEASE", "GET",      "GETD",    "WRITE",    "DELETE",
+    "SETPIECE"};
 
 // The tool carrier and offsets of the tool, which 0 switches off.
 constexpr std::string_view kOffWithZero[] = {"TCARR", "TOFF", "TOFFL", "TOFFR", "TOFFLR", "CUTMOD"};
