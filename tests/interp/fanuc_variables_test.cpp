@@ -30,6 +30,12 @@ TEST(FanucVariables, AreAnsweredFromTables) {
   EXPECT_EQ(x("#14041=4", "#7041"), "4");
   EXPECT_EQ(x("", "#5021"), "variable-number1") << "where the machine's zero is, is not known";
   EXPECT_EQ(x("G28 X2.", "#5041"), "variable-number2");
+  EXPECT_EQ(x("Z7", "#5043"), "7");
+  EXPECT_EQ(x("G43 H2 Z7", "#5003"), "7");
+  EXPECT_EQ(x("G43 H2 Z7", "#5043"), "variable-number1") << "with the length, or without?";
+  EXPECT_EQ(x("G43 H2 Z7", "#5041"), "1");
+  EXPECT_EQ(codes(read_text("G41 D2 G1 F100 X9\nY9\nX#5041\nG40 X0\n", options)),
+            "variable-number");
 }
 
 // The second axis of a lathe is Z; its groups of G codes are others than those of mills.

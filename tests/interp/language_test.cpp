@@ -80,6 +80,27 @@ TEST(Macro, ModalCallsInsideOneAnother) {
             "1,0,0 1,1,0 2,1,0 ");
 }
 
+// A G66 of a macro itself holds for its moves; of the one before G65, no manual says.
+TEST(Macro, ModalCallsAndMacrosOfG65) {
+  const std::string macros = "M30\nO7\nZ-1\nZ0\nM99\nO8\nG66 P7\nX1\nG67\nX2\nM99\nO9\nX9\nM99\n";
+  EXPECT_EQ(run(Dialect::fanuc, "G1 F100\nG65 P8\nX3\n" + macros),
+            "1,0,0 1,0,-1 1,0,0 2,0,0 3,0,0 ");
+  EXPECT_EQ(run(Dialect::fanuc, "G1 F100\nG66 P7\nG65 P9\nG67\nX3\n" + macros),
+            "9,0,0 3,0,0 not-supported");
+  EXPECT_EQ(run(Dialect::fanuc, "G1 F100\nG66 P5\nX1\nG67\nX3\n" + macros + "O5\nG65 P7\nM99\n"),
+            "1,0,0 1,0,-1 1,0,0 3,0,0 ")
+      << "a macro in that of G66";
+}
+
+// Arguments are set once: the next run has what the last one left.
+TEST(Macro, RunsOfOneCommandShareTheirVariables) {
+  const std::string macro = "M30\nO7\n#1=#1+1\nX#1\nM99\n";
+  EXPECT_EQ(run(Dialect::fanuc, "G1 F100\nG65 P7 A2 L3\nG65 P7 A2\n" + macro),
+            "3,0,0 4,0,0 5,0,0 3,0,0 ");
+  EXPECT_EQ(run(Dialect::fanuc, "G1 F100\nG66 P7 A2\nY1\nY2\nG67\n" + macro),
+            "0,1,0 3,1,0 3,2,0 4,2,0 ");
+}
+
 // More common variables of the 30i; those of Mitsubishi's begin at #400.
 TEST(Macro, MoreCommonVariables) {
   EXPECT_EQ(run(Dialect::fanuc,

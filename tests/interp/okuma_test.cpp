@@ -140,6 +140,10 @@ TEST(Okuma, ModalCallsRunBehindEachMove) {
   EXPECT_EQ(
       osp_milled("MODIN O200 DP=-3\nG0 X5\nM8\nX9\nMODOUT\nX0\nM2\nO200\nG1 Z=DP F9\nG0 Z0\nRTS\n"),
       "r5,0,0 l5,0,-3 r5,0,0 r9,0,0 l9,0,-3 r9,0,0 r0,0,0");
+  const std::string subs = "MODOUT\nM2\nO100\nG1 Z-1 F9\nZ0\nRTS\nO200\nG1 Y3 F9\nRTS\n";
+  EXPECT_EQ(osp_milled("MODIN O100\nMODIN O200\n" + subs), " | not-supported");
+  EXPECT_EQ(osp_milled("MODIN O100\nCALL O200\n" + subs), "l0,3,0 | not-supported");
+  EXPECT_EQ(osp_milled("MODIN O100\nMODOUT\nMODIN O200\nG0 X1\n" + subs), "r1,0,0 l1,3,0");
 }
 
 TEST(Okuma, PathsByG131HaveWordsOfTheirOwn) {

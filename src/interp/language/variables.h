@@ -104,9 +104,17 @@ class Variables : public VariableReader {
     double number = 0;
     State state = State::unset;
   };
+
+ public:
+  /// Of FANUC's macros, to be put back into another run of the same command.
+  using Locals = std::array<Cell, kLocals>;
+  const Locals& locals() const { return levels_.back()->cells; }
+  void set_locals(const Locals& locals) { levels_.back()->cells = locals; }
+
+ private:
   using Names = std::map<std::string, Array, std::less<>>;
   struct Level {
-    std::array<Cell, kLocals> cells;
+    Locals cells;
     Names names;
   };
 

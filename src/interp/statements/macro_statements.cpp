@@ -149,9 +149,12 @@ bool MacroStatements::collect(const Word* code, bool first, Arguments& out) {
   return true;
 }
 
+// The arguments are set before the first run of a command; the next ones begin with the local
+// variables that the last one left.
 bool MacroStatements::call_macro(const SubprogramName& program, long repeats,
-                                 const Arguments& arguments, std::size_t modal, const Word& where) {
-  if (modal_in_macro_.size() >= kMostMacroLevels)
+                                 const Arguments& arguments, const Kept& kept,
+                                 const MacroLevel& level, const Word& where) {
+  if (levels_.size() >= kMostMacroLevels)
     return error("subprogram-depth", "more than 4 macros inside one another (alarm 118)", where);
   const auto place = reader_.locate(program, where);
   if (!place) return false;
@@ -159,16 +162,18 @@ bool MacroStatements::call_macro(const SubprogramName& program, long repeats,
   request.file = place->file;
   request.begin = {place->offset, place->line, 0};
   request.repeats = repeats;
-  request.on_start = [this, arguments, modal] {
-    modal_in_macro_.push_back(modal);
+  request.on_start = [this, arguments, kept, level] {
+    levels_.push_back(level);
     variables_.enter_level();
+    if (*kept) return variables_.set_locals(**kept);
     std::string ignored;
     for (int i = 1; i < Variables::kLocals; ++i)
       if ((arguments.given >> i & 1U) != 0)
         variables_.assign(i, Value::of(arguments.values[static_cast<std::size_t>(i)]), ignored);
   };
-  request.on_end = [this] {
-    modal_in_macro_.pop_back();
+  request.on_end = [this, kept] {
+    *kept = variables_.locals();
+    levels_.pop_back();
     variables_.leave_level();
   };
   return reader_.enter(std::move(request), where);
@@ -212,24 +217,42 @@ bool MacroStatements::macro_call(const Word& code) {
   const long repeats = l ? static_cast<long>(l->value) : 1;
   Arguments arguments;
   if (!collect(&code, true, arguments)) return false;
-  if (code.value == 65) return call_macro(program, repeats, arguments, 0, code);
+  const auto kept = std::make_shared<Kept::element_type>();
+  if (code.value == 65)
+    return call_macro(program, repeats, arguments, kept, {modal_count(), modal_calls_.size(), true},
+                      code);
   if (modal_calls_.size() >= kMostMacroLevels)
     return error("subprogram-depth", "more than 4 macros inside one another (alarm 118)", code);
-  modal_calls_.push_back({code.value > 66, program, repeats, arguments});
+  modal_calls_.push_back({code.value > 66, program, repeats, arguments, kept});
   return true;
+}
+
+// How many modal calls are in force: all of them; in a macro those that it made itself, else those
+// before the one that runs it.
+std::size_t MacroStatements::modal_count() const {
+  if (levels_.empty() || modal_calls_.size() > levels_.back().base) return modal_calls_.size();
+  return std::min(levels_.back().modal, modal_calls_.size());
+}
+
+// Whether a move in a macro of G65 runs the macro of a G66 before it is told by no manual.
+bool MacroStatements::is_modal_unclear() const {
+  return !levels_.empty() && levels_.back().simple && modal_count() > 0 &&
+         modal_calls_.size() <= levels_.back().base;
 }
 
 // The macro of the last G66; a move in that macro calls the one before.
 const MacroStatements::ModalCall* MacroStatements::modal_call(bool every_block) const {
-  const std::size_t count = modal_in_macro_.empty() ? modal_calls_.size() : modal_in_macro_.back();
-  if (count == 0 || count > modal_calls_.size()) return nullptr;
+  const std::size_t count = modal_count();
+  if (count == 0) return nullptr;
   const ModalCall& last = modal_calls_[count - 1];
   return last.every_block == every_block ? &last : nullptr;
 }
 
 bool MacroStatements::run_modal(const ModalCall& call, const Arguments& arguments) {
   const auto before = static_cast<std::size_t>(&call - modal_calls_.data());
-  return call_macro(call.program, call.repeats, arguments, before, block_.words.front());
+  const Kept kept = call.every_block ? std::make_shared<Kept::element_type>() : call.locals;
+  return call_macro(call.program, call.repeats, arguments, kept,
+                    {before, modal_calls_.size(), false}, block_.words.front());
 }
 
 bool MacroStatements::take_block() {
@@ -241,7 +264,7 @@ bool MacroStatements::take_block() {
     }
     if (word.value == 67 && !modal_calls_.empty()) modal_calls_.pop_back();
   }
-  const ModalCall* const call = modal_call(true);
+  const ModalCall* const call = is_modal_unclear() ? nullptr : modal_call(true);
   if (!call || block_.words.empty() || block_.words[0].address == letter('M')) return false;
   Arguments arguments = call->arguments;  // G66.1: the words of the block are arguments
   if (collect(nullptr, false, arguments)) run_modal(*call, arguments);
@@ -250,6 +273,13 @@ bool MacroStatements::take_block() {
 
 // G66: the macro runs at the end of every block that moves.
 void MacroStatements::end_block(bool moved) {
+  if (moved && is_modal_unclear()) {
+    error("not-supported",
+          "a move in a macro of G65 while G66 is in force: whether it calls the macro of G66 is "
+          "not known; write G67 before G65",
+          block_.words.front());
+    return;
+  }
   const ModalCall* const call = moved ? modal_call(false) : nullptr;
   if (call) run_modal(*call, call->arguments);
 }

@@ -5,6 +5,8 @@
 #include "interp/statements/statements.h"
 
 #include <array>
+#include <memory>
+#include <optional>
 #include <vector>
 
 namespace mrsim {
@@ -28,11 +30,20 @@ class MacroStatements : public Statements {
     std::array<double, Variables::kLocals> values{};
     std::uint64_t given = 0;  ///< a bit each
   };
+  /// Local variables at the end of a run, where the next run of the same command begins.
+  using Kept = std::shared_ptr<std::optional<Variables::Locals>>;
   struct ModalCall {
     bool every_block = false;  ///< G66.1
     SubprogramName program;
     long repeats = 1;
     Arguments arguments;
+    Kept locals;
+  };
+  /// A macro under way.
+  struct MacroLevel {
+    std::size_t modal = 0;  ///< of the modal calls before it, those that its moves call
+    std::size_t base = 0;   ///< modal calls there were before it
+    bool simple = false;    ///< by G65
   };
 
   bool if_statement(std::size_t p);
@@ -41,14 +52,16 @@ class MacroStatements : public Statements {
   bool go_to(std::size_t p);
   bool collect(const Word* code, bool first, Arguments& out);
   bool call_macro(const SubprogramName& program, long repeats, const Arguments& arguments,
-                  std::size_t modal, const Word& where);
+                  const Kept& kept, const MacroLevel& level, const Word& where);
+  std::size_t modal_count() const;
+  bool is_modal_unclear() const;
   const ModalCall* modal_call(bool every_block) const;
   bool run_modal(const ModalCall& call, const Arguments& arguments);
   bool probing(long number, const Word& code);
   bool macro_call(const Word& code);
 
-  std::vector<ModalCall> modal_calls_;       ///< G66 in G66: the last one runs
-  std::vector<std::size_t> modal_in_macro_;  ///< of each macro under way: modal calls of its moves
+  std::vector<ModalCall> modal_calls_;  ///< G66 in G66: the last one runs
+  std::vector<MacroLevel> levels_;
 };
 
 }  // namespace mrsim

@@ -77,11 +77,15 @@ bool OspStatements::statement(std::size_t from) {
   if (name != "CALL" && name != "MODIN" && name != "MODOUT")
     return MacroStatements::statement(from);
   reader_.set_position(end_of_block(p));
+  const bool nested = modal_.has_value();
   modal_ = name == "CALL" ? modal_ : std::nullopt;
   if (name == "MODOUT") return true;
   Call call;
   if (!read_call(p, call)) return false;
   if (name == "CALL") return enter(call);
+  if (nested)
+    return fail("not-supported", "MODIN under MODIN is not supported: write MODOUT before it", from,
+                p);
   modal_ = std::move(call);
   return true;
 }
@@ -132,20 +136,22 @@ bool OspStatements::argument(std::size_t& p, Call& out) {
   return true;
 }
 
-bool OspStatements::enter(const Call& call) {
+bool OspStatements::enter(const Call& call, bool modal) {
   const auto place = reader_.locate(call.program, call.place);
   if (!place) return false;
   CallRequest request;
   request.file = place->file;
   request.begin = {place->offset, place->line, 0};
   request.repeats = call.repeats;
-  request.on_start = [this, arguments = call.arguments] {
-    ++levels_;
+  request.on_start = [this, arguments = call.arguments, modal] {
+    ++calls_;
+    if (modal) runs_modal_ = true;
     variables_.enter_level();
     for (const auto& [name, value] : arguments) set(name, Value::of(value), 0, 0);
   };
-  request.on_end = [this] {
-    --levels_;
+  request.on_end = [this, modal] {
+    --calls_;
+    if (modal) runs_modal_ = false;
     variables_.leave_level();
   };
   return reader_.enter(std::move(request), call.place);
@@ -198,12 +204,18 @@ bool OspStatements::set(std::string_view name, const Value& value, std::size_t f
   return store(name, {}, value, from, to);
 }
 
-// MODIN: the program runs behind every block that moves.
+// MODIN: the program runs behind every block that moves. Whether it does in programs of CALL is
+// told by no manual at hand.
 void OspStatements::end_block(bool moved) {
-  if (moved && modal_ && levels_ == 0)
-    enter(*modal_);
-  else
-    MacroStatements::end_block(moved);
+  if (!moved || !modal_ || runs_modal_) return MacroStatements::end_block(moved);
+  if (calls_ == 0) {
+    enter(*modal_, true);
+    return;
+  }
+  error("not-supported",
+        "a move in a program of CALL under MODIN: whether it calls the program of MODIN is not "
+        "known; write MODOUT before CALL",
+        block_.words.front());
 }
 
 }  // namespace mrsim

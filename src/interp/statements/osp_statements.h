@@ -32,12 +32,13 @@ class OspStatements : public MacroStatements {
 
   bool read_call(std::size_t p, Call& out);
   bool argument(std::size_t& p, Call& out);
-  bool enter(const Call& call);
+  bool enter(const Call& call, bool modal = false);
   bool jump(std::size_t p);
   bool set(std::string_view name, const Value& value, std::size_t from, std::size_t to);
 
   std::optional<Call> modal_;  ///< MODIN
-  int levels_ = 0;             ///< calls under way
+  int calls_ = 0;              ///< under way
+  bool runs_modal_ = false;    ///< one of them is that of MODIN
 };
 
 }  // namespace mrsim

@@ -154,6 +154,14 @@ bool SystemValues::fanuc_position(int number, double& out, std::string& why) con
         fmt::format("#{}: where {} is, is not known here: say --start X,Y,Z", number, "XYZ"[axis]);
     return false;
   }
+  const bool length = axis == 2 && modal_.length != Code::length_off;
+  if (kind != 0 && !lathe() && (length || modal_.comp != Code::comp_off)) {
+    why = fmt::format(
+        "#{} under {}: controls differ in whether it counts the tool's {}; #{} has "
+        "the programmed position",
+        number, length ? "G43 or G44" : "G41 or G42", length ? "length" : "radius", 5001 + axis);
+    return false;
+  }
   out = kind == 1 ? machine_position(axis) : work_position(axis);
   return true;
 }
