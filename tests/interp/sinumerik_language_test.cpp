@@ -113,6 +113,20 @@ TEST(SinumerikParts, EndlabelEndsBehindItsBlock) {
 }
 
 // A name stands for its text in the program that defines it, and from a file of definitions in all.
+TEST(SinumerikProc, NamesOfTheFileSystemAreTheSamePrograms) {
+  EXPECT_EQ(moves("_N_SUB_SPF\nCALL \"_N_SUB_SPF\"\nX9\n", {{"SUB.SPF", "X1\nX2 M17\n"}}),
+            "l1,0,0 l2,0,0 l1,0,0 l2,0,0 l9,0,0");
+  EXPECT_EQ(moves("_N_SUB_SPF\nX9\nM30\n%_N_SUB_SPF\nX1\nM17\n"), "l1,0,0 l9,0,0");
+  EXPECT_EQ(moves("_N_OTHER_SPF\n"), " | subprogram-missing");
+}
+
+TEST(SinumerikValues, ATextIsNoLongerThanItsVariable) {
+  EXPECT_EQ(moves("DEF STRING[3] SA,SB=\"ABC\"\nSA=\"DEF\"\nX=STRLEN(SA)\n"), "l3,0,0");
+  EXPECT_EQ(moves("DEF STRING[3] SA\nSA=\"DEFG\"\n"), " | variable-unset");
+  EXPECT_EQ(moves("DEF STRING[3] SA=\"DEFG\"\n"), " | variable-unset");
+  EXPECT_EQ(moves("DEF STRING[0] SA\n"), " | value-range");
+}
+
 // Several jumps in a block: the first whose condition holds.
 TEST(SinumerikJumps, SeveralStandInABlock) {
   const std::string block = "IF R1==1 GOTOF AA IF R1==2 GOTOF \"N\"<<20 IF (R1==3) GOTOF CC\n";

@@ -42,6 +42,12 @@ std::string codesys_section(std::string_view line) {
   return upper_case(name_at(trimmed(line.substr(11))));
 }
 
+// "_N_POCKET_SPF" of SINUMERIK's file system is POCKET.
+std::string_view plain_name(std::string_view name) {
+  if (!name.starts_with("_N_") || !(name.ends_with("_SPF") || name.ends_with("_MPF"))) return name;
+  return name.substr(3, name.size() - 7);
+}
+
 // "%_N_POCKET_SPF" is POCKET.
 std::string sinumerik_section(std::string_view line) {
   if (upper_case(line.substr(0, 4)) != "%_N_") return {};
@@ -150,6 +156,8 @@ std::optional<SubprogramPlace> SubprogramIndex::find(const SubprogramName& name)
     if (place || escapes) break;
     if (const auto file = find_file(folder, stems)) place = SubprogramPlace{*file, 0, 0};
   }
+  const std::string_view plain = plain_name(key);
+  if (!place && plain.size() < key.size()) place = find({-1, std::string(plain), name.own_file});
   found_[key] = place;
   return place;
 }

@@ -52,6 +52,7 @@ class Variables : public VariableReader {
     VariableType type = VariableType::real;
     std::array<int, 3> dimensions{};
     std::vector<Value> elements;
+    std::size_t longest = std::string::npos;  ///< of a text: STRING[20]
   };
 
   explicit Variables(VariableForm form);
@@ -69,6 +70,7 @@ class Variables : public VariableReader {
   /// DEF: dimensions of 0 stand for none. Elements hold 0, "" or the identity.
   bool define(std::string_view name, VariableType type, std::array<int, 3> dimensions, bool global,
               std::string& why);
+  void limit_texts(std::string_view name, std::size_t longest) { find(name)->longest = longest; }
   /// Elements of a defined variable in order, from the element at `indices`: SET, a value that is
   /// left out leaves its element; or with `repeats` REP, so often the first value.
   bool fill(std::string_view name, std::span<const Value> indices,

@@ -92,6 +92,11 @@ bool Variables::store(Array& variable, std::size_t at, const Value& value, std::
                       form_ == VariableForm::sinumerik ? " (alarm 12150)" : "");
     return false;
   }
+  if (variable.type == VariableType::text && value.text.size() > variable.longest) {
+    why = fmt::format("the text has {} characters, its variable is a STRING[{}]", value.text.size(),
+                      variable.longest);
+    return false;
+  }
   if (variable.type == VariableType::character && !(value.number >= 0 && value.number < 255.5)) {
     why = "a CHAR is 0 to 255";
     return false;

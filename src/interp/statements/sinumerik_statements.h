@@ -69,7 +69,7 @@ class SinumerikStatements : public Statements {
   bool define_macro(std::size_t p, bool everywhere);
   std::string behind_attributes(std::size_t& p, bool& global);
   void read_definitions();
-  bool define_one(std::size_t& p, VariableType type, bool global);
+  bool define_one(std::size_t& p, VariableType type, std::size_t longest, bool global);
   bool repeat_part(const std::string& word, std::size_t p);
   bool call_part(std::size_t p);
   bool run_part(const std::vector<std::string>& labels, bool line_alone, double runs,

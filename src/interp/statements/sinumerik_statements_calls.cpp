@@ -150,13 +150,17 @@ bool SinumerikStatements::definitions(std::size_t& p, bool global) {
     return fail("statement", "REAL, INT, BOOL, CHAR, STRING, AXIS or FRAME is expected here", from,
                 p + 1);
   name_at(p);
+  std::size_t longest = std::string::npos;
   if (*type == VariableType::text && at(p) == '[') {
     std::vector<Value> length;
     if (!indices(block_.line, p, length)) return false;
+    if (!(length[0].number >= 1) || length[0].number > 1e6)
+      return fail("value-range", "the length of a STRING is 1 and more", from, p);
+    longest = static_cast<std::size_t>(length[0].number);
   }
   behind_attributes(p, global);
   for (;;) {
-    if (!define_one(p, *type, global)) return false;
+    if (!define_one(p, *type, longest, global)) return false;
     p = skip_blanks(p);
     if (at(p) != ',') return true;
     ++p;
@@ -241,7 +245,8 @@ void SinumerikStatements::read_definitions() {
   }
 }
 
-bool SinumerikStatements::define_one(std::size_t& p, VariableType type, bool global) {
+bool SinumerikStatements::define_one(std::size_t& p, VariableType type, std::size_t longest,
+                                     bool global) {
   p = skip_blanks(p);
   const std::size_t from = p;
   const std::string name = name_at(p);
@@ -261,6 +266,7 @@ bool SinumerikStatements::define_one(std::size_t& p, VariableType type, bool glo
   std::string why;
   if (!variables_.define(name, type, dimensions, global, why))
     return fail("variable-defined", why, from, to);
+  variables_.limit_texts(name, longest);
   p = skip_blanks(p);
   if (at(p) != '=') return true;
   p = skip_blanks(p + 1);
