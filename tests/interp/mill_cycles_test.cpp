@@ -193,6 +193,7 @@ TEST(MillCycles, FaultsAreNamed) {
             "not-supported");
   EXPECT_EQ(code("T0 D0\nPOCKET4(50,0,2,-6,22,3,4,3)"), "tool-unknown");
   EXPECT_EQ(code("CYCLE77(50,0,2,-6,,30,0,0,3,0,0,800,200,0,1,900000000)"), "value-range");
+  EXPECT_EQ(code("POCKET4(50,0,2,-6,22,1EX100,4,3)"), "number-too-large");
   EXPECT_EQ(code("CYCLE79(50,0,2,-6,,6,10)"), "not-supported");
 }
 

@@ -109,7 +109,7 @@ bool SinumerikEngraving::read_form(Layout& out) {
   if (form < 0 || form >= 1e8 || form != std::floor(form) || call_->digit(kForm, kPolar) > 1 ||
       out.arc > 2 || call_->digit(kForm, kReserved) != 0 || out.across > 2 || out.up > 2 ||
       out.spacing_by > 2 || call_->digit(kForm, kPolarCenter) > 1 || mirror > 2)
-    return fail("value-range", fmt::format("CYCLE60: VARI {:.0f} has a digit that is not known: "
+    return fail("value-range", fmt::format("CYCLE60: VARI {} has a digit that is not known: "
                                            "units 0-1, tens 0-2, thousands 0-2, ten thousands "
                                            "0-2, hundred thousands 0-2, millions 0-1, ten "
                                            "millions 0-2",

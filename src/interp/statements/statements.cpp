@@ -210,7 +210,11 @@ bool Statements::call_values(std::string_view argument, std::vector<std::optiona
     out.emplace_back();
     if (p < to && at(p) != ',') {
       Value value;
+      const std::size_t begin = p;
       if (!evaluator_.expression(block_.line, p, value)) return report(evaluator_.fault());
+      if (value.is_number() && !(std::abs(value.number) <= kLargest))
+        return fail("number-too-large", fmt::format("{:g} is too large (limit 1e9)", value.number),
+                    begin, p);
       out.back() = std::move(value);
       p = skip_blanks(p);
     }
