@@ -64,7 +64,7 @@ class Fanuc : public Grammar {
       case 4:
         return line(one_of({"M98 P100", "M98 P20100", "M98 P200 L2", "M97 P9", "G67"}));
       case 5:
-        return line(one_of({"G65 P200", "G66 P200", "G66.1 P200", "G65 P9810"}) +
+        return line(one_of({"G65 P200", "G65 P300 L2", "G66 P200", "G66.1 P200", "G65 P9810"}) +
                     words({"A", "B", "I", "J", "K", "I", "X"}));
       case 6:
         return line(
@@ -78,6 +78,7 @@ class Fanuc : public Grammar {
   void subprograms() override {
     line("M30\nN9 G91 X1\nG90\nM99\nO100\nG1 X#1 Y#2\nM98 P200\nM99");
     line("O200\n#3=#3+1\nIF[#3 GT 50]GOTO5\nG1 X#24 Z#1\nM98 P100\nN5 M99");
+    line("O300\nG66 P200 A#1\nG1 X1\nG67\n#1=#1+1\nX#1\nM99");
   }
 
   int labels_ = 1000, loops_ = 0, contours_ = 0;

@@ -37,7 +37,7 @@ class Sinumerik : public Grammar {
         return line(one_of({"CYCLE72(\"KONTUR\",", "CYCLE95(\"KONTUR\",", "CYCLE93(", "CYCLE951(",
                             "CYCLE62(\"KONTUR\",0)\nCYCLE63(\"\",", "CYCLE92(",
                             "CYCLE62(\"KONTUR\",0)\nCYCLE952(\"\",\"\",\"\",", "CYCLE97(",
-                            "CYCLE98(", "CYCLE99("}) +
+                            "CYCLE98(", "CYCLE99(", "CYCLE60(\"AB 7\","}) +
                     list(22) + ")");
       case 3:
         return line(one_of({"TRANS", "ATRANS", "ROT", "AROT", "SCALE", "ASCALE", "MIRROR"}) +
@@ -88,7 +88,8 @@ class Sinumerik : public Grammar {
         statements(depth);
         return line(fmt::format("UNTIL R2>{}", pick(12)));
       case 5:
-        line(fmt::format("IF {} GOTOF MARK{}", condition(), label));
+        line(fmt::format("IF {0} GOTOF MARK{1} IF {2} GOTOF MARK{1}", condition(), label,
+                         condition()));
         statements(depth);
         return line(fmt::format("MARK{}: R3=R3+1", label));
       case 6:
@@ -102,7 +103,8 @@ class Sinumerik : public Grammar {
       case 9:
         return line(one_of({"BB=REP(2,2)", "BB[1]=SET(1,,3)", "VS=VS<<VC", "VS[0]=VC", "VC=VS[1]",
                             "$P_PFRAME=FR:CROT(X,30,Z,40)", "FR=$P_PFRAME:CMIRROR(X)", "ASIDE",
-                            "MCALL HOLE(BB,R1)", "HOLE(BB,R2)", "HOLE(BB,BB[0])", "AWAY P2"}));
+                            "MCALL HOLE(BB,R1)", "HOLE(BB,R2)", "HOLE(BB,BB[0])", "AWAY P2",
+                            "EXECSTRING(\"R3=\"<<R1)", "EXECSTRING(\"IF R1<3 GOTOF DONE\")"}));
       default:
         return line(one_of({"CUTCONON", "CUTCONOF", "G500", "KONT", "NORM", "G64", "M17", "STOPRE",
                             "MSG(\"A\")", "SUPA G0 Z0", "G74 X1=0"}));
