@@ -38,6 +38,13 @@ TEST(SinumerikFrames, CrotTurnsAsRotDoes) {
   EXPECT_EQ(moves("$P_PFRAME=CROT(Z,40,X,30)\n" + there), moves("ROT X30 Z40\n" + there));
 }
 
+TEST(SinumerikFrames, InvframeUndoesAFrame) {
+  const std::string frame = "DEF FRAME FR\nFR=CTRANS(X,5,Y,6):CROT(Z,30):CSCALE(X,2)\n";
+  EXPECT_EQ(moves(frame + "$P_PFRAME=FR:INVFRAME(FR)\nX10 Y20 Z30\n"), "l10,20,30");
+  EXPECT_EQ(moves("$P_PFRAME=INVFRAME(CTRANS(X,5):CROT(Z,90))\nX7 Y1\n"), "l1,-2,0");
+  EXPECT_EQ(moves(frame + "$P_PFRAME=INVFRAME(5)\n"), " | expression");
+}
+
 // $P_UIFR holds what the next G54 to G599 puts in force.
 TEST(SinumerikFrames, SettableFramesWaitForTheirWord) {
   EXPECT_EQ(moves("G54\n$P_UIFR[1]=CTRANS(X,5)\nX1\nG54 X2\n"), "l1,0,0 l7,0,0");

@@ -302,6 +302,11 @@ bool apply_function(const ExpressionRules& rules, Function function,
                     std::span<const Value> arguments, double round_step, Value& out,
                     std::string& why) {
   if (arguments[0].kind == Value::Kind::text) return text_function(function, arguments, out, why);
+  if (function == Function::frame_inverse) {
+    if (arguments[0].kind != Value::Kind::frame) return fail(why, "a frame is needed here");
+    out = Value::of_frame(inverse(*arguments[0].frame));
+    return true;
+  }
   for (const Value& argument : arguments)
     if (argument.kind != Value::Kind::number) return fail(why, "a number is needed here");
   double result = 0;

@@ -92,6 +92,7 @@ constexpr FunctionRow kSinumerikFunctions[] = {
     {"CROT", F::frame_rot, 2, 16},
     {"CSCALE", F::frame_scale, 2, 16},
     {"CMIRROR", F::frame_mirror, 1, 8},
+    {"INVFRAME", F::frame_inverse},
 };
 
 // Fagor 8055: NOT, functions and signs (operands), EXP MOD, * /, + -, comparisons, AND XOR, OR.

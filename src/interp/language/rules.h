@@ -75,6 +75,7 @@ enum class Function : std::uint8_t {
   frame_rot,
   frame_scale,
   frame_mirror,
+  frame_inverse,
   tool_decimals,  ///< FANUC ADP: the value itself
   join_text,      ///< CODESYS CONCAT
 };

@@ -22,6 +22,18 @@ Vec3 turn_inverse(const Frame& f, const Vec3& v) {
 
 Vec3 apply_inverse(const Frame& f, const Vec3& p) { return turn_inverse(f, p - f.shift); }
 
+Frame inverse(const Frame& f) {
+  Frame out;
+  out.shift = apply_inverse(f, {});
+  out.plain = f.plain;
+  for (int i = 0; i < 3; ++i) {
+    Vec3 unit;
+    component(unit, i) = 1;
+    out.axis[static_cast<std::size_t>(i)] = turn_inverse(f, unit);
+  }
+  return out;
+}
+
 Frame compose(const Frame& outer, const Frame& inner) {
   Frame f;
   f.shift = apply(outer, inner.shift);

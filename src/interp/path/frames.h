@@ -22,6 +22,8 @@ Vec3 apply(const Frame& frame, const Vec3& p);
 /// Requires: determinant(frame) != 0.
 Vec3 apply_inverse(const Frame& frame, const Vec3& p);
 Vec3 turn_inverse(const Frame& frame, const Vec3& v);
+/// Requires: determinant(frame) != 0.
+Frame inverse(const Frame& frame);
 double determinant(const Frame& frame);
 
 /// First `inner`, then `outer`.
