@@ -73,7 +73,7 @@ TEST_F(Memory, LittleAddressSpaceIsAnErrorInOtherCommands) {
   std::filesystem::copy(MRSIM_DATA_DIR "/../tests/fuzz/corpus/step/box", folder_ / "box.step");
   for (const char* command : {"render block.stl -o p.png", "compare block.stl box.step -q",
                               "rest block.stl box.step --voxel 2"})
-    for (int kilobytes = 100000; kilobytes <= 500000; kilobytes += 40000) {
+    for (int kilobytes = 100000; kilobytes <= 500000; kilobytes += 80000) {
       const Outcome outcome = run(command, "ulimit -v " + std::to_string(kilobytes) + " &&");
       if (outcome.code == 0) continue;
       EXPECT_EQ(outcome.code, 1) << command << " " << kilobytes << "\n" << outcome.err;

@@ -13,7 +13,7 @@
 namespace mrsim {
 namespace {
 
-struct Case {
+struct ExpressionCase {
   const char* text;
   double value;
 };
@@ -36,8 +36,9 @@ Outcome evaluate(const ExpressionRules& rules, Variables& variables, const std::
   return out;
 }
 
-void expect_all(const ExpressionRules& rules, Variables& variables, std::span<const Case> cases) {
-  for (const Case& one : cases) {
+void expect_all(const ExpressionRules& rules, Variables& variables,
+                std::span<const ExpressionCase> cases) {
+  for (const ExpressionCase& one : cases) {
     SCOPED_TRACE(one.text);
     const Outcome got = evaluate(rules, variables, one.text);
     ASSERT_TRUE(got.ok) << got.fault.text;
@@ -61,7 +62,7 @@ Variables linuxcnc_variables() {
 
 TEST(Expression, LinuxCnc) {
   // clang-format off
-  constexpr Case kCases[] = {
+  constexpr ExpressionCase kCases[] = {
       {"1", 1}, {"1.5", 1.5}, {".5", 0.5}, {"5.", 5}, {"-3", -3}, {"+3", 3}, {"--5", 5},
       {"-+5", -5}, {"1 2.3 4", 12.34}, {"1000000", 1e6}, {"0.000001", 1e-6},
       {"1+2", 3}, {"1-2", -1}, {"2*3", 6}, {"7/2", 3.5}, {"1+2*3", 7}, {"[1+2]*3", 9},
@@ -98,7 +99,7 @@ TEST(Expression, LinuxCnc) {
 
 TEST(Expression, Fanuc) {
   // clang-format off
-  constexpr Case kCases[] = {
+  constexpr ExpressionCase kCases[] = {
       {"1", 1}, {"#1", 2}, {"-#1", -2}, {"#1+#2", 7}, {"#1*#2", 10}, {"#2/#1", 2.5}, {"#1-#2", -3},
       {"#1+#2*3", 17}, {"[#1+#2]*3", 21}, {"#[#1]", 5}, {"#[#1-1]", 2}, {"##1", 5},
       {"12 AND 10", 8}, {"12 OR 10", 14}, {"12XOR10", 6}, {"1 + 12 AND 10", 9}, {"1 OR 2*2", 5},
@@ -152,7 +153,7 @@ Variables sinumerik_variables() {
 
 TEST(Expression, Sinumerik) {
   // clang-format off
-  constexpr Case kCases[] = {
+  constexpr ExpressionCase kCases[] = {
       {"1", 1}, {"R1", 10}, {"r2", 3}, {"R[1]", 10}, {"R[R2-2]", 10}, {"-R1", -10}, {"R1+R2", 13},
       {"R1-R2", 7}, {"R1*R2", 30}, {"R1/4", 2.5}, {"3/4", 0.75}, {"7/4", 1.75}, {"R1+R2*2", 16},
       {"(R1+R2)*2", 26}, {"10-4-3", 3}, {"7 DIV 4.1", 1}, {"3 DIV 4", 0}, {"7 DIV 4", 1},
@@ -182,7 +183,7 @@ TEST(Expression, Sinumerik) {
   };
   // clang-format on
   Variables variables = sinumerik_variables();
-  for (const Case& one : kCases) {
+  for (const ExpressionCase& one : kCases) {
     SCOPED_TRACE(one.text);
     const Outcome got = evaluate(sinumerik_rules(), variables, one.text);
     ASSERT_TRUE(got.ok) << got.fault.text;
@@ -196,7 +197,7 @@ TEST(Expression, Sinumerik) {
 // The examples of the 8055's programming manual, and what follows from its table of priorities.
 TEST(Expression, Fagor) {
   // clang-format off
-  constexpr Case kCases[] = {
+  constexpr ExpressionCase kCases[] = {
       {"3 + 4", 7}, {"5 - 2", 3}, {"-(2 * 3)", -6}, {"2 * 3", 6}, {"9 / 2", 4.5}, {"7 MOD 4", 3},
       {"2 EXP 3", 8}, {"SIN 30", 0.5}, {"COS 30", 0.8660254037844386}, {"TAN 30", 0.5773502691896257},
       {"ASIN 1", 90}, {"ACOS 1", 0}, {"ATAN 1", 45}, {"ARG(-1,-2)", 243.43494882292202},
@@ -224,7 +225,7 @@ TEST(Expression, Fagor) {
 // Angles are in radians, as everywhere in IEC 61131.
 TEST(Expression, Codesys) {
   // clang-format off
-  constexpr Case kCases[] = {
+  constexpr ExpressionCase kCases[] = {
       {"1", 1}, {"1 + 2 * 3", 7}, {"{1 + 2} * 3", 9}, {"10 - 4 - 3", 3}, {"16 / 4 / 2", 2},
       {"2 * 7 MOD 4", 6}, {"7 MOD 4", 3}, {"-7 MOD 4", -3}, {"7.5 MOD 2", 1.5}, {"-{2 + 3}", -5},
       {"$a$", 3}, {"$A$ * 2", 6}, {"#r", 25}, {"#R*2", 50}, {"-#R*2", -50}, {"#R/$a$*3", 25},
