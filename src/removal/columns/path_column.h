@@ -28,7 +28,6 @@ class PathColumn {
       line_->speed = length(line.travel);
     }
     const ToolPath& operator*() const { return arc_ != nullptr ? *arc_ : *line_; }
-    const ToolPath* operator->() const { return &**this; }
 
    private:
     const ToolPath* arc_ = nullptr;

@@ -44,11 +44,13 @@ class SweepHeights {
   /// Requires: is_upward() of all.
   void assign(std::span<const std::uint32_t> sweeps);
 
-  /// Slanted moves at the places [place, end) are of one pack: no bottom() of them within r of
-  /// (x, y) is less than `lower`. `end` is no farther than the next place where there is no pack.
+  /// The place behind the slanted moves that are of one pack with this one; the next place where it
+  /// is of none.
   std::uint32_t run_end(std::uint32_t place) const {
     return run_of_[place] == kNoRun ? place + 1 : runs_[run_of_[place]].end;
   }
+  /// No bottom() of them within r of (x, y) is less; infinite, perhaps, where it is not below
+  /// `below`. Requires: run_end() is not the next place.
   double run_lower(std::uint32_t place, double x, double y, double r, double below) const;
 
   /// By place, as kernels take them, where all are straight moves of balls; else empty.
