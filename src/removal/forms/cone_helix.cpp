@@ -57,7 +57,8 @@ class ConeHelix {
     const double y = (k < 0 ? -1 : 1) * std::sqrt(1 - x * x);
     const Vec2 w = (1 / d_) * Vec2{facing_.x * x - facing_.y * y, facing_.y * x + facing_.x * y};
     double t = mrsim::atan2(w.y, w.x);
-    while (t < ends_[0].t) t += kTwoPi;
+    const double begin = ends_[0].t;
+    if (t < begin) t = std::max(t + kTwoPi * std::ceil((begin - t) / kTwoPi), begin);
     if (t <= ends_[1].t) take(at(t, w));
     return best;
   }

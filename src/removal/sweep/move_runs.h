@@ -16,7 +16,7 @@ namespace mrsim {
 /// spread, is not above the distance from any of the moves.
 class MoveRuns {
  public:
-  /// Finds the runs of a list, unless it is the one before: a few nanoseconds a sweep.
+  /// Finds the runs of a list, unless it is the one before.
   void prepare(const SweepColumns& c, std::span<const std::uint32_t> list);
   /// Finds the bounds of all runs at p. Where one is above `limit`, any bound that is.
   void measure(const SweepColumns& c, const Vec3& p, double limit);
