@@ -221,8 +221,14 @@ std::string tool_text(const Tool& tool) {
   }
   if (tool.diameter > 0) text += fmt::format(" Ø{:.6g}", tool.diameter);
   if (tool.corner_radius > 0) text += fmt::format(", corner radius {:.6g}", tool.corner_radius);
-  text += tool.flute_length > 0 ? fmt::format(", flutes {:.6g} mm", tool.flute_length)
-                                : std::string(", cuts up to the stock's top");
+  if (tool.flute_length > 0)
+    text += fmt::format(", flutes {:.6g} mm", tool.flute_length);
+  else if (tool.width > 0)
+    text += fmt::format(", head {:.6g} mm", tool.width);
+  else if (tool.neck_diameter > 0)
+    text += fmt::format(", neck Ø{:.6g}", tool.neck_diameter);
+  else
+    text += ", cuts up to the stock's top";
   return text;
 }
 

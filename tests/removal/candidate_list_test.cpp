@@ -198,6 +198,42 @@ TEST(CandidateList, PruningNeverChangesABit) {
   }
 }
 
+// Arcs that are too long to be cut into pieces, beside moves that are, of mills that undercut.
+TEST(CandidateList, LongArcsOfUndercuttingMillsAreMeasured) {
+  Random r(17);
+  Tool slot = endmill(8), lollipop = endmill(6);
+  slot.type = ToolType::tslot;
+  slot.neck_diameter = 4, slot.flute_length = 3;
+  lollipop.type = ToolType::lollipop;
+  lollipop.neck_diameter = 3, lollipop.flute_length = 0;
+  for (int round = 0; round < 60; ++round) {
+    std::vector<Motion> list;
+    Vec3 at{r(-3, 3), r(-3, 3), 0};
+    for (int i = 0; i < 40; ++i) {
+      const Vec3 to = at + Vec3{r(-2, 2), r(-2, 2), 0};
+      list.push_back(
+          i % 4 == 1 ? arc(at, at + 600 * normalized(Vec3{r(-1, 1), r(-1, 1), 0}), {0, 0, 1}, 6.28)
+                     : line(at, to));
+      at = i % 4 == 1 ? at : to;
+      if (i % 10 == 9) at = {r(-3, 3), r(-3, 3), r(-1, 1)};
+    }
+    const std::vector<Tool> tools{round % 2 ? slot : lollipop};
+    const SweepTable table(list, tools);
+    std::vector<std::uint32_t> ids(table.size());
+    std::iota(ids.begin(), ids.end(), 0u);
+    const Vec3 center{r(-5, 5), r(-5, 5), r(-2, 5)};
+    CandidateList all, left;
+    list_candidates(table, ids, center, all);
+    const double half = r(0.02, 0.8), band = round % 3 == 1 ? 4e-6 : 3 * half;
+    const PruneRegion region = PruneRegion::block(center, half);
+    if (prune(table, region, region.radius + band + 1e-9, band, all, left))
+      expect_same(r, table, all, left, region, band);
+    else
+      expect_swept(r, table, all, region, band);
+    if (HasFatalFailure()) FAIL() << "round " << round;
+  }
+}
+
 // Short moves along smooth paths, back and forth and again: what packs are made of.
 std::vector<Motion> smooth_moves(Random& r, const Scene& s, const Vec3& origin) {
   std::vector<Motion> list;

@@ -35,14 +35,15 @@ MeasuredList::Scratch& MeasuredList::scratch() {
 }
 
 MeasuredList::MeasuredList(const SweepTable& table, const PruneRegion& region, double reach,
-                           double band, const CandidateList& in)
+                           double band, const CandidateList& in, bool undercuts)
     : columns_(table.columns()),
       in_(in),
       kernels_(candidate_kernels()),
       region_(region),
       deep_(-reach),
       at_(region_args(region, in.origin)),
-      heights_(band + distance_slack(table)) {
+      heights_(band + distance_slack(table)),
+      undercuts_(undercuts) {
   const auto& runs = in.runs();
   for (std::size_t i = 0; band > 0 && i < runs.size(); ++i)
     by_heights_ = by_heights_ || type(i).form == SweepClass::Form::piece;

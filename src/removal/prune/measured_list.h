@@ -14,12 +14,18 @@
 
 namespace mrsim {
 
+/// Pieces of a mill that narrows upwards: their heights never tell that a region is swept.
+inline bool is_undercutting(const SweepClass& type) {
+  return type.form == SweepClass::Form::piece && !type.packs && type.heights.lift > 0;
+}
+
 /// One thread has one of these at a time: its memory is kept for the next.
 class MeasuredList {
  public:
-  /// Measures the list. `reach` and `band` (mm) as for prune().
+  /// Measures the list. `reach` and `band` (mm) as for prune(). `undercuts`: mills that narrow
+  /// upwards by their distances, which are costly; else by heights, which tell little of them.
   MeasuredList(const SweepTable& table, const PruneRegion& region, double reach, double band,
-               const CandidateList& in);
+               const CandidateList& in, bool undercuts);
 
   /// The whole region is deep in one sweep; the others may not have been measured.
   bool is_swept() const {
@@ -46,7 +52,8 @@ class MeasuredList {
 
   /// The run is kept or dropped by heights alone: lower bounds of them, and the largest to keep.
   bool is_bounded(std::size_t run) const {
-    return type(run).form == SweepClass::Form::piece && by_heights_;
+    return type(run).form == SweepClass::Form::piece && by_heights_ &&
+           !(undercuts_ && is_undercutting(type(run)));
   }
   const float* lower(std::size_t run) const {
     return scratch_.lower.data() + in_.runs()[run].first;
@@ -93,7 +100,7 @@ class MeasuredList {
 
   bool is_other(std::size_t run) const {
     return type(run).form == SweepClass::Form::other ||
-           (type(run).form == SweepClass::Form::piece && !by_heights_);
+           (type(run).form == SweepClass::Form::piece && !is_bounded(run));
   }
   // Its rows tell heights.
   bool is_measured_horizontal(std::size_t run) const {
@@ -117,6 +124,7 @@ class MeasuredList {
   RegionArgs at_;
   HeightBounds heights_;
   bool by_heights_ = false;  // the list has pieces, and no more than the band is asked
+  bool undercuts_;
   float least_ = std::numeric_limits<float>::infinity();
   double spread_ = 0;
 };

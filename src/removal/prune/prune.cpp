@@ -13,6 +13,7 @@ namespace mrsim {
 namespace {
 
 constexpr float kFloatInfinity = std::numeric_limits<float>::infinity();
+constexpr std::size_t kFewUndercuts = 4;
 
 // A run of horizontal moves: a point below the tool's tip is at least (tip.z - z) away from each.
 bool is_horizontal(const SweepClass& type) {
@@ -54,7 +55,10 @@ class Keeper {
     for (std::size_t from = 0; from < runs.size();) {
       std::size_t to = from + 1;
       const std::int32_t group = type(from).group;
-      while (to < runs.size() && group >= 0 && type(to).group == group) ++to;
+      // Rows tell distances of some runs, heights of others.
+      while (to < runs.size() && group >= 0 && type(to).group == group &&
+             measured_.is_bounded(to) == measured_.is_bounded(from))
+        ++to;
       if (type(from).form == SweepClass::Form::turn)
         keep_packs(runs[from].of, out);
       else if (measured_.is_bounded(from))
@@ -195,8 +199,8 @@ class Keeper {
 };
 
 bool prune_once(const SweepTable& table, const PruneRegion& region, double reach, double band,
-                const CandidateList& in, CandidateList& out) {
-  const MeasuredList measured(table, region, reach, band, in);
+                const CandidateList& in, CandidateList& out, bool undercuts = false) {
+  const MeasuredList measured(table, region, reach, band, in, undercuts);
   if (!measured.is_swept() && !measured.is_swept_by_nearest()) {
     const double delta = measured.delta();
     const double within = kept_within(measured.least() + delta, measured.unsure(), region, reach,
@@ -205,6 +209,16 @@ bool prune_once(const SweepTable& table, const PruneRegion& region, double reach
   }
   out.reset(0, in.origin);
   return false;
+}
+
+// Distances are worth their time in regions that are small beside the mill.
+bool has_small_undercuts(const SweepTable& table, const PruneRegion& region,
+                         const CandidateList& list) {
+  return std::any_of(list.runs().begin(), list.runs().end(), [&](const CandidateList::Run& run) {
+    const SweepClass& type = table.columns().classes[run.of];
+    return is_undercutting(type) && run.count > kFewUndercuts &&
+           region.radius < type.heights.radius / 2;
+  });
 }
 
 }  // namespace
@@ -220,8 +234,12 @@ bool prune(const SweepTable& table, const PruneRegion& region, double reach, dou
   if (!by_heights && expand_packs(table, region, by_heights, in, expanded))
     return prune_once(table, region, reach, band, expanded, out);
   if (!prune_once(table, region, reach, band, in, out)) return false;
-  return !expand_packs(table, region, by_heights, out, expanded) ||
-         prune_once(table, region, reach, band, expanded, out);
+  if (expand_packs(table, region, by_heights, out, expanded) &&
+      !prune_once(table, region, reach, band, expanded, out))
+    return false;
+  if (!by_heights || !has_small_undercuts(table, region, out)) return true;
+  std::swap(out, expanded);
+  return prune_once(table, region, reach, band, expanded, out, true);
 }
 
 }  // namespace mrsim
