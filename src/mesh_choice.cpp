@@ -219,6 +219,7 @@ void fit_mesh(const ExactField& field, int threads, MeshChoice& choice) {
   const detail::SurfaceSurvey survey = detail::survey_surface(field, sweeps, threads);
   if (choice.fits_voxel) fit_voxel(survey, cell, choice);
   choice.cut_cells = survey.crossed_cells(choice.voxel);
+  choice.block_sweeps = survey.sweeps;
   if (!choice.is_default) return;
   if (!is_plain(survey)) choice.most_nodes = kMostNodes;
   choice.fallback_cells = survey.crossed_cells(choice.fallback_voxel);

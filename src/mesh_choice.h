@@ -26,6 +26,7 @@ struct MeshChoice {
   double fallback_voxel = 0;    ///< mm: of the grid where the tolerance is given up
   double fallback_cells = 0;    ///< CarvePlan::cut_cells of that grid
   double cut_cells = 0;         ///< CarvePlan::cut_cells
+  double block_sweeps = 0;      ///< CarvePlan::block_sweeps
 };
 
 /// What was given; else what the size of stock and cutters suggests.

@@ -1,5 +1,6 @@
 #include "mesh_maker.h"
 
+#include "core/error.h"
 #include "core/memory_limit.h"
 #include "core/units.h"
 #include "core/vec.h"
@@ -9,10 +10,12 @@
 #include "outputs.h"
 
 #include <algorithm>
+#include <limits>
 
 namespace mrsim {
 namespace {
 
+constexpr double kUnlimited = std::numeric_limits<double>::infinity();
 constexpr double kMeshErr = 1.25;  ///< a mesh within a tolerance against its expected memory
 
 MeshPlan chosen_plan(const Job& job, const Stock& stock, const MeshChoice& choice) {
@@ -51,23 +54,39 @@ std::string no_slabs(const Job& job, double tolerance) {
 }
 
 MeshReport MeshMaker::make() {
-  MeshReport found = extract(chosen_plan(job_, stock_, choice_));
-  memory_ = stock_.memory_expected() + found.memory;
+  const MeshPlan plan = chosen_plan(job_, stock_, choice_);
+  MeshReport found = plan.tolerance > 0 ? extract(plan) : extract_grid(plan);
+  memory_ = std::max(memory_, stock_.memory_expected() + found.memory);
   if (found.given_up.empty()) return found;
   give_up_tolerance(choice_, found.given_up);
   release_freed_memory();
   stock_.plan_grid_mesh(choice_.voxel, choice_.cut_cells, no_slabs(job_, 0));
   memory_ = std::max(memory_, stock_.memory_expected());
-  return extract(grid_plan(job_, stock_, choice_));
+  return extract_grid(grid_plan(job_, stock_, choice_));
 }
 
 MeshReport MeshMaker::extract(const MeshPlan& plan) {
   part_.reset();
   part_.emplace(stock_.in_slabs() ? std::optional(spill_folder(job_.outputs)) : std::nullopt,
-                threads_, next_);
+                plan.tolerance > 0 ? kUnlimited : stock_.mesh_room(), threads_, next_);
   MeshReport found;
   mesh_part(stock_.field(), choice_.voxel, plan, *part_, &found);
   return found;
+}
+
+// An estimate may err: what does not fit in one piece is made again in slabs.
+MeshReport MeshMaker::extract_grid(const MeshPlan& plan) {
+  try {
+    return extract(plan);
+  } catch (const Error&) {
+    if (!part_->is_full()) throw;
+  }
+  part_->restart();
+  part_.reset();
+  release_freed_memory();
+  memory_ = static_cast<double>(stock_.memory_limit());
+  stock_.plan_slabs();
+  return extract(plan);
 }
 
 double volume_before(const Job& job, const StockShape& shape, const MeshChoice& choice) {

@@ -34,6 +34,7 @@ class MeshMaker {
 
  private:
   MeshReport extract(const MeshPlan& plan);
+  MeshReport extract_grid(const MeshPlan& plan);
 
   const Job& job_;
   Stock& stock_;

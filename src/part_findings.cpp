@@ -172,10 +172,12 @@ void report_mesh(JobResult& result, const MeshReport& found) {
 
 void report_slabs(JobResult& result, const PartMesh& part, const Stock& stock) {
   result.slabs = part.blocks();
+  const auto limit = static_cast<double>(stock.memory_limit());
   report(result, Severity::note, "slabs",
-         fmt::format("done in {} slabs, to stay below {}: in one piece it would take about {}",
-                     part.blocks(), size_text(static_cast<double>(stock.memory_limit())),
-                     size_text(stock.memory_whole())));
+         fmt::format(
+             "done in {} slabs, to stay below {}: in one piece it would take {}", part.blocks(),
+             size_text(limit),
+             stock.memory_whole() > limit ? "about " + size_text(stock.memory_whole()) : "more"));
 }
 
 }  // namespace mrsim

@@ -1,15 +1,20 @@
 #include "part_mesh.h"
 
+#include "core/error.h"
+
 #include <utility>
 
 namespace mrsim {
 
-PartMesh::PartMesh(const std::optional<std::string>& folder, int threads, MeshSink& next)
-    : next_(next), audit_(threads), collected_(collector_.mesh()) {
+PartMesh::PartMesh(const std::optional<std::string>& folder, double room, int threads,
+                   MeshSink& next)
+    : room_(room), next_(next), audit_(threads), collected_(collector_.mesh()) {
   if (folder) spilled_ = std::make_unique<SpilledMesh>(*folder);
 }
 
 void PartMesh::take(const MeshBlock& block) {
+  is_full_ = !spilled_ && static_cast<double>(collector_.bytes_with(block)) > room_;
+  if (is_full_) throw Error("memory", "the mesh takes more than it was expected to");
   ++blocks_;
   audit_.take(block);
   owners_.add(block.owners);

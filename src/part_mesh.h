@@ -18,11 +18,13 @@ namespace mrsim {
 
 class PartMesh final : public MeshSink {
  public:
-  /// `folder`: where it is kept on disk; none: in memory. `threads`: of checks. `next` takes the
-  /// blocks too.
-  PartMesh(const std::optional<std::string>& folder, int threads, MeshSink& next);
+  /// `folder`: where it is kept on disk; none: in memory, up to `room` bytes. `threads`: of checks.
+  /// `next` takes the blocks too.
+  PartMesh(const std::optional<std::string>& folder, double room, int threads, MeshSink& next);
 
+  /// Throws Error "memory" where there is no room for it.
   void take(const MeshBlock& block) override;
+  bool is_full() const { return is_full_; }
   void expect(std::size_t vertices, std::size_t triangles) override {
     if (!spilled_) collector_.expect(vertices, triangles);
   }
@@ -44,6 +46,8 @@ class PartMesh final : public MeshSink {
   TriMesh& in_memory() { return collector_.mesh(); }
 
  private:
+  double room_;
+  bool is_full_ = false;
   MeshSink& next_;
   MeshAudit audit_;
   MeshCollector collector_;

@@ -71,6 +71,28 @@ TEST_F(Slabs, AreRefusedWithWhatToDo) {
   EXPECT_FALSE(exists("part.stl"));
 }
 
+// A comb whose teeth are much thinner than the blocks by which its surface is estimated.
+TEST_F(Slabs, KeepToTheLimitWhereSurfaceIsDense) {
+  std::string comb = "%\nG90 G21 G17 G94\nT1 M6\nS8000 M3\n";
+  for (int k = 0; k < 150; ++k)
+    comb += "G0 X" + std::to_string(10 + 0.6 * k) + " Y-3\nG1 Z-3 F500\nG1 Y8\nG0 Z5\n";
+  write("comb.nc", comb + "M30\n%\n");
+  const std::string command =
+      "comb.nc --stock box:0,0,-4,110,5,0 --tool 1=endmill:d=0.4 --voxel 0.1 --threads 2 ";
+  ASSERT_EQ(run(command + "-o whole.stl --json whole.json").code, 0);
+  const double whole = number_after(read("whole.json"), "\"peak\": ");
+  const std::string limit = std::to_string(static_cast<int>(0.95 * whole / 1024)) + "K ";
+  const Outcome slabs = run(command + "--max-memory " + limit + "-o slabs.stl --json slabs.json");
+  ASSERT_EQ(slabs.code, 0) << slabs.err;
+  EXPECT_TRUE(contains(slabs.err, "note: done in ")) << slabs.err;
+  EXPECT_TRUE(read("slabs.stl") == read("whole.stl"));
+  if (kIsPlain) EXPECT_LE(number_after(read("slabs.json"), "\"peak\": "), 0.95 * whole);
+  const Outcome refused = run(command + "--max-memory " + limit + "-o part.glb");
+  EXPECT_EQ(refused.code, 1) << refused.err;
+  EXPECT_TRUE(contains(refused.err, "needs the whole mesh")) << refused.err;
+  EXPECT_FALSE(exists("part.glb"));
+}
+
 // Milled, turned, and out of a mesh. (tests/mesh/slabs_test.cpp has slots that cross in every
 // voxel.)
 TEST_F(Slabs, GiveTheSameBytesWhateverThePart) {
@@ -95,7 +117,7 @@ TEST_F(Slabs, GiveTheSameBytesWhateverThePart) {
 }
 
 TEST_F(Slabs, TheVoxelThatIsAdvisedFits) {
-  const Outcome outcome = split("--threads 1 --max-memory 22M -o part.stl");
+  const Outcome outcome = split("--threads 1 --max-memory 26M -o part.stl");
   ASSERT_EQ(outcome.code, 1) << outcome.err;
   EXPECT_TRUE(contains(outcome.err, " in slabs")) << outcome.err;
   EXPECT_TRUE(contains(outcome.err, "[memory]")) << outcome.err;
@@ -108,7 +130,7 @@ TEST_F(Slabs, TheVoxelThatIsAdvisedFits) {
   const std::string larger = std::to_string(1.001 * std::stod(voxel));
   const Outcome fits =
       run("split.MPF --machine mill --stock box:0,0,-4,60,20,0 --tool 1=endmill:d=2 --threads 1 "
-          "--max-memory 22M -o part.stl --voxel " +
+          "--max-memory 26M -o part.stl --voxel " +
           larger);
   EXPECT_EQ(fits.code, 0) << fits.err;
 }

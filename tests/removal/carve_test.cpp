@@ -323,6 +323,29 @@ TEST(Carve, SamplesNothingThatIsNotKept) {
   }
 }
 
+TEST(Carve, AMeshThatIsLargerThanExpectedGoesOnInSlabs) {
+  const std::vector<Tool> tools{mill(ToolType::endmill, 4)};
+  const std::vector<Motion> motions{line({-5, 5, 3}, {25, 5, 3})};
+  const StockShape shape = box_stock({0, 0, 0}, {20, 10, 5});
+  CarvePlan plan{.voxel = 0.25, .threads = 1, .max_memory = 100'000'000, .keep_grid = false};
+  Stock stock = carve(shape, motions, tools, plan);
+  stock.plan_grid_mesh(0.25, 1000, "");
+  EXPECT_FALSE(stock.in_slabs());
+  EXPECT_LT(stock.mesh_room(), 100e6);
+  EXPECT_GT(stock.mesh_room(), 100e6 - stock.memory_expected());
+  stock.plan_slabs();
+  EXPECT_TRUE(stock.in_slabs());
+  stock.plan_grid_mesh(0.25, 1000, "a report needs the whole mesh");
+  EXPECT_FALSE(stock.in_slabs());
+  try {
+    stock.plan_slabs();
+    FAIL();
+  } catch (const Error& e) {
+    EXPECT_EQ(e.code(), "memory");
+    EXPECT_NE(std::string(e.what()).find("a report needs the whole mesh"), std::string::npos);
+  }
+}
+
 TEST(DefaultVoxel, FollowsTheRule) {
   EXPECT_EQ(default_voxel(box_stock({0, -60, 0}, {100, 0, 10}), 2.5).voxel, 0.25);
   EXPECT_EQ(default_voxel(box_stock({0, 0, 0}, {51, 51, 51}), 0).voxel, 0.1);

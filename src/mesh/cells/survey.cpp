@@ -21,7 +21,7 @@ constexpr std::size_t kEnough = 12000;          ///< blocks that tell the area w
 struct Count {
   std::size_t blocks = 0, sweeps = 0;
   std::size_t tried = 0, creasing = 0;  ///< of some blocks, and the sweeps that leave creases there
-  std::size_t crossings = 0;            ///< of the same, by the surface
+  double sheets = 0;                    ///< in the same, of the surface
 };
 
 // One in sixteen, evenly spread, whatever the order.
@@ -30,14 +30,9 @@ bool is_tried(const Box3& box, double block) {
   return ((cell(box.lo.x) * 7 + cell(box.lo.y) * 13 + cell(box.lo.z) * 29) & 15) == 0;
 }
 
-// What eight points of a box tell of the surface in it.
-struct Look {
-  bool creases = false;       // faces of different directions meet: normals differ
-  std::size_t crossings = 0;  // of the twelve edges between them, by the surface
-};
-
-// Many sweeps may share one face, as the turns of a helix do.
-Look look_at(const ExactField& field, const Box3& box, const Candidates& sweeps) {
+// By eight points of a box: whether faces of different directions meet there, since normals
+// differ. Many sweeps may share one face, as the turns of a helix do.
+bool has_creases(const ExactField& field, const Box3& box, const Candidates& sweeps) {
   constexpr double kLeastCosine = 0.94;  // 20 degrees
   std::array<Vec3, 8> points, normals;
   std::array<FieldSample, 8> samples;
@@ -47,15 +42,43 @@ Look look_at(const ExactField& field, const Box3& box, const Candidates& sweeps)
   }
   field.samples(points, sweeps, samples.data());
   for (std::size_t k = 0; k < 8; ++k) normals[k] = field.gradient(points[k], samples[k]);
-  Look look;
   for (std::size_t k = 0; k < 8; ++k)
-    for (std::size_t j = 0; j < k; ++j) {
-      look.creases = look.creases || dot(normals[j], normals[k]) < kLeastCosine;
-      const bool is_edge = std::has_single_bit(j ^ k);
-      look.crossings +=
-          is_edge && is_inside(samples[j].distance) != is_inside(samples[k].distance) ? 1 : 0;
+    for (std::size_t j = 0; j < k; ++j)
+      if (dot(normals[j], normals[k]) < kLeastCosine) return true;
+  return false;
+}
+
+// How often the surface crosses a line through the box along each axis, somewhere in it: the edges
+// of a lattice that it crosses there, for each square of its cells. Points on the line tell sheets
+// that are farther apart than they are. They begin up to half a step before the box or in it, so
+// that a sheet between two boxes counts in one of them.
+double sheets_in(const ExactField& field, const Box3& box, const Candidates& sweeps) {
+  constexpr std::size_t kMost = 24, kLeast = 6, kAsked = 400;  // steps; sweeps that all may ask
+  constexpr double kGolden = 0.618033988749895;
+  const std::size_t steps = std::clamp(kAsked / sweeps.size(), kLeast, kMost);
+  const double size = box.hi.x - box.lo.x;
+  const Vec3 number = (1 / size) * box.lo;
+  double place = number.x * 0.7548776662 + number.y * 0.5698402910 + number.z * 0.8191725134;
+  const auto next = [&] {
+    place += kGolden;
+    return place - std::floor(place);
+  };
+  std::array<Vec3, kMost + 1> points;
+  std::array<FieldSample, kMost + 1> samples;
+  int crossed = 0;
+  for (int axis = 0; axis < 3; ++axis) {
+    Vec3 at = box.lo + size * Vec3{next(), next(), next()};
+    const double begin = component(box.lo, axis), step = size / static_cast<double>(steps),
+                 shift = next() - 0.5;
+    for (std::size_t k = 0; k <= steps; ++k) {
+      component(at, axis) = begin + step * (static_cast<double>(k) + shift);
+      points[k] = at;
     }
-  return look;
+    field.samples(std::span(points).first(steps + 1), sweeps, samples.data());
+    for (std::size_t k = 0; k < steps; ++k)
+      crossed += is_inside(samples[k].distance) != is_inside(samples[k + 1].distance) ? 1 : 0;
+  }
+  return crossed;
 }
 
 // Counts the blocks `depth` halvings below the box, which is at `level` of the descent.
@@ -68,9 +91,8 @@ void count_blocks(const ExactField& field, ExactField::Descent& descent, const B
     count.sweeps += left.size();
     if (left.empty() || !is_tried(box, box.hi.x - box.lo.x)) return;
     ++count.tried;
-    const Look look = look_at(field, box, left);
-    count.creasing += look.creases ? left.size() : 1;
-    count.crossings += look.crossings;
+    count.creasing += has_creases(field, box, left) ? left.size() : 1;
+    count.sheets += sheets_in(field, box, left);
     return;
   }
   for (int k = 0; k < 8; ++k)
@@ -115,19 +137,18 @@ SurfaceSurvey survey_surface(const ExactField& field, const Candidates& list, in
     });
     survey = {};
     survey.block = (cube.hi.x - cube.lo.x) / static_cast<double>(1 << depth);
-    std::size_t sweeps = 0, tried = 0, creasing = 0, crossings = 0;
+    std::size_t sweeps = 0, tried = 0, creasing = 0;
+    double sheets = 0;
     for (const Count& count : counts) {
       survey.blocks += count.blocks, sweeps += count.sweeps;
       tried += count.tried, creasing += count.creasing;
-      crossings += count.crossings;
+      sheets += count.sheets;
     }
     survey.sweeps =
         static_cast<double>(sweeps) / static_cast<double>(std::max<std::size_t>(survey.blocks, 1));
     survey.creasing =
         tried > 0 ? static_cast<double>(creasing) / static_cast<double>(tried) : survey.sweeps;
-    // Half of the edges of half blocks lie between blocks.
-    if (tried > 0)
-      survey.crossings = 2 * static_cast<double>(crossings) / static_cast<double>(tried);
+    if (tried > 0) survey.sheets = sheets / static_cast<double>(tried);
   }
   return survey;
 }

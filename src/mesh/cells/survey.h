@@ -14,13 +14,13 @@ struct SurfaceSurvey {
   std::size_t blocks = 0;  ///< how many they are
   double sweeps = 0;       ///< that matter in one of them, on average
   double creasing = 0;     ///< the same, but one where all faces in it turn the same way
-  double crossings = 4;    ///< edges of half its length that the surface crosses in one, on average
+  double sheets = 1;       ///< of surface that lines along x, y and z meet in one, on average
 
   /// Cells of `voxel` mm that the cut surface passes, about. Flat sides of the stock do not count:
   /// their cells are merged. Rather too many than too few.
   double cells(double voxel) const;
   /// As near to their number as is known, several sheets of surface in one cube included.
-  double crossed_cells(double voxel) const { return 0.25 * crossings * cells(voxel); }
+  double crossed_cells(double voxel) const { return sheets * cells(voxel); }
 };
 
 /// Looks at smaller and smaller blocks until they are some ten thousand, or 1/128 of the longest

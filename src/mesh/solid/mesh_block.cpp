@@ -21,7 +21,20 @@ void append(std::vector<T>& all, std::span<const T> more, std::size_t expected) 
   all.insert(all.end(), more.begin(), more.end());
 }
 
+// What append() uses: where it makes the room anew, the old one as well.
+template <class T>
+std::size_t bytes_to_append(const std::vector<T>& all, std::span<const T> more) {
+  const std::size_t in_all = all.size() + more.size();
+  return sizeof(T) * (in_all > all.capacity() ? all.size() + in_all : in_all);
+}
+
 }  // namespace
+
+std::size_t MeshCollector::bytes_with(const MeshBlock& block) const {
+  return bytes_to_append(mesh_.vertices, block.fresh()) +
+         bytes_to_append(mesh_.colors, block.colors) + bytes_to_append(mesh_.owners, block.owners) +
+         bytes_to_append(mesh_.triangles, block.triangles);
+}
 
 void MeshCollector::expect(std::size_t vertices, std::size_t triangles) {
   expected_vertices_ = vertices;

@@ -65,6 +65,8 @@ class MeshCollector final : public MeshSink {
   void expect(std::size_t vertices, std::size_t triangles) override;
   void restart() override { mesh_ = {}; }
   TriMesh& mesh() { return mesh_; }
+  /// Bytes in use at most while the block is taken.
+  std::size_t bytes_with(const MeshBlock& block) const;
 
  private:
   TriMesh mesh_;

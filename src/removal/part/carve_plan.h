@@ -16,12 +16,15 @@ struct CarvePlan {
   bool grid_mesh = false;
   /// About how many voxels the cut surface passes, for the estimate of such a mesh; 0 = not known.
   double cut_cells = 0;
+  /// How many sweeps matter in a small block, on average, for the lists of these voxels.
+  double block_sweeps = 0;
   /// Sample the part into a narrow band and keep it, unless the run is done in slabs. Only a .vdb
   /// needs that: meshes come from the exact part.
   bool keep_grid = true;
   /// Why a run that does not fit cannot be done in slabs, a sentence for its refusal; empty: it
   /// can.
   std::string no_slabs = "the stock is wanted as a whole";
+  bool slabs = false;  ///< in slabs, whatever the estimate says
   Progress progress;
 };
 

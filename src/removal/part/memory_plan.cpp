@@ -26,9 +26,10 @@ constexpr double kOpenVdb = 30e6;             ///< its library
 constexpr double kRecipe = 400;               ///< a motion once more, for the file
 constexpr double kGridColumn = 130;
 constexpr double kCutVoxel = 10;  ///< of the grid "cut", should all of the stock be removed
-constexpr double kThread = 11e6;
-constexpr double kMeshCell = 33, kMeshColumn = 70, kBoxMeshColumn = 8;
-constexpr double kTileCell = 700;      ///< of the tiles that are being made and joined
+constexpr double kThread = 13e6;
+constexpr double kMeshCell = 40, kMeshColumn = 70, kBoxMeshColumn = 8;
+constexpr double kTileCell = 600;      ///< of the tiles that are being made and joined
+constexpr double kCellSweep = 16;      ///< of its list: two nodes of a tile for four cells
 constexpr double kTilesAThread = 2;    ///< of them
 constexpr double kFrontTile = 0.45e6;  ///< a tile on the front of those that are done
 constexpr double kTileVoxels = 60;
@@ -102,18 +103,24 @@ struct Need {
     if (options.keep_grid && !in_slabs)
       grid += columns * kGridColumn + cut_voxels(voxel) * kCutVoxel +
               kRecipe * static_cast<double>(motions);
-    return always() + grid + (options.grid_mesh ? mesh(voxel, columns, in_slabs) : 0);
+    return always() + grid + (options.grid_mesh ? mesh(voxel, in_slabs) : 0);
   }
 
-  double mesh(double voxel, double columns, bool in_slabs) const {
+  double mesh(double voxel, bool in_slabs) const {
     const int threads = resolve_threads(options.threads);
     const double finer = options.voxel / voxel, cells = options.cut_cells * finer * finer;
     const double tiles = surface_tiles(stock, voxel);
+    const double tile_cells = cells / whole_tiles(stock, voxel);
     const double working =
-        threads * (kThread + kTilesAThread * kTileCell * cells / whole_tiles(stock, voxel)) +
+        threads * (kThread +
+                   (kTilesAThread * kTileCell + kCellSweep * options.block_sweeps) * tile_cells) +
         section_tiles(stock, voxel) * kFrontTile + tiles * kTile;
-    if (in_slabs) return working;
-    return working + kMeshCell * cells + columns * (stock.is_box() ? kBoxMeshColumn : kMeshColumn);
+    return in_slabs ? working : working + whole_mesh(voxel);
+  }
+  double whole_mesh(double voxel) const {
+    const double finer = options.voxel / voxel, cells = options.cut_cells * finer * finer;
+    return kMeshCell * cells +
+           stock.area() / (voxel * voxel) * (stock.is_box() ? kBoxMeshColumn : kMeshColumn);
   }
 };
 
@@ -172,7 +179,8 @@ MemoryPlan plan_memory(const PartField& field, std::size_t motions, const CarveP
   plan.limit = options.max_memory > 0 ? options.max_memory : free_memory();
   plan.expected = plan.whole = need(options.voxel, false);
   const auto available = static_cast<double>(plan.limit);
-  if (need.at_most(options.voxel, false) <= available) return plan;
+  plan.mesh_room = available - (plan.whole - need.whole_mesh(options.voxel));
+  if (!options.slabs && need.at_most(options.voxel, false) <= available) return plan;
   const bool may_slab = options.no_slabs.empty();
   plan.in_slabs = true;
   plan.expected = need(options.voxel, true);

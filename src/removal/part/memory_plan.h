@@ -15,6 +15,7 @@ struct MemoryPlan {
   std::size_t limit = 0;  ///< bytes
   double expected = 0;    ///< bytes at the peak, as planned; without a mesh that has a tolerance
   double whole = 0;       ///< the same in one piece
+  double mesh_room = 0;   ///< bytes, of the limit, that a mesh on the voxels may take in one piece
   bool in_slabs = false;
 };
 

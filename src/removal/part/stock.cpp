@@ -1,5 +1,7 @@
 #include "removal/part/stock.h"
 
+#include "core/error.h"
+#include "core/memory_limit.h"
 #include "core/vec.h"
 #include "removal/part/stock_grid.h"
 
@@ -47,6 +49,21 @@ void Stock::plan_grid_mesh(double voxel, double cut_cells, const std::string& no
   plan.cut_cells = cut_cells;
   // A grid that is kept has been sampled.
   plan.no_slabs = plan.keep_grid ? "the voxels of the stock are kept" : no_slabs;
+  grid_->asked = plan;
+  grid_->plan = plan_memory(*grid_->field, grid_->motions, plan);
+}
+
+double Stock::mesh_room() const { return grid_->plan.mesh_room; }
+
+void Stock::plan_slabs() {
+  if (!grid_->asked.no_slabs.empty())
+    throw Error("memory",
+                fmt::format("the mesh takes more than {}, which the limit of {} leaves "
+                            "for it; {}",
+                            size_text(mesh_room()), size_text(static_cast<double>(memory_limit())),
+                            grid_->asked.no_slabs));
+  CarvePlan plan = grid_->asked;
+  plan.slabs = true;
   grid_->plan = plan_memory(*grid_->field, grid_->motions, plan);
 }
 

@@ -39,6 +39,10 @@ class Stock {
   /// `cut_cells` of them: plans memory and slabs for it. `no_slabs` as in CarvePlan. Throws Error
   /// "memory" where it does not fit.
   void plan_grid_mesh(double voxel, double cut_cells, const std::string& no_slabs);
+  /// Bytes that this mesh may take in one piece.
+  double mesh_room() const;
+  /// It takes more: plans the same in slabs. Throws as plan_grid_mesh().
+  void plan_slabs();
 
   /// d, gradient and owner at p from the exact field, through the index over the sweeps.
   double distance(const Vec3& p) const;
