@@ -6,6 +6,7 @@
 #include "removal/prune/prune.h"
 #include "removal/prune/prune_strips.h"
 #include "removal/simd/sweep_kernels.h"
+#include "support/rounds.h"
 #include "sweep_support.h"
 
 #include <bit>
@@ -206,7 +207,7 @@ TEST(CandidateList, LongArcsOfUndercuttingMillsAreMeasured) {
   slot.neck_diameter = 4, slot.flute_length = 3;
   lollipop.type = ToolType::lollipop;
   lollipop.neck_diameter = 3, lollipop.flute_length = 0;
-  for (int round = 0; round < 60; ++round) {
+  for (unsigned round = 0; round < rounds(60); ++round) {
     std::vector<Motion> list;
     Vec3 at{r(-3, 3), r(-3, 3), 0};
     for (int i = 0; i < 40; ++i) {
@@ -281,7 +282,7 @@ TEST(CandidateList, PacksStandForTheirSweeps) {
   Random r(11);
   for (const Scene& scene : scenes_of_packs()) {
     std::size_t sweeps = 0, packed = 0;
-    for (int round = 0; round < 60; ++round) {
+    for (unsigned round = 0; round < rounds(60); ++round) {
       const Vec3 origin =
           Vec3{r(-2, 2), r(-2, 2), r(-2, 2)} + (round % 4 == 0 ? Vec3{4000, -2500, 800} : Vec3{});
       const SweepTable table(smooth_moves(r, scene, origin), scene.tools);

@@ -4,6 +4,7 @@
 #include "removal/forms/slant_sweep.h"
 #include "removal/forms/upright_sweep.h"
 #include "removal/simd/sweep_kernels.h"
+#include "support/rounds.h"
 #include "sweep_support.h"
 
 #include <gtest/gtest.h>
@@ -40,7 +41,7 @@ class Stretches : public ::testing::TestWithParam<double> {};  // corner radius 
 TEST_P(Stretches, EqualTheLeastDistanceOverAllPositions) {
   Random r(17);
   double worst = 0;
-  for (int round = 0; round < 600; ++round) {
+  for (unsigned round = 0; round < rounds(600); ++round) {
     const bool turning = round % 3 == 0, slanted = round % 3 == 1;
     const Motion m = turning ? helix(r) : slanted ? slanted_move(r) : upright_arc(r);
     const double radius = r(0.3, 6), corner = GetParam() * radius;

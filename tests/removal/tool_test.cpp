@@ -2,6 +2,7 @@
 #include "removal/tool/tool.h"
 
 #include "core/units.h"
+#include "support/rounds.h"
 #include "sweep_support.h"
 
 #include <gtest/gtest.h>
@@ -85,7 +86,7 @@ TEST(Profile, DistanceIsThatOfTheOutlineSignedByTheInside) {
   for (const Tool& tool : tools()) {
     const Profile profile = make_cutter(tool);
     const std::vector<Vec2> points = outline(profile);
-    for (int k = 0; k < 300; ++k) {
+    for (unsigned k = 0; k < rounds(300); ++k) {
       const Vec2 q = {r(0, 9), r(-4, 20)};
       double want = 1e300;
       for (std::size_t i = 1; i < points.size(); ++i)
