@@ -75,7 +75,7 @@ class AdaptiveMesher {
  private:
   // Bytes so far, an estimate.
   double taken() const {
-    const double of_node = detail::kNodeMemory + (report_.passes > 0 ? detail::kSurfaceMemory : 0);
+    const double of_node = report_.passes > 0 ? detail::kTriedMemory : detail::kNodeMemory;
     return of_node * static_cast<double>(tree_.size());
   }
 
@@ -261,7 +261,12 @@ class AdaptiveMesher {
       report_.unresolved += !can;
     }
     timer_.step("certify");
-    if (first_nodes_ > 0) require_few(cells.size());
+    if (first_nodes_ > 0) {
+      require_few(cells.size());
+      const double more = detail::kNodesAFailure * static_cast<double>(cells.size());
+      report_.memory = std::max(report_.memory,
+                                detail::memory_of_nodes(static_cast<double>(tree_.size()) + more));
+    }
     first_nodes_ = 0;
     const double nodes = is_late() ? 8 + 16 : 8;  // of each cell, as measured
     detail::require_room(detail::kSplitMemory * nodes * static_cast<double>(cells.size()));

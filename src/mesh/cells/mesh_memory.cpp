@@ -96,6 +96,7 @@ void require_memory(double needed, std::size_t available, double tolerance) {
 }
 
 double expected_nodes(double memory) { return memory / kNodeOfAll; }
+double memory_of_nodes(double nodes) { return nodes * kNodeOfAll; }
 
 void require_cells(double nodes, std::size_t most) {
   if (most > 0 && nodes > static_cast<double>(most))

@@ -17,6 +17,13 @@ inline constexpr double kNodeMemory = 320;
 /// made of the surface in it.
 inline constexpr double kSplitMemory = 450, kSurfaceMemory = 500;
 
+/// Bytes of a node at the peak of a mesh that is given up.
+inline constexpr double kTriedMemory = 1200;
+
+/// Nodes that come of a cell whose triangles fail when they are certified for the first time: its
+/// own split, less what its neighbours share of it.
+inline constexpr double kNodesAFailure = 2.5;
+
 /// Bytes of a triangle while a round is certified, and while ridges are tested for what meets.
 inline constexpr double kCertifyMemory = 260, kSharpenMemory = 130;
 
@@ -28,8 +35,10 @@ double expected_memory(const ExactField& field, const CellOctree& tree, double t
 /// Throws Error "memory" where the mesher needs more than `available` bytes; 0 = any amount.
 void require_memory(double needed, std::size_t available, double tolerance);
 
-/// Nodes of the octree in the end, once its cells are split, by what expected_memory() says.
+/// Nodes of the octree in the end, once its cells are split, by what expected_memory() says; and
+/// the bytes of so many.
 double expected_nodes(double memory);
+double memory_of_nodes(double nodes);
 
 /// Throws Error "mesh-unresolved" where the octree has more nodes, or will have, than `most`; 0 =
 /// any number.
