@@ -1,6 +1,6 @@
 #include "removal/prune/prune.h"
 
-#include "removal/prune/list_candidates.h"
+#include "removal/prune/expand_packs.h"
 #include "removal/prune/measured_list.h"
 #include "removal/prune/prune_turned.h"
 

@@ -1,0 +1,132 @@
+#include "removal/prune/expand_packs.h"
+
+#include "core/heap.h"
+#include "removal/prune/run_writer.h"
+
+#include <algorithm>
+
+namespace mrsim {
+namespace {
+
+void copy_run(const CandidateList& in, const CandidateList::Run& run, CandidateList& out) {
+  const std::size_t first = out.begin_run(run.of, run.numbers);
+  for (std::size_t i = 0; i < kNearColumns; ++i)
+    std::copy_n(in.column(i) + run.first, run.count, out.column(i) + first);
+  out.close_run(run.count);
+}
+// The entries k with wanted(k).
+template <typename Wanted>
+void copy_some(const CandidateList& in, const CandidateList::Run& run, CandidateList& out,
+               Wanted wanted) {
+  const std::size_t first = out.begin_run(run.of, run.numbers);
+  std::size_t count = 0;
+  for (std::size_t k = 0; k < run.count; ++k) {
+    if (!wanted(k)) continue;
+    for (std::size_t i = 0; i < kNearColumns; ++i)
+      out.column(i)[first + count] = in.column(i)[run.first + k];
+    ++count;
+  }
+  out.close_run(count);
+}
+
+// Puts children in place of the packs of a list that are large beside a region.
+class PackExpander {
+ public:
+  PackExpander(const SweepColumns& columns, const PruneRegion& region, bool by_heights)
+      : c_(columns), region_(region), by_heights_(by_heights), expanded_(scratch()) {
+    expanded_.clear();
+  }
+
+  // False where there is no such pack.
+  bool find(const CandidateList& in) {
+    room_ = in.size();
+    for (const CandidateList::Run& run : in.runs())
+      for (std::size_t k = 0; k < run.count && may_be_large(run); ++k) {
+        prefetch(c_.packs[in.number(run, std::min(k + kEntriesAhead, run.count - 1))]);
+        if (const std::uint32_t number = in.number(run, k); is_large(number)) append(number);
+      }
+    sort_by_class(expanded_);
+    return !expanded_.empty();
+  }
+
+  // Children come after all runs of their group, so that the group stays together.
+  void write(const CandidateList& in, CandidateList& out) const {
+    const auto& runs = in.runs();
+    out.reset(CandidateList::room(room_, runs.size() + c_.classes.size()), in.origin);
+    out.closed = in.closed;
+    RunWriter writer(out, c_);
+    auto next = expanded_.cbegin();
+    for (std::size_t i = 0; i < runs.size(); ++i) {
+      if (!may_be_large(runs[i]))
+        copy_run(in, runs[i], out);
+      else if (!region_.expand_packs)
+        copy_some(in, runs[i], out,
+                  [&](std::size_t k) { return !is_large(in.number(runs[i], k)); });
+      const std::int32_t group = c_.classes[runs[i].of].group;
+      if (i + 1 < runs.size() && c_.classes[runs[i + 1].of].group == group) continue;
+      while (next != expanded_.cend() && c_.classes[next->of].group == group)
+        next = writer.run(next, expanded_.cend());
+    }
+    // The chords of the packs lie within the extent, their children within the spread of these.
+    out.extent = std::max(in.extent + writer.spread(), writer.extent());
+  }
+
+ private:
+  static RunEntries& scratch() {
+    static thread_local RunEntries entries;  // its memory serves all lists
+    return entries;
+  }
+  bool is_large(std::uint32_t pack) const {
+    return region_.expand_packs || region_.radius < c_.packs[pack].expand_below ||
+           !is_measured(c_.classes[c_.packs[pack].of]);
+  }
+  bool may_be_large(const CandidateList::Run& run) const {
+    const SweepClass& type = c_.classes[run.of];
+    return type.packs &&
+           (region_.expand_packs || region_.radius < type.expand_below || !is_measured(type));
+  }
+  // Packs of paths have heights, but no distances.
+  bool is_measured(const SweepClass& type) const {
+    return by_heights_ || type.form != SweepClass::Form::piece;
+  }
+
+  // The children of a large pack, or theirs.
+  void append(std::uint32_t number) {
+    const SweepPack& pack = c_.packs[number];
+    room_ += pack.size();
+    if (pack.count == 0) {
+      c_.packs.prefetch_children(number);
+      return expanded_.push_back({c_.class_index(pack.first), number, pack.first, true});
+    }
+    bool alike = true;
+    const std::uint32_t first = kFirstPack + pack.child;
+    c_.packs.for_each_child(number, [&](std::uint32_t child) {
+      alike = alike && !is_large(child) && c_.packs[child].of == c_.packs[first].of;
+    });
+    if (alike) return expanded_.push_back({c_.packs[first].of, number, pack.first, true});
+    c_.packs.for_each_child(number, [&](std::uint32_t child) {
+      if (is_large(child))
+        append(child);
+      else
+        expanded_.push_back({c_.packs[child].of, child, c_.packs[child].first, false});
+    });
+  }
+
+  const SweepColumns& c_;
+  const PruneRegion& region_;
+  bool by_heights_;
+  RunEntries& expanded_;
+  std::size_t room_ = 0;
+};
+
+}  // namespace
+
+bool expand_packs(const SweepTable& table, const PruneRegion& region, bool by_heights,
+                  const CandidateList& in, CandidateList& out) {
+  PackExpander expander(table.columns(), region, by_heights);
+  if (!expander.find(in)) return false;
+  expander.write(in, out);
+  return true;
+}
+
+}  // namespace mrsim

@@ -1,0 +1,46 @@
+#include "removal/prune/run_writer.h"
+
+namespace mrsim {
+namespace {
+
+bool is_less(const RunEntry& a, const RunEntry& b) {
+  return a.of != b.of ? a.of < b.of : a.first < b.first;
+}
+
+}  // namespace
+
+// Two by two.
+void sort_by_class(RunEntries& entries) {
+  static thread_local RunEntries merged;
+  static thread_local std::vector<std::size_t> ends;
+  ends.assign(1, 0);
+  for (std::size_t k = 1; k < entries.size(); ++k)
+    if (is_less(entries[k], entries[k - 1])) ends.push_back(k);
+  ends.push_back(entries.size());
+  while (ends.size() > 2) {
+    merged.resize(entries.size());
+    std::size_t left = 1;
+    const auto at = [&](std::size_t k) { return entries.begin() + std::ptrdiff_t(ends[k]); };
+    auto to = merged.begin();
+    for (std::size_t k = 0; k + 1 < ends.size(); k += 2) {
+      const std::size_t last = std::min(k + 2, ends.size() - 1);
+      to = std::merge(at(k), at(k + 1), at(k + 1), at(last), to, is_less);
+      ends[left++] = ends[last];
+    }
+    ends.resize(left);
+    entries.swap(merged);
+  }
+}
+
+void sort_by_class(RunEntries& entries, std::size_t classes) {
+  static thread_local RunEntries sorted;
+  static thread_local std::vector<std::size_t> places;
+  places.assign(classes + 1, 0);
+  for (const RunEntry& e : entries) ++places[e.of + 1];
+  for (std::size_t of = 1; of < places.size(); ++of) places[of] += places[of - 1];
+  sorted.resize(entries.size());
+  for (const RunEntry& e : entries) sorted[places[e.of]++] = e;
+  entries.swap(sorted);
+}
+
+}  // namespace mrsim
