@@ -39,6 +39,9 @@ std::vector<Scene> scenes() {
   Tool slot = endmill(8);
   slot.type = ToolType::tslot;
   slot.neck_diameter = 4, slot.flute_length = 3;
+  Tool lollipop = endmill(6);
+  lollipop.type = ToolType::lollipop;
+  lollipop.neck_diameter = 3, lollipop.flute_length = 0;
   return {
       {"slanted flat", {endmill(6)}, false, false, 0.4},
       {"slanted flat, long", {endmill(3)}, false, false, 8},
@@ -48,6 +51,10 @@ std::vector<Scene> scenes() {
       {"slanted vee, blunt", {blunt}, false, false, 2},
       {"slanted taper", {taper}, false, false, 0.4},
       {"slanted slot", {slot}, false, false, 1},
+      {"slanted lollipop", {lollipop}, false, false, 0.4},
+      {"slot, arcs", {slot}, true, true, 2},
+      {"lollipop, arcs", {lollipop}, true, true, 0.5},
+      {"undercutting, all", {slot, lollipop, endmill(4)}, false, true, 1, true},
       {"helices, flat", {endmill(3)}, false, true, 4, true},
       {"helices, bull", {endmill(6, 1)}, false, true, 4, true},
       {"helices, vee", {vee}, false, true, 2, true},
@@ -266,7 +273,8 @@ std::vector<Scene> scenes_of_packs() {
                          {"two", {endmill(6), ballmill(4)}, true, false, 0.05}};
   for (Scene& scene : scenes()) {
     const std::string name = scene.name;
-    if (name.rfind("slanted", 0) != 0 || name == "slanted slot") continue;
+    if (name.rfind("slanted", 0) != 0 || name == "slanted slot" || name == "slanted lollipop")
+      continue;
     scene.step = name == "slanted flat, long" ? 0.3 : 0.1;
     out.push_back(scene);
   }
