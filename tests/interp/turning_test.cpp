@@ -261,6 +261,20 @@ TEST(Turning, ChamfersOfCHaveASign) {
   EXPECT_NE(run("C-1.5"), run(""));
 }
 
+// A line from a point or by its angle ends in a rounding as one beside a single axis does: without
+// the comma R has no other meaning there.
+TEST(Turning, ARoundingNeedsNoCommaBesideTwoAxesOrAnAngle) {
+  const auto run = [](const std::string& text) {
+    return path_text(
+        read_text("G0 X20. Z0\nG1 F.2\n" + text, at_origin(Dialect::fanuc, MachineKind::lathe)));
+  };
+  for (const char* line : {"X40. Z-10. {}R3.\nZ-30.\n", "X40. A135. {}R3.\nZ-30.\n",
+                           "A150. {}R3.\nX60. Z-40. A170.\n"})
+    EXPECT_EQ(run(fmt::format(fmt::runtime(line), "")), run(fmt::format(fmt::runtime(line), ",")));
+  // 45 degrees of turn: the rounding begins r tan(22.5) before the corner, its centre r from X40.
+  EXPECT_EQ(run("X40. Z-10. R3.\nZ-30.\n"), "r10,0,0 l19.12,0,-9.121 a20,0,-11.24 l20,0,-30");
+}
+
 TEST(Turning, G10SetsOffsetsOfToolsWithoutL) {
   const auto run = [](const char* words, const char* g10 = "G10 P3 ") {
     const Program p = read_text(std::string(g10) + words + "\nG0 X20. Z5.\nG1 Z0 F.1\n",

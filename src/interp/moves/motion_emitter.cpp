@@ -240,13 +240,14 @@ void MotionEmitter::refuse_live_tool(const Motion& motion) {
       motion, "live-tool:" + tool.id);
 }
 
-// FANUC lathes: R, or C and (in the direction of the next block) I and K, without a comma, beside
-// one axis. In cycles they have meanings of their own.
+// FANUC lathes: a corner without a comma. R stands beside an axis or an angle; C, and I and K in
+// the direction of the next block, beside one axis alone. In cycles they have meanings of their
+// own.
 void MotionEmitter::turned_corner(const Word*& round, const Word*& leg) {
   if (modal_.turn.number != 0 || modal_.drill.number != 0 || block_.turn_cycle != 0) return;
   const bool x = peek('X') || peek('U'), z = peek('Z') || peek('W');
+  if (x || z || find(angle_address())) round = take('R');
   if (x == z) return;
-  round = take('R');
   leg = take('C');
   if (!leg) leg = take(z ? 'I' : 'K');
 }
