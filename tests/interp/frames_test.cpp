@@ -40,6 +40,12 @@ TEST(Frames, Points) {
       {s, "G54\nG500\nG1 X1 F1", {1, 0, 0}},
       {s, "G54\nG1 SUPA X1 F1\nX1", {101, 0, 0}},
       {s, "G58 X10\nG59 X1\nG1 X1 F1", {12, 0, 0}},
+      // The example of SINUMERIK's manual: X25 Y15 Z10 behind G58, X30 Y20 Z10 behind G59.
+      {s, "TRANS X10 Y10 Z10\nATRANS X5 Y5\nG58 X20\nG1 X0 Y0 Z0 F1", {25, 15, 10}},
+      {s, "TRANS X10 Y10 Z10\nATRANS X5 Y5\nG58 X20\nG59 X10 Y10\nG1 X0 Y0 Z0 F1", {30, 20, 10}},
+      {s, "G59 X5\nTRANS X10\nG58 X20\nG1 X0 F1", {20, 0, 0}},
+      {s, "G59 X5\n$P_PFRAME=CTRANS(X,10)\nG58 X20\nG1 X0 F1", {20, 0, 0}},
+      {s, "AROT Z90\nATRANS X5\nG59 Y1\nG1 X0 Y0 F1", {0, 1, 0}},
       {s, "G1 X10 F1\nTRANS X100\nG91 X5", {115, 0, 0}},
       {s, "G1 X10 F1\nTRANS X100\nG1 Y5", {10, 5, 0}},
       {s, "G91 G1 X10 F1\nX=AC(3)\nG90 X=IC(4)", {7, 0, 0}},

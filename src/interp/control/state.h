@@ -146,7 +146,7 @@ struct Frames {
   Vec3 position_shift;              ///< G92
   Vec3 position_memory;             ///< ... set aside by G92.2
   Vec3 local;                       ///< G52
-  Vec3 fine;                        ///< G59
+  Vec3 fine;                        ///< of the shift of `program`: the part by ATRANS and G59
   Frame swivel;                     ///< CYCLE800 without a tilt
   Frame program;                    ///< TRANS ROT SCALE MIRROR; CODESYS: the decoder frame
   Frame rotation, scaling, mirror;  ///< FANUC G68, G51, G51.1

@@ -206,6 +206,9 @@ bool FrameWords::sinumerik_step(const Vec3& values, unsigned named) {
   }
   const bool appends = block_.frame_op == Code::atrans || block_.frame_op == Code::arot ||
                        block_.frame_op == Code::ascale || block_.frame_op == Code::amirror;
+  if (!appends) frames_.fine = Vec3{};
+  if (block_.frame_op == Code::atrans)
+    frames_.fine = frames_.fine + turn(frames_.program, step.shift);
   frames_.program = appends ? compose(frames_.program, step) : step;
   return true;
 }
@@ -249,7 +252,8 @@ bool FrameWords::sinumerik() {
   return true;
 }
 
-// G58 and G59: the coarse and the fine part of TRANS.
+// G58 replaces the absolute part of the shift, that of TRANS, and G59 the additive part, that of
+// ATRANS; each leaves the other part.
 void FrameWords::trans_part(const Vec3& values, unsigned named) {
   for (int i = 0; i < 3; ++i) {
     if ((named >> i & 1U) == 0) continue;

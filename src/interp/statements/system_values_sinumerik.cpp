@@ -155,6 +155,7 @@ bool SystemValues::write_program_frame(std::span<const Value> indices, const Val
   FrameWords frames(control_);
   frames.save();
   frames_.program = frame;
+  if (indices.empty()) frames_.fine = Vec3{};
   frames.rebuild();
   return true;
 }
