@@ -78,6 +78,9 @@ TEST(IsoWords, PolarCoordinatesOfFagor) {
   const std::string round =
       first + " " + hole("0,100") + " " + hole("-100,0") + " " + hole("0,-100");
   EXPECT_EQ(iso(holes + "G91 Q90 N3\nG80\n"), round);
+  // What stands in brackets before N is a comment or an expression, and no end of the block.
+  EXPECT_EQ(iso(holes + "G91 Q90 (three of N4) N3 (all)\nG80\n"), round);
+  EXPECT_EQ(iso(holes + "G91 Q(30*(1+2)) N3\nG80\n"), round);
   EXPECT_EQ(iso(holes + "G90 Q90\nQ180\nR100 Q270\nG80\n"), round);
   EXPECT_EQ(iso(holes + "G91 X10 N2\nG80\n"), first + " " + hole("110,0") + " " + hole("120,0"));
   EXPECT_EQ(iso("G0 Z20\nG81 G99 Q30 Z2 I-8 F100\n"), "r0,0,20 | not-supported");

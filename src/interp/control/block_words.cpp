@@ -31,9 +31,11 @@ void BlockWords::put_back(const BlockPlace& place) {
 }
 
 std::optional<long> BlockWords::number_after(const Word& word) const {
-  const std::string_view code = line.substr(0, line.find_first_of("(;"));
+  const std::string_view code = line.substr(0, line.find(';'));
+  int depth = 0;  // in brackets stand comments and expressions
   for (auto i = static_cast<std::size_t>(word.column) + 1; i + 1 < code.size(); ++i) {
-    if (upper(code[i]) != 'N' || !is_digit(code[i + 1])) continue;
+    depth += code[i] == '(' ? 1 : code[i] == ')' && depth > 0 ? -1 : 0;
+    if (depth != 0 || upper(code[i]) != 'N' || !is_digit(code[i + 1])) continue;
     long value = 0;
     for (++i; i < code.size() && is_digit(code[i]) && value < 100'000; ++i)
       value = 10 * value + (code[i] - '0');
