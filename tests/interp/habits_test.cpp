@@ -32,6 +32,7 @@ TEST(Habits, ASignMayStandApart) {
   const auto told = [](const char* text) { return codes(read_text(text, kFanuc)); };
   EXPECT_EQ(told("G1 X+ 2. Y-  .5 F + 20.\n"), "");
   EXPECT_EQ(told("G1 X - 1 2. F20.\n"), "blank-in-number");
+  EXPECT_EQ(told("G1 X1 F20.\nX12.3456789012345678 Y1 \n"), "") << "17 digits, and a blank behind";
   EXPECT_EQ(told("G1 95 X1. F20.\n"), "blank-in-number g-unknown");
 }
 

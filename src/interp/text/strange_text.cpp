@@ -115,7 +115,8 @@ void StrangeText::character(Block& block) {
 
 // FANUC reads "G1 95" as G195; whoever wrote it meant something else. A sign may stand apart.
 void StrangeText::check_inner_blanks(std::size_t from) {
-  const std::string_view run = line_.substr(from, p_ - from);
+  std::string_view run = line_.substr(from, p_ - from);
+  run = run.substr(0, run.find_last_not_of(" \t") + 1);  // those behind it end the number
   const std::size_t blank = run.find_first_of(" \t", run.find_first_of("0123456789."));
   if (blank == std::string_view::npos) return;
   reporter_.add(
