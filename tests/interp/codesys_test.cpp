@@ -108,6 +108,10 @@ TEST(CodesysLanguage, NoAxisMovesUnsaid) {
   EXPECT_EQ(codesys("N1 G1 F100 X1 W0\n"), "l1,0,0");
 }
 
+TEST(CodesysLanguage, ATextIsNoPlace) {
+  EXPECT_EQ(codesys("LET #S : STRING := 'abc'\nN1 G1 F100 X1\nN2 X#S Y5\n"), "l1,0,0 | expression");
+}
+
 TEST(CodesysLanguage, WordsThatShapeTheSpeedAreTold) {
   const Program p =
       read_text("N1 G1 F100 X1 E30 E-30 S1 FF2000\nN2 X2 EF5\n", at_origin(Dialect::codesys));

@@ -135,6 +135,18 @@ TEST(SinumerikValues, ATextIsNoLongerThanItsVariable) {
 }
 
 // Several jumps in a block: the first whose condition holds.
+// A text or the name of an axis in the place of a number was read as 0, by cycles as left out.
+TEST(SinumerikValues, TextsAndAxesAreNoNumbers) {
+  EXPECT_EQ(moves("X10\nX=Y\n"), "l10,0,0 | expression");
+  EXPECT_EQ(moves("X10\nX=\"5\"\n"), "l10,0,0 | expression");
+  EXPECT_EQ(moves("X10\nX=IC(X)\n"), "l10,0,0 | expression");
+  EXPECT_EQ(moves("DEF STRING[9] ST=\"5\"\nX10 RND=ST\nY10\n"), "l0,10,0 | expression");
+  EXPECT_EQ(moves("AX[Z]=X\nG4 F=\"1\"\n"), " | expression expression");
+  EXPECT_EQ(moves("CYCLE81(10,0,2,X)\n"), " | expression");
+  EXPECT_EQ(moves("CYCLE83(10,0,2,-6,\"\",-6,,0)\n"), "r0,0,2 l0,0,-6 r0,0,10");
+  EXPECT_EQ(moves("R[\"A\"]=1\n"), " | variable-number");
+}
+
 TEST(SinumerikJumps, SeveralStandInABlock) {
   const std::string block = "IF R1==1 GOTOF AA IF R1==2 GOTOF \"N\"<<20 IF (R1==3) GOTOF CC\n";
   const std::string marks = "X9\nAA: X1\nN20 X2\nCC: X3\n";

@@ -45,6 +45,22 @@ bool is_cycle(std::string_view name) {
   return std::find(kCycles.begin(), kCycles.end(), name) != kCycles.end();
 }
 
+// Whether value `i` of a cycle may be a text: the name of its contour, of a program or of the
+// swivel data, the text to engrave, the hidden places of a pattern.
+bool takes_text(std::string_view cycle, std::size_t i) {
+  struct Texts {
+    std::string_view cycle;
+    std::size_t first, last;
+  };
+  static constexpr Texts kTexts[] = {{"CYCLE60", 0, 0},  {"CYCLE62", 0, 3},    {"CYCLE63", 0, 0},
+                                     {"CYCLE72", 0, 0},  {"CYCLE95", 0, 0},    {"CYCLE952", 0, 2},
+                                     {"CYCLE800", 1, 1}, {"CYCLE801", 11, 11}, {"HOLES1", 8, 8},
+                                     {"HOLES2", 8, 8}};
+  for (const Texts& row : kTexts)
+    if (row.cycle == cycle) return i >= row.first && i <= row.last;
+  return false;
+}
+
 bool measures(std::string_view name) {
   return std::find(kMeasuring.begin(), kMeasuring.end(), name) != kMeasuring.end();
 }
@@ -80,7 +96,14 @@ bool SinumerikCycles::read_call(Call& call) {
   call.name = std::string(block_.function_name);
   call.place = block_.place();
   if (is_of_802(block_.function_name)) return read_802(block_.function_name, call);
-  return statements_ && statements_->call_values(block_.argument, call.values);
+  if (!statements_ || !statements_->call_values(block_.argument, call.values)) return false;
+  for (std::size_t i = 0; i < call.values.size(); ++i)
+    if (!call.text(i).empty() && !takes_text(call.name, i))
+      return error("expression",
+                   fmt::format("{}: value {} is a text or an axis, and not a number (alarm 12150)",
+                               call.name, i + 1),
+                   where());
+  return true;
 }
 
 // It cuts nothing, and what it finds only the machine knows: offsets stay as they are.

@@ -81,7 +81,8 @@ bool SinumerikStatements::assign_all(std::string_view line, std::size_t& p, std:
   if (!r) return store(name, at_index, value, from, to);
   const double number =
       at_index.empty() ? parse_number(name.substr(1)).value_or(-1) : at_index[0].number;
-  if (number != std::floor(number))
+  const bool text = !at_index.empty() && !at_index[0].is_number();
+  if (text || number != std::floor(number))
     return fail("variable-number", "the number of an R parameter is a whole number", from, to);
   return store(number, value, from, to);
 }

@@ -111,6 +111,10 @@ LanguageReader::Answer Statements::value(std::string_view line, std::size_t& p, 
     report(evaluator_.fault());
     return Answer::failed;
   }
+  if (out.kind == Value::Kind::text && !is(Dialect::sinumerik)) {  // words of CODESYS are numbers
+    fail("expression", "a number is needed here", from, p);
+    return Answer::failed;
+  }
   switch (out.kind) {
     case Value::Kind::vacant:
       return Answer::vacant;

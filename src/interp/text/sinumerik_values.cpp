@@ -21,10 +21,19 @@ constexpr std::string_view kOperators[] = {"DIV", "MOD",  "AND",   "OR",
 
 }  // namespace
 
-// The value after "=": a number, AC(number) and its kin, "text", 'H1F'. Anything else is an
-// expression.
+// The value after "=". Only T, and data that nothing reads, take a text.
 bool SinumerikValues::value(Block& block, Word& word) {
   skip_blanks();
+  const std::size_t from = p_;
+  if (!any_value(block, word)) return false;
+  if (!word.string || word.address == letter('T') || word.address == Address::data) return true;
+  fault(block, "expression", "a number is needed here, and this is a text or an axis (alarm 12150)",
+        from, p_);
+  return false;
+}
+
+// A number, AC(number) and its kin, "text", 'H1F'. Anything else is an expression.
+bool SinumerikValues::any_value(Block& block, Word& word) {
   const std::size_t from = p_;
   const char c = at(p_);
   if (language_ && more_follows()) return expression(block, word, true);

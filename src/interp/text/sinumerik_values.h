@@ -16,6 +16,7 @@ class SinumerikValues : public LineParser {
   void text_value(Block& block, Word& word);
 
  private:
+  bool any_value(Block& block, Word& word);
   bool more_follows() const;
   bool form_of_value(Block& block, Word& word);
   bool radix(Word& word);

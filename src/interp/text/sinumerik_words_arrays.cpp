@@ -77,6 +77,8 @@ void SinumerikWords::array_word(Block& block, std::size_t from, const std::strin
     const char axis = index.string && index.text.size() == 1 ? upper(index.text[0]) : '\0';
     if (axis < 'X' || axis > 'Z') return unsupported(block, run, "an axis other than X Y Z", from);
     word.address = letter(axis);
+    if (word.string)
+      return fault(block, "expression", "a number is needed here (alarm 12150)", from, p_);
   } else if (name == "G") {
     word.address = letter('G');
     const double code = code_of_group(index.value, word.value);
