@@ -300,6 +300,20 @@ TEST(Turning, ANoseOfG10ThatDiffersIsToldOf) {
   EXPECT_EQ(run("G10 P2 X0 Z0 R0.4 Q3\n"), "");
 }
 
+// The manuals forbid two contours of the same numbers; programs have them, one for each tool.
+TEST(Turning, OfTwoContoursOfTheSameNumbersTheLastIsFinished) {
+  const auto run = [](const char* second) {
+    return path_text(read_text(
+        fmt::format("G0 X20. Z2.\nG73 U1. R1\nG73 P1 Q2 F.1\nN1 G0 X16.\nN2 G1 Z-5.\n"
+                    "G0 X20. Z2.\nG73 P{0} Q2 F.1\nN{0} G0 X12.\nN2 G1 Z-7.\nG70 P{0} Q2\n",
+                    second),
+        at_origin(Dialect::fanuc, MachineKind::lathe)));
+  };
+  const std::string path = run("3");
+  EXPECT_EQ(path.substr(path.size() - 15), "l6,0,-7 r10,0,2");
+  EXPECT_EQ(run("1"), path + " | contour-twice");
+}
+
 // FANUC: of X and U in one block the later one counts.
 TEST(Turning, AnAxisGivenTwiceCountsAsItIsGivenLast) {
   const auto run = [](const char* text) {

@@ -80,10 +80,20 @@ Place ProgramPlaces::behind_line(const std::string& file, Place at) const {
   return {source.next_offset(), source.line_number(), 0};
 }
 
-bool ProgramPlaces::find_blocks(long first, long last, Place& begin, Place& end) {
-  if (!find_number(first, true, true, begin) || !find_number(last, true, true, end)) return false;
+bool ProgramPlaces::find_end(long last, const Place& begin, Place& end) {
+  const Outline& all = outline();
+  const Place bottom = all.section_end(all.section_at(begin));
+  if (!scan_number(reader_.file(), last, begin, bottom, false, end)) return false;
   end = behind_line(end);
-  return begin < end;
+  return true;
+}
+
+bool ProgramPlaces::find_blocks(long first, long last, Place& begin, Place& end) {
+  return find_number(first, true, true, begin) && find_end(last, begin, end);
+}
+
+bool ProgramPlaces::find_blocks_before(long first, long last, Place& begin, Place& end) {
+  return find_number(first, false, true, begin) && find_end(last, begin, end);
 }
 
 bool ProgramPlaces::find_blocks(const SubprogramPlace& program, long first, long last, Place& begin,

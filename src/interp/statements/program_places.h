@@ -24,6 +24,8 @@ class ProgramPlaces {
   bool find_blocks(long first, long last, Place& begin, Place& end);
   /// The same in another program.
   bool find_blocks(const SubprogramPlace& program, long first, long last, Place& begin, Place& end);
+  /// The last ones that stand before the place that is being read.
+  bool find_blocks_before(long first, long last, Place& begin, Place& end);
   /// The program that is being read: where it begins and ends.
   std::pair<Place, Place> section();
   /// From label `first` to behind the line of label `last`, upper case. False: one is missing.
@@ -38,6 +40,8 @@ class ProgramPlaces {
   bool find_number(long number, bool forward, bool backward, Place& out);
 
  private:
+  /// Behind the next block N`last` from `begin` on.
+  bool find_end(long last, const Place& begin, Place& end);
   bool scan_number(const std::string& file, long number, const Place& from, const Place& to,
                    bool last, Place& out) const;
 

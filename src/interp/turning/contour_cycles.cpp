@@ -149,6 +149,7 @@ bool ContourCycles::find_contour(CallRequest& request) {
         statements_ && statements_->places().find_blocks(*place, first, last, request.begin, end);
   } else {
     found = statements_ && statements_->places().find_blocks(first, last, request.begin, end);
+    if (found && call_.number == 70) prefer_contour_before(first, last, request.begin, end);
   }
   request.end = end.offset;
   if (!found)
@@ -159,6 +160,21 @@ bool ContourCycles::find_contour(CallRequest& request) {
         call_.first);
   const bool jumps = call_.number != 70 && !call_.program && reader_.place_at(0) < end;
   return !jumps || reader_.jump(end);
+}
+
+// Of contours with the same numbers, which the manuals forbid, G70 finishes that of the last
+// roughing cycle, the nearest one before.
+void ContourCycles::prefer_contour_before(long first, long last, Place& begin, Place& end) {
+  Place nearest, behind;
+  if (!statements_->places().find_blocks_before(first, last, nearest, behind) || nearest == begin)
+    return;
+  begin = nearest;
+  end = behind;
+  warning("contour-twice",
+          fmt::format("N{} stands in this program more than once: G70 runs the contour of line {}, "
+                      "the nearest before it; give each contour numbers of its own",
+                      first, nearest.line + 1),
+          call_.first);
 }
 
 void ContourCycles::end_program() {

@@ -46,6 +46,7 @@ class ContourCycles : public ControlPart {
 
   bool settings();
   bool find_contour(CallRequest& request);
+  void prefer_contour_before(long first, long last, Place& begin, Place& end);
   bool lap();
   bool lap_depth();
   std::optional<LapContour> lap_contour(std::string_view name, const Word& where);
