@@ -218,6 +218,20 @@ TEST(Subprograms, BesideTheProgram) {
   EXPECT_EQ(c.motions.size(), 2U);
 }
 
+// A file that was put together of two, each with its own O2: a control has one of them.
+TEST(Subprograms, OneThatStandsTwiceIsToldOf) {
+  EXPECT_EQ(path_text(read_text("G1 X1 F1\nM98 P2 L2\nM30\nO2\nX5\nM99\nO2\nX7\nM99\n",
+                                at_origin(Dialect::fanuc))),
+            "l1,0,0 l5,0,0 | subprogram-twice");
+  EXPECT_EQ(codes(read_text("G1 X1 F1\nSUBX\nSUBX\nM30\n%_N_SUBX_SPF\nX5\nM17\n"
+                            "%_N_SUBX_SPF\nX7\nM17\n",
+                            at_origin(Dialect::sinumerik))),
+            "subprogram-twice");
+  EXPECT_EQ(codes(read_text("O100 sub\nG1 X#1 F1\nO100 endsub\nO100 call [5]\nM2\n",
+                            at_origin(Dialect::ngc))),
+            "");
+}
+
 TEST(Subprograms, MissingAndEndless) {
   EXPECT_EQ(codes(read_text("G1 X1 F1\nM98 P99\n", at_origin(Dialect::fanuc))),
             "subprogram-missing");

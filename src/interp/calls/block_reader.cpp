@@ -247,7 +247,15 @@ int BlockReader::call_site(int line) {
 std::optional<SubprogramPlace> BlockReader::locate(const SubprogramName& name, const Word& word) {
   std::optional<SubprogramPlace> place = subprograms_.find(name);
   if (place) {
-    called_.insert(name.number >= 0 ? fmt::format("O{}", name.number) : upper_case(name.text));
+    const std::string called =
+        name.number >= 0 ? fmt::format("O{}", name.number) : upper_case(name.text);
+    called_.insert(called);
+    if (place->again != 0 && !is(Dialect::ngc))  // there O100 stands at every part of a structure
+      reporter_.once(Severity::warning, "subprogram-twice",
+                     fmt::format("{} stands in this file more than once: the program of line {} is "
+                                 "run, not that of line {}; a control has only one of that name",
+                                 called, place->line + 1, place->again),
+                     word, called);
     return place;
   }
   const std::string text =

@@ -88,8 +88,10 @@ void SubprogramIndex::scan(const std::string& file) {
   for (std::uint64_t offset = 0; source.next(line); offset = source.next_offset()) {
     std::string name = section_name(line, dialect_);
     // The header line is read again: it may go on with blocks ("O0002; G91 ...").
-    if (!name.empty())
-      inside_.emplace(std::move(name), SubprogramPlace{file, offset, source.line_number() - 1});
+    if (name.empty()) continue;
+    const auto [place, fresh] = inside_.emplace(
+        std::move(name), SubprogramPlace{file, offset, source.line_number() - 1, 0});
+    if (!fresh && place->second.again == 0) place->second.again = source.line_number();
   }
 }
 
@@ -154,7 +156,7 @@ std::optional<SubprogramPlace> SubprogramIndex::find(const SubprogramName& name)
   const bool escapes = key.find('/') != std::string::npos || key.find('\\') != std::string::npos;
   for (const std::string& folder : folders_) {
     if (place || escapes) break;
-    if (const auto file = find_file(folder, stems)) place = SubprogramPlace{*file, 0, 0};
+    if (const auto file = find_file(folder, stems)) place = SubprogramPlace{*file};
   }
   const std::string_view plain = plain_name(key);
   if (!place && plain.size() < key.size()) place = find({-1, std::string(plain), name.own_file});

@@ -24,6 +24,7 @@ struct SubprogramPlace {
   std::string file;
   std::uint64_t offset = 0;  ///< of its header line
   int line = 0;              ///< number of the line before `offset`
+  int again = 0;             ///< line of a second program of that name in the file, 0 if none
 };
 
 class SubprogramIndex {
