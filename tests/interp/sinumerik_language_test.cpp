@@ -195,6 +195,18 @@ TEST(SinumerikMacros, NamesStandForText) {
   EXPECT_EQ(path_text(read_program(main, options)), "l5,0,0 l7,0,0 l5,0,0");
 }
 
+// T1= and M1=6 are the tool of the first spindle, and its change; a spindle's own M is none.
+TEST(SinumerikWordsOfSpindles, ChangeTheToolOfTheFirst) {
+  const InterpOptions options = at_origin(Dialect::sinumerik);
+  const Program p = read_text(
+      "T1=5\nM1=6\nS1=1000 M1=3\nG1 X1 F100\nT1=\"FR\"\nX2\nM1=6\nX3\nM2=6\nT7\nM2=6\nX4\n",
+      options);
+  std::string tools;
+  for (const Motion& m : p.motions) tools += p.tools[static_cast<std::size_t>(m.tool)].id + " ";
+  EXPECT_EQ(tools, "5 5 FR FR ");
+  EXPECT_EQ(codes(read_text("T2=5\nG1 X1 F100\n", options)), "address-unknown");
+}
+
 TEST(SinumerikValues, ListsAndOperatorsOfBits) {
   EXPECT_EQ(moves("DEF REAL VQ[4]\nVQ=REP(1)\nVQ[1]=REP(4,2)\nX=VQ[0] Y=VQ[2] Z=VQ[3]\n"),
             "l1,4,1");

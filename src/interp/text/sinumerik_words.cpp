@@ -90,6 +90,10 @@ void SinumerikWords::read(Block& block) {
     ++p_;
     if (c == 'R' && language_) return assignment(block, from);
     if (c == 'R') return unsupported(block, line_.substr(from, p_ - from), "a variable", from);
+    if (index == 1 && c == 'T') {  // of the first spindle, as M1=6 changes it
+      if (value(block, word)) push(block, word, from);
+      return;
+    }
     if (index == 1 && (c == 'I' || c == 'J' || c == 'K'))
       word.address = c == 'I' ? Address::i1 : c == 'J' ? Address::j1 : Address::k1;
     else if (index >= 2 && index <= 7 && c >= 'A' && c <= 'C')
@@ -100,7 +104,12 @@ void SinumerikWords::read(Block& block) {
       fault(block, "address-unknown",
             fmt::format("unknown address {}", line_.substr(from, p_ - from - 1)), from, p_);
     word.code = static_cast<Code>(c);  // the letter, for the rare ones that matter
-    if (value(block, word) && word.address != letter(c)) push(block, word, from);
+    if (!value(block, word) || word.address == letter(c)) return;
+    if (index == 1 && c == 'M' && word.value == 6) {
+      word.address = letter(c);
+      word.code = Code::unknown;
+    }
+    push(block, word, from);
     return;
   }
   if (c == 'N') {
