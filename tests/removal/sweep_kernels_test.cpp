@@ -17,8 +17,6 @@ namespace {
 
 using namespace testing;
 
-bool same_bits(double a, double b) { return std::memcmp(&a, &b, sizeof a) == 0; }
-
 struct KernelScene {
   std::vector<Tool> tools;
   std::vector<Motion> motions;
@@ -34,11 +32,12 @@ KernelScene mixed_scene(Random& r, int n) {
   for (int i = 0; i < n; ++i) {
     const Vec3 a = {r(-20, 20), r(-20, 20), r(-5, 5)};
     Vec3 b = {r(-20, 20), r(-20, 20), r(-5, 5)};
-    const int kind = r.pick(5);
+    const int kind = r.pick(6);
     if (kind == 1) b.z = a.z;
     if (kind == 2) b = {a.x, a.y, b.z};
     Motion m = kind == 3 ? arc(a, {b.x, b.y, a.z}, {0, 0, 1}, r(-7, 7)) : line(a, b);
     if (kind == 4) m = arc(a, {a.x + r(1, 3), a.y, a.z}, {0, 0, 1}, r(5, 20), -r(0, 5));
+    if (kind == 5) m = upright_arc(r);
     m.tool = r.pick(6);
     s.motions.push_back(m);
   }

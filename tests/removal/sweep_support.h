@@ -11,6 +11,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstring>
 #include <functional>
 #include <vector>
 
@@ -56,6 +57,8 @@ inline Vec3 at(const Motion& m, double t) {
   if (m.kind == MotionKind::line) return m.start + t * (m.end - m.start);
   return m.center + turned(m.start - m.center, m.axis, t * m.sweep) + (t * m.rise) * m.axis;
 }
+
+inline bool same_bits(double a, double b) { return std::memcmp(&a, &b, sizeof a) == 0; }
 
 /// Least value over t in [0, 1]: dense samples, then ever finer ones about the best few.
 inline double least(const std::function<double(double)>& f, int samples = 4000) {

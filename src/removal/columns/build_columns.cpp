@@ -5,6 +5,7 @@
 #include "core/ordered.h"
 #include "removal/columns/sweep_builder.h"
 #include "removal/columns/sweep_classes.h"
+#include "removal/forms/upright_sweep.h"
 
 #include <algorithm>
 #include <atomic>
@@ -133,6 +134,20 @@ void add_slants(SweepColumns& c) {
   }
 }
 
+// Paths are rows in the order of their sweeps.
+void add_uprights(SweepColumns& c) {
+  const auto is_upright = [&c](const SweepRef& ref) {
+    return ref.frame == 0 && c.upright_arc(ref) != nullptr;
+  };
+  if (std::none_of(c.refs.begin(), c.refs.end(), is_upright)) return;
+  for (const SweepRef& ref : c.refs) {
+    if (ref.kind != SweepKind::path) continue;
+    c.first_quarter.push_back(static_cast<std::uint32_t>(c.upright_quarters.size()));
+    if (is_upright(ref)) append_quarters(c.cutter(ref), *c.upright_arc(ref), c.upright_quarters);
+  }
+  c.first_quarter.push_back(static_cast<std::uint32_t>(c.upright_quarters.size()));
+}
+
 void tag_others(SweepColumns& c) {
   for (std::size_t i = 0; i < c.refs.size(); ++i) {
     if (!is_other(c.tags[i])) continue;
@@ -141,6 +156,7 @@ void tag_others(SweepColumns& c) {
     const SingleForm form = ref.kind == SweepKind::turn          ? SingleForm::turned
                             : has_record && c.is_slant_line(ref) ? SingleForm::slant
                             : has_record && c.is_chain(ref)      ? SingleForm::chain
+                            : has_record && c.upright_arc(ref)   ? SingleForm::upright
                                                                  : SingleForm::box;
     c.tags[i] = kOtherForm << kTagShift | static_cast<std::uint32_t>(form) << kSingleShift |
                 (ref.row & kSingleRow);
@@ -166,6 +182,7 @@ void build_columns(std::span<const Motion> program, std::span<const Tool> tools,
   out.uniform = out.uniform && !out.refs.empty();
   add_chains(out);
   add_slants(out);
+  add_uprights(out);
   tag_others(out);
   cut_pieces(out);
   out.packs = SweepPacks(out, threads);

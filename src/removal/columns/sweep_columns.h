@@ -65,13 +65,14 @@ struct SweepRef {
 
 /// Tags: the form (0 ball_line, 1 plane_line, 2 plane_arc, in the stock's frame) above the row.
 inline constexpr std::uint32_t kTagShift = 30, kOtherForm = 3, kTagRow = (1u << kTagShift) - 1;
-/// Of the other form: what bounds the distance of a sweep that is asked on its own, above the row.
-enum class SingleForm : std::uint32_t { box, slant, chain, turned };
-inline constexpr std::uint32_t kSingleShift = 28, kSingleRow = (1u << kSingleShift) - 1;
+/// Of the other form, above the row: what bounds the distance of a sweep that is asked on its own;
+/// or the lists that it is asked in.
+enum class SingleForm : std::uint32_t { box, slant, chain, turned, upright };
+inline constexpr std::uint32_t kSingleShift = 27, kSingleRow = (1u << kSingleShift) - 1;
 inline bool is_other(std::uint32_t tag) { return tag >> kTagShift == kOtherForm; }
 /// Requires: is_other(tag).
 inline SingleForm single_form(std::uint32_t tag) {
-  return static_cast<SingleForm>(tag >> kSingleShift & 3);
+  return static_cast<SingleForm>(tag >> kSingleShift & 7);
 }
 
 struct SweepColumns {
@@ -88,6 +89,9 @@ struct SweepColumns {
   std::vector<ChainLine> chain_lines;    ///< by row of paths; empty when there are none
   std::vector<ChainTool> chain_tools;    ///< by shape, likewise
   std::vector<SlantRecord> slant_lines;  ///< by row of paths; empty when there are none
+  std::vector<UprightRecord> upright_quarters;
+  std::vector<std::uint32_t> first_quarter;  ///< of them, by row of paths, and the end; empty when
+                                             ///< there are none
   std::vector<TurnSweep> turns;
   std::vector<ToolShape> shapes;
   std::vector<ToolFrame> frames;
@@ -118,6 +122,17 @@ struct SweepColumns {
   /// Whether it is one of a tool with slant_minimum().
   bool is_slant_line(const SweepRef& ref) const {
     return ref.kind == SweepKind::path && !slant_lines.empty() && slant_lines[ref.row].length > 0;
+  }
+  /// The path of a mill on an arc in an upright plane, in the frame of its tool; else null.
+  const ToolPath* upright_arc(const SweepRef& ref) const {
+    if (ref.kind != SweepKind::path || paths.is_line(ref.row)) return nullptr;
+    const ToolPath& path = paths.arc(ref.row);
+    return path.upright ? &path : nullptr;
+  }
+  /// The quarters of an upright arc by the row of its path. Requires: SingleForm::upright.
+  std::span<const UprightRecord> quarters_of(std::uint32_t row) const {
+    return std::span(upright_quarters)
+        .subspan(first_quarter[row], first_quarter[row + 1] - first_quarter[row]);
   }
   /// The least distance over the positions of a path, in the frame of its tool, and where it is.
   PathSample path_sample(const SweepRef& ref, const Vec3& p) const;

@@ -4,6 +4,9 @@
 #pragma once
 
 #include "removal/forms/path_sweep.h"
+#include "removal/simd/upright_record.h"
+
+#include <vector>
 
 namespace mrsim {
 
@@ -12,6 +15,10 @@ namespace mrsim {
 void set_upright_plane(ToolPath& path);
 /// The quarters alone, after begin, end or sweep has changed.
 void set_quarters(ToolPath& path);
+
+/// Appends the pieces of an arc for the loops of upright_lanes.inl. Requires: path.upright, a tool
+/// that reaches up with is_rounded().
+void append_quarters(const Profile& tool, const ToolPath& path, std::vector<UprightRecord>& out);
 
 /// Direction, from the centre in the arc's plane, of the position at which a mill of any `core` and
 /// `round` that reaches up is nearest to p.
@@ -28,5 +35,8 @@ PathSample upright_minimum(const Profile& tool, const ToolPath& path, const Vec3
 int upright_branch(const ToolPath& path, double t);
 PathSample upright_branch_minimum(const Profile& tool, const ToolPath& path, const Vec3& p,
                                   int branch);
+/// The place of that on the path.
+PathPoint upright_branch_point(const Profile& tool, const ToolPath& path, const Vec3& p,
+                               int branch);
 
 }  // namespace mrsim

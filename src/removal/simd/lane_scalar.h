@@ -7,6 +7,7 @@
 #include "removal/simd/chain_record.h"
 #include "removal/simd/helix_record.h"
 #include "removal/simd/slant_record.h"
+#include "removal/simd/upright_record.h"
 
 #include <cmath>
 #include <limits>
@@ -21,6 +22,8 @@ namespace mrsim::lane {
 #include "removal/simd/helix_lanes.inl"
 //
 #include "removal/simd/slant_lanes.inl"
+//
+#include "removal/simd/upright_lanes.inl"
 //
 #include "removal/simd/chain_lanes.inl"
 //

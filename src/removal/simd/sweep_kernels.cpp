@@ -140,6 +140,7 @@ MRSIM_LANE void store_some(double* out, V v, std::size_t n) {
 //
 #include "removal/simd/helix_lanes.inl"
 #include "removal/simd/slant_lanes.inl"
+#include "removal/simd/upright_lanes.inl"
 //
 #include "removal/simd/chain_lanes.inl"
 //
@@ -229,6 +230,7 @@ MRSIM_LANE void store_some(double* out, V v, std::size_t n) {
 //
 #include "removal/simd/helix_lanes.inl"
 #include "removal/simd/slant_lanes.inl"
+#include "removal/simd/upright_lanes.inl"
 //
 #include "removal/simd/chain_lanes.inl"
 //

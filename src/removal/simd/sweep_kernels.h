@@ -7,6 +7,7 @@
 #include "removal/simd/chain_record.h"
 #include "removal/simd/helix_record.h"
 #include "removal/simd/slant_record.h"
+#include "removal/simd/upright_record.h"
 #include "removal/tool/polygon.h"
 #include <mrsim/types.h>
 
@@ -70,6 +71,14 @@ struct SweepKernels {
                        const Vec3& p, double* out);
   /// Brings `points` up to date with sweep `id`, a slanted line.
   void (*slant)(const SlantRecord& record, std::uint32_t id, PointColumns& points);
+  /// Distances of p from quarters of upright arcs; where one is above `limit`, any that is. With
+  /// `nearest` those before it limit the others. `out` has room for a multiple of
+  /// PointColumns::kPad.
+  void (*upright_list)(const UprightRecord* records, const std::uint32_t* rows, std::size_t n,
+                       const Vec3& p, double limit, bool nearest, double* out);
+  /// Brings `points` up to date with sweep `id`, an upright arc of `count` quarters.
+  void (*upright)(const UprightRecord* quarters, std::size_t count, std::uint32_t id,
+                  PointColumns& points);
   /// Like slant_bounds, of straight moves of one convex tool (1e-9 mm). Where a bound is above
   /// `limit`, any that is.
   void (*chain_bounds)(const ChainTool& tool, const ChainLine* lines, const std::uint32_t* rows,

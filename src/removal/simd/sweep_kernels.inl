@@ -94,6 +94,39 @@ static void slant_bounds(const SlantRecord* records, const std::uint32_t* rows, 
   }
 }
 
+static void upright_list(const UprightRecord* records, const std::uint32_t* rows, std::size_t n,
+                         const Vec3& p, double limit, bool nearest, double* out) {
+  const V x = splat(p.x), y = splat(p.y), z = splat(p.z);
+  const M all = less_equal(splat(0.0), splat(0.0));
+  std::uint32_t some[kLanes];
+  V c[16];
+  for (std::size_t k = 0; k < n; k += kLanes) {
+    pick(rows, k, n, some);
+    load_columns(records, 0, some, c);
+    load_columns(records, 8, some, c + 8);
+    store(out + k, upright_least(c, x, y, z, splat(limit), all).distance);
+    for (std::size_t j = k; nearest && j < k + kLanes; ++j) limit = std::min(limit, out[j]);
+  }
+}
+
+static void upright_least_of(const UprightRecord* quarters, std::size_t count, std::uint32_t id,
+                             PointColumns& points) {
+  const M all = less_equal(splat(0.0), splat(0.0));
+  const V own = splat(static_cast<double>(id));
+  V c[UprightColumn::kCount];
+  for (std::uint32_t quarter = 0; quarter < count; ++quarter) {
+    const double* numbers = numbers_of(quarters, quarter);
+    for (std::size_t j = 0; j < UprightColumn::kCount; ++j) c[j] = splat(numbers[j]);
+    for (std::size_t k = 0; k < points.count; k += kLanes) {
+      const V x = read(points.x + k), y = read(points.y + k), z = read(points.z + k);
+      V least = read(points.least + k), nearest = read(points.nearest + k);
+      take_closer(upright_least(c, x, y, z, least, all).distance, own, least, nearest);
+      store(points.least + k, least);
+      store(points.nearest + k, nearest);
+    }
+  }
+}
+
 static void chain_bounds(const ChainTool& tool, const ChainLine* lines, const std::uint32_t* rows,
                          std::size_t n, const Vec3& p, double limit, double* out) {
   const V x = splat(p.x), y = splat(p.y), z = splat(p.z);
@@ -256,6 +289,8 @@ static const SweepKernels kKernels = {
     helix_least_of,
     slant_bounds,
     slant_least_of,
+    upright_list,
+    upright_least_of,
     chain_bounds,
     chain_bounds_beside,
     chain_least_of,

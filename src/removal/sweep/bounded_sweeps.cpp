@@ -16,7 +16,8 @@ constexpr std::size_t kLongList = 32;  // sweeps that are worth runs
 
 // Whether a sweep is asked on its own, by no kernel of lists. Turned ones have a tree.
 bool is_single(std::uint32_t tag) {
-  return is_other(tag) && single_form(tag) != SingleForm::turned;
+  return is_other(tag) && single_form(tag) != SingleForm::turned &&
+         single_form(tag) != SingleForm::upright;
 }
 
 constexpr std::uint32_t kChainTag =

@@ -35,6 +35,53 @@ void run(const FormKernels<Record>& kernels, const Record* records, const ListPa
   for (std::size_t k = 0; k < part.n; ++k) out[part.places[k]] = values[k];
 }
 
+bool is_upright(std::uint32_t tag) {
+  return is_other(tag) && single_form(tag) == SingleForm::upright;
+}
+
+// The quarters of upright arcs: those above the centre and those below, which take other steps.
+class UprightParts {
+ public:
+  UprightParts(const SweepColumns& c, const Vec3& p, std::optional<double> least, double* out)
+      : c_(c),
+        p_(p),
+        nearest_only_(least),
+        limit_(least.value_or(std::numeric_limits<double>::infinity())),
+        out_(out) {}
+
+  void add(std::uint32_t row, std::size_t place) {
+    out_[place] = std::numeric_limits<double>::infinity();
+    for (const UprightRecord& quarter : c_.quarters_of(row)) {
+      ListPart& part = halves_[quarter.half < 0 ? 1 : 0];
+      part.add(static_cast<std::uint32_t>(&quarter - c_.upright_quarters.data()), place);
+      if (part.n == kListChunk) run(part);
+    }
+  }
+  void finish() {
+    for (ListPart& part : halves_)
+      if (part.n > 0) run(part);
+  }
+
+ private:
+  void run(ListPart& part) {
+    double found[kListChunk];
+    sweep_kernels().upright_list(c_.upright_quarters.data(), part.rows, part.n, p_, limit_,
+                                 nearest_only_, found);
+    for (std::size_t k = 0; k < part.n; ++k) {
+      out_[part.places[k]] = std::min(out_[part.places[k]], found[k]);
+      if (nearest_only_) limit_ = std::min(limit_, found[k]);
+    }
+    part.n = 0;
+  }
+
+  const SweepColumns& c_;
+  const Vec3& p_;
+  bool nearest_only_;
+  double limit_;
+  double* out_;
+  ListPart halves_[2];
+};
+
 void least_of(const SweepColumns& c, std::uint32_t id, PointColumns& points) {
   const SweepRef& ref = c.refs[id];
   std::uint64_t open = ~std::uint64_t(0) >> (PointColumns::kMost - points.count);
@@ -42,6 +89,10 @@ void least_of(const SweepColumns& c, std::uint32_t id, PointColumns& points) {
     return sweep_kernels().chain(c.chain_tools[ref.shape], c.chain_lines[ref.row], id, points);
   if (c.is_slant_line(ref) && ref.frame == 0)
     return sweep_kernels().slant(c.slant_lines[ref.row], id, points);
+  if (is_upright(c.tags[id])) {
+    const auto quarters = c.quarters_of(ref.row);
+    return sweep_kernels().upright(quarters.data(), quarters.size(), id, points);
+  }
   if (ref.kind == SweepKind::path && ref.frame == 0 && !c.paths.is_line(ref.row)) {
     const ToolPath& path = c.paths.arc(ref.row);
     const Profile& tool = c.cutter(ref);
@@ -162,7 +213,7 @@ SweepTable::Nearest nearest_sweep(const SweepColumns& c, std::span<const std::ui
   for (; !plain.empty(); plain = plain.subspan(std::min(kListChunk, plain.size()))) {
     if (best.distance < enough) break;
     const auto some = plain.first(std::min(kListChunk, plain.size()));
-    sweep_distances(c, some, p, d);
+    sweep_distances(c, some, p, d, best.distance);
     for (std::size_t k = 0; k < some.size(); ++k) take_nearer(d[k], some[k], best);
   }
   const double rho = std::sqrt(p.x * p.x + p.y * p.y);
@@ -172,7 +223,7 @@ SweepTable::Nearest nearest_sweep(const SweepColumns& c, std::span<const std::ui
 }
 
 void sweep_distances(const SweepColumns& c, std::span<const std::uint32_t> ids, const Vec3& p,
-                     double* out) {
+                     double* out, std::optional<double> least) {
   const SweepKernels& kernels = sweep_kernels();
   // A program of one form alone needs no sorting: its rows are its indices.
   if (c.uniform && c.refs.front().kind == SweepKind::ball_line)
@@ -182,11 +233,19 @@ void sweep_distances(const SweepColumns& c, std::span<const std::uint32_t> ids, 
   for (std::size_t from = 0; from < ids.size(); from += kListChunk) {
     const std::size_t n = ids.size() - from < kListChunk ? ids.size() - from : kListChunk;
     Parts parts;
-    for (std::size_t k = 0; k < n; ++k)
-      if (!parts.add(c.tags[ids[from + k]], k)) out[from + k] = c.distance(ids[from + k], p);
+    UprightParts uprights(c, p, least, out + from);
+    for (std::size_t k = 0; k < n; ++k) {
+      const std::uint32_t tag = c.tags[ids[from + k]];
+      if (parts.add(tag, k)) continue;
+      if (is_upright(tag))
+        uprights.add(tag & kSingleRow, k);
+      else
+        out[from + k] = c.distance(ids[from + k], p);
+    }
     run(kernels.ball_line, c.ball_lines.data(), parts.forms[0], n, p, out + from);
     run(kernels.plane_line, c.plane_lines.data(), parts.forms[1], n, p, out + from);
     run(kernels.plane_arc, c.plane_arcs.data(), parts.forms[2], n, p, out + from);
+    uprights.finish();
   }
 }
 

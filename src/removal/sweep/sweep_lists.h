@@ -6,6 +6,7 @@
 #include "removal/sweep/sweep_table.h"
 
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -16,8 +17,10 @@ std::vector<std::uint32_t> sweeps_meeting(const SweepColumns& c,
                                           std::span<const std::uint32_t> list, const Box3& box);
 SweepTable::Nearest nearest_sweep(const SweepColumns& c, std::span<const std::uint32_t> list,
                                   const Vec3& p, double enough);
+/// With `least`, only distances that are not above it, nor above another of the list, need be
+/// right.
 void sweep_distances(const SweepColumns& c, std::span<const std::uint32_t> ids, const Vec3& p,
-                     double* out);
+                     double* out, std::optional<double> least = {});
 void least_distances(const SweepColumns& c, std::span<const std::uint32_t> ids,
                      PointColumns& points);
 
