@@ -3,6 +3,7 @@
 #include "core/trig.h"
 #include "core/units.h"
 #include "removal/columns/plan_foot.h"
+#include "removal/forms/upright_sweep.h"
 #include "removal/simd/lane_scalar.h"
 
 #include <algorithm>
@@ -76,12 +77,15 @@ struct Contact {
   bool at_end = false;
 };
 
-Contact contact_at(const SweepColumns& columns, const SweepRef& ref, double t, const Vec3& p) {
+Contact contact_at(const PathPoint& at, const Vec3& p) {
   Contact c;
-  const PathPoint at = columns.paths.point(ref.row, t);
   c.q = p - at.position;
   c.travel = at.direction;
   c.rho = std::sqrt(c.q.x * c.q.x + c.q.y * c.q.y);
+  return c;
+}
+Contact contact_at(const SweepColumns& columns, const SweepRef& ref, double t, const Vec3& p) {
+  Contact c = contact_at(columns.paths.point(ref.row, t), p);
   c.at_end = t <= 0 || t >= columns.paths.end(ref.row);
   return c;
 }
@@ -152,24 +156,29 @@ std::optional<FacePlane> path_wall(const SweepColumns& columns, const SweepRef& 
 
 // The place of the path where the tool is nearest to p; of a tool of several pieces, the piece that
 // has the face, which another one may cover there.
-PathSample face_place(const SweepColumns& columns, const SweepRef& ref, const Vec3& p,
-                      std::int32_t patch) {
+PathPoint face_place(const SweepColumns& columns, const SweepRef& ref, const Vec3& p,
+                     std::int32_t patch) {
   const Profile& tool = columns.cutter(ref);
   const std::int32_t branch = patch / kBranchPatch, face = patch % kBranchPatch;
-  if (!tool.convex_pieces().empty())
-    return piece_distance(face >= kCornerPatch ? tool.piece_of_corner(face - kCornerPatch)
-                                               : tool.piece_of_patch(face),
-                          *columns.paths[ref.row], p, branch);
-  return columns.paths.is_line(ref.row)
-             ? columns.path_sample(ref, p)
-             : branch_distance(tool, columns.paths.arc(ref.row), p, branch);
+  if (const ToolPath* arc = columns.upright_arc(ref))
+    return upright_branch_point(tool, *arc, p, branch);
+  const auto least = [&] {
+    if (!tool.convex_pieces().empty())
+      return piece_distance(face >= kCornerPatch ? tool.piece_of_corner(face - kCornerPatch)
+                                                 : tool.piece_of_patch(face),
+                            *columns.paths[ref.row], p, branch);
+    return columns.paths.is_line(ref.row)
+               ? columns.path_sample(ref, p)
+               : branch_distance(tool, columns.paths.arc(ref.row), p, branch);
+  };
+  return columns.paths.point(ref.row, least().t);
 }
 
 FacePlane path_face(const SweepColumns& columns, const SweepRef& ref, const Vec3& p,
                     std::int32_t patch) {
   const Profile& tool = columns.cutter(ref);
   if (const auto wall = path_wall(columns, ref, p, patch)) return *wall;
-  const Contact c = contact_at(columns, ref, face_place(columns, ref, p, patch).t, p);
+  const Contact c = contact_at(face_place(columns, ref, p, patch), p);
   const std::int32_t face = patch % kBranchPatch;
   if (face >= kCornerPatch) return corner_face(tool, c, face - kCornerPatch);
   return {around(c, face_gradient(tool, c.rho, c.q.z, face)),
