@@ -19,7 +19,7 @@ namespace {
 
 using namespace mrsim::testing;
 
-constexpr unsigned kPrograms = 1000, kBatch = 50;
+constexpr unsigned kPrograms = 600, kBatch = 50;
 
 class Generator {
  public:
