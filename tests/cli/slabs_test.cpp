@@ -74,11 +74,11 @@ TEST_F(Slabs, AreRefusedWithWhatToDo) {
 // A comb whose teeth are much thinner than the blocks by which its surface is estimated.
 TEST_F(Slabs, KeepToTheLimitWhereSurfaceIsDense) {
   std::string comb = "%\nG90 G21 G17 G94\nT1 M6\nS8000 M3\n";
-  for (int k = 0; k < 80; ++k)
+  for (int k = 0; k < 150; ++k)
     comb += "G0 X" + std::to_string(10 + 0.6 * k) + " Y-3\nG1 Z-3 F500\nG1 Y8\nG0 Z5\n";
   write("comb.nc", comb + "M30\n%\n");
   const std::string command =
-      "comb.nc --stock box:0,0,-4,68,5,0 --tool 1=endmill:d=0.4 --voxel 0.1 --threads 2 ";
+      "comb.nc --stock box:0,0,-4,110,5,0 --tool 1=endmill:d=0.4 --voxel 0.1 --threads 2 ";
   ASSERT_EQ(run(command + "-o whole.stl --json whole.json").code, 0);
   const double whole = number_after(read("whole.json"), "\"peak\": ");
   const std::string limit = std::to_string(static_cast<int>(0.95 * whole / 1024)) + "K ";
