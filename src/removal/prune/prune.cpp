@@ -13,7 +13,7 @@ namespace mrsim {
 namespace {
 
 constexpr float kFloatInfinity = std::numeric_limits<float>::infinity();
-constexpr std::size_t kFewUndercuts = 4;
+constexpr std::size_t kFewUndercuts = 4;  // their points are asked sooner than the region
 
 // A run of horizontal moves: a point below the tool's tip is at least (tip.z - z) away from each.
 bool is_horizontal(const SweepClass& type) {
