@@ -252,6 +252,9 @@ TEST(ToolShape, RefusesWhatCannotBe) {
   Tool neck = mill(ToolType::lollipop, 6);
   neck.neck_diameter = 6;
   expect_invalid(neck, "neck");
+  neck.type = ToolType::tslot;
+  neck.width = 2;
+  expect_invalid(neck, "neck");
   Tool insert = mill(ToolType::turning, 0);
   insert.insert = "XNMG";
   expect_invalid(insert, "insert shape");

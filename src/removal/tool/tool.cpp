@@ -132,6 +132,7 @@ Profile tslot_mill(const Tool& tool) {
   const double r = tool.diameter / 2, c = tool.corner_radius;
   const double h = tool.width > 0 ? tool.width : tool.flute_length;
   require(h > 0, tool, "a T-slot cutter needs a width (the height of its head) or a flute length");
+  require(tool.neck_diameter < tool.diameter, tool, "the neck is not thinner than the head");
   require(tool.flute_length <= 0 || h <= tool.flute_length, tool,
           "the width of the head is larger than the flute length");
   require(c >= 0 && c <= r && 2 * c <= h, tool, "the corner radius does not fit the head");
