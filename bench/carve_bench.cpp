@@ -12,7 +12,7 @@ namespace mrsim::bench {
 namespace {
 
 void run(benchmark::State& state, const std::string& name, double voxel, int threads) {
-  const BenchProgram program = expand_packs(name);
+  const BenchProgram program = program_named(name);
   std::size_t active = 0, bytes = 0;
   for (auto _ : state) {
     const Stock stock = carve(program.stock, program.motions, std::span(&program.tool, 1),

@@ -9,7 +9,7 @@
 namespace mrsim::bench {
 
 struct Case {
-  const char* program;  ///< a name of expand_packs()
+  const char* program;  ///< a name of program_named()
   double voxel;         ///< mm
 };
 

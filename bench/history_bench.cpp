@@ -13,7 +13,7 @@ namespace mrsim::bench {
 namespace {
 
 void run(benchmark::State& state, const std::string& name, double voxel, int threads) {
-  const BenchProgram program = expand_packs(name);
+  const BenchProgram program = program_named(name);
   const PartField field(StockSolid(program.stock),
                         SweepTable(program.motions, std::span(&program.tool, 1)));
   const CutLattice lattice = history_lattice(field, voxel);

@@ -7,7 +7,7 @@
 int main(int argc, char** argv) {
   try {
     const std::string text =
-        mrsim::bench::nc_text(mrsim::bench::expand_packs(argc == 2 ? argv[1] : ""));
+        mrsim::bench::nc_text(mrsim::bench::program_named(argc == 2 ? argv[1] : ""));
     return std::fwrite(text.data(), 1, text.size(), stdout) == text.size() ? 0 : 1;
   } catch (const std::exception& error) {
     std::fprintf(stderr, "%s\n", error.what());

@@ -35,7 +35,7 @@ const Stock& stock_of(const Case& c) {
   const std::string wanted =
       std::string(c.program) + std::to_string(c.voxel) + (c.tolerance > 0 ? "T" : "");
   if (known == wanted) return *stock;
-  const BenchProgram program = expand_packs(c.program);
+  const BenchProgram program = program_named(c.program);
   stock = std::make_unique<Stock>(carve(program.stock, program.motions, std::span(&program.tool, 1),
                                         {.voxel = c.voxel, .keep_grid = c.tolerance == 0}));
   known = wanted;

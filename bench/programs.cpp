@@ -178,7 +178,7 @@ BenchProgram arcs(std::size_t n) {
   return program;
 }
 
-BenchProgram expand_packs(const std::string& name) {
+BenchProgram program_named(const std::string& name) {
   const std::size_t dash = name.rfind('-');
   const std::string kind = name.substr(0, dash);
   std::size_t n = 0;

@@ -37,7 +37,7 @@ BenchProgram arcs(std::size_t n);
 
 /// The program by name: "raster-1000", "adaptive-10000", "helix-drill-2000", "turn-100",
 /// "arcs-5000". Throws Error for other names.
-BenchProgram expand_packs(const std::string& name);
+BenchProgram program_named(const std::string& name);
 
 /// The same program as SINUMERIK text, coordinates to 1e-6 mm.
 std::string nc_text(const BenchProgram& program);
