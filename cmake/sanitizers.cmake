@@ -7,7 +7,8 @@
 # AddressSanitizer sees the access that they announce. What it does not see, a pointer cast to a type of larger alignment, is a warning of
 # the compiler (-Wcast-align=strict, warnings.cmake).
 #
-# mrsim_unsanitized() names sources that are little but headers of CGAL, which take a minute each with the checks.
+# mrsim_unsanitized() names sources that are little but headers of CGAL, which take a minute each with the checks. Their tests are slow
+# ones, left out: nothing is optimised.
 if(MRSIM_SANITIZE)
   add_compile_options(-fsanitize=${MRSIM_SANITIZE} -fno-omit-frame-pointer -fno-sanitize-recover=all)
   if(MRSIM_SANITIZE MATCHES undefined)
@@ -21,6 +22,6 @@ endif()
 
 function(mrsim_unsanitized)
   if(MRSIM_SANITIZE)
-    set_property(SOURCE ${ARGN} APPEND PROPERTY COMPILE_OPTIONS -fno-sanitize=all)
+    set_property(SOURCE ${ARGN} APPEND PROPERTY COMPILE_OPTIONS -fno-sanitize=all -O0)
   endif()
 endfunction()

@@ -91,13 +91,13 @@ double largest_edge_distance(const TriMesh& mesh) {
   return most;
 }
 
-TEST(ContourCgal, SharpEdgesAreKeptAtHalfAMillimetre) {
+TEST(AdaptiveCgal, SharpEdgesAreKeptAtHalfAMillimetre) {
   EXPECT_LE(largest_edge_distance(mesh_part(primer_2f(), 0.5)), 0.036);
 }
 
 // A mesh and a copy of it, moved: the triangles that meet are those that CGAL finds, of all and of
 // some.
-TEST(ContourCgal, TrianglesThatMeetAreFound) {
+TEST(AdaptiveCgal, TrianglesThatMeetAreFound) {
   TriMesh mesh = mesh_part(primer_2s(), 0.2, with_tolerance(0.05));
   constexpr float kSteps = 1 << 12;  // in a millimetre: coordinates on the lattice of vertices
   for (auto& v : mesh.vertices)
@@ -136,7 +136,7 @@ TEST(ContourCgal, TrianglesThatMeetAreFound) {
   EXPECT_EQ(found(chosen), some);
 }
 
-TEST(ContourCgal, ExactPartIsWithinToleranceOfTheMesh) {
+TEST(AdaptiveCgal, ExactPartIsWithinToleranceOfTheMesh) {
   for (const double tolerance : {0.05, 0.005, 0.0005}) {
     const TriMesh mesh = mesh_part(primer_2f(), 0.25, with_tolerance(tolerance));
     EXPECT_EQ(self_intersections(mesh), 0u);
@@ -155,7 +155,7 @@ TEST(ContourCgal, ExactPartIsWithinToleranceOfTheMesh) {
   }
 }
 
-TEST(ContourCgal, TurnedPartIsWithinToleranceOfTheMesh) {
+TEST(AdaptiveCgal, TurnedPartIsWithinToleranceOfTheMesh) {
   const AnalyticField part = primer_2s();
   const TriMesh mesh = mesh_part(part, 0.2, with_tolerance(0.01));
   EXPECT_EQ(self_intersections(mesh), 0u);
@@ -215,18 +215,18 @@ void expect_sound(const AnalyticField& part, double voxel, double tolerance, std
     ASSERT_LE(std::abs(part.sample({v[0], v[1], v[2]}, all).distance), 1e-3) << seed;
 }
 
-TEST(ContourCgal, RandomPartsAreSoundAtTheVoxel) {
+TEST(AdaptiveCgal, RandomPartsAreSoundAtTheVoxel) {
   for (std::uint64_t seed = 0; seed < rounds(100); ++seed)
     expect_sound(random_part(seed), 1, 0, seed);
 }
 
 // Several tiles of the uniform grid, with split cells at their borders.
-TEST(ContourCgal, RandomPartsAreSoundAcrossTiles) {
+TEST(AdaptiveCgal, RandomPartsAreSoundAcrossTiles) {
   for (std::uint64_t seed = 100; seed < 100 + rounds(30); ++seed)
     expect_sound(random_part(seed), 0.35, 0, seed);
 }
 
-TEST(ContourCgal, RandomPartsAreSoundWithinTolerance) {
+TEST(AdaptiveCgal, RandomPartsAreSoundWithinTolerance) {
   for (std::uint64_t seed = 0; seed < rounds(12); ++seed)
     expect_sound(random_part(seed), 1, 0.1, seed);
 }

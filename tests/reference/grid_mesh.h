@@ -1,5 +1,4 @@
-// Private: the mesh of plain OpenVDB grids, for extract.cpp and its tests. No other header of
-// src/mesh knows OpenVDB.
+// Reference: the mesh of plain OpenVDB grids, for tests and benchmarks.
 #pragma once
 
 #include <mrsim/types.h>
