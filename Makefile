@@ -15,7 +15,7 @@ lint:
 	python3 scripts/check_names.py
 	python3 scripts/check_docs.py
 	scripts/format.sh --check
-	scripts/lint.sh
+	scripts/lint.py
 data:
 	python3 scripts/make_data.py
 ci:

@@ -12,10 +12,10 @@ import sys
 ROOT = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..")
 INCLUDE = re.compile(r'^\s*#\s*include\s*[<"]([^>"]+)[>"]', re.M)
 
-# Folder of src -> the other folders (or single headers) that its files may include; each folder may include itself.
+# Folder of src -> the other folders (or single headers of them) that its files may include; each folder may include itself.
 # Stages and rooms come in the order of the pipeline: a folder may name earlier ones only, so there are no circles.
 CORE = ("core/",)
-LANGUAGE = CORE + ("interp/motion_sink.h", "interp/text/", "interp/comments/", "interp/path/", "interp/language/")
+LANGUAGE = CORE + ("interp/text/", "interp/comments/", "interp/path/", "interp/language/")
 CONTROL = LANGUAGE + ("interp/control/",)
 WORDS = CONTROL + ("interp/frames/", "interp/tools/", "interp/moves/", "interp/words/")
 CYCLES = WORDS + ("interp/calls/", "interp/statements/", "interp/cycles/")
@@ -25,7 +25,7 @@ SWEEPS = FORMS + ("removal/forms/", "removal/columns/", "removal/sweep/")
 SURFACE = SOLID + ("mesh/solid/", "mesh/points/", "mesh/cells/")
 ROOMS = {
     "core": (),
-    "interp/text": CORE + ("interp/motion_sink.h",),
+    "interp/text": CORE,
     "interp/comments": CORE + ("interp/text/",),
     "interp/path": CORE + ("interp/text/",),
     "interp/language": CORE + ("interp/text/", "interp/comments/", "interp/path/"),
@@ -147,12 +147,22 @@ def check(path, breaches):
                 breaches.append(f"{path}: <{header}> is not allowed here")
         if header.startswith("mrsim/"):
             if header == "mrsim/mrsim.h" and path not in FACADE_PARTS and re.match(
-                    r"src/(core|interp|setup|removal|mesh|compare)/", path):
+                    r"src/(core|interp|timing|setup|removal|mesh|compare)/", path):
                 breaches.append(f"{path}: a stage must not include the facade")
             continue
         ours = header.split("/")[0] in STAGES or os.path.exists(os.path.join(ROOT, "src", header))
         if ours and allowed is not None and not may_include(path, header, allowed):
             breaches.append(f'{path}: "{header}" is not allowed here')
+
+
+def check_order(breaches):
+    """Rooms that a room may include stand before it in ROOMS; "x/" names the room x and all that begin with it."""
+    order = list(ROOMS)
+    for index, (room, allowed) in enumerate(ROOMS.items()):
+        for prefix in allowed:
+            rooms = [k for k in range(len(order)) if (order[k] + "/").startswith(prefix) and k != index]
+            if any(k > index for k in rooms):
+                breaches.append(f'{room}: "{prefix}" comes later in ROOMS of scripts/check_includes.py')
 
 
 def check_public(breaches):
@@ -175,6 +185,7 @@ def main():
     for path in files("src", "tests", "bench", "include"):
         count += 1
         check(path, breaches)
+    check_order(breaches)
     check_public(breaches)
     for breach in breaches:
         print(breach)

@@ -2,7 +2,7 @@
 """Compiles each source of src by itself, for its syntax alone: check_sources.py [SOURCE...]
 
 Builds that join sources (MRSIM_UNITY) hide a missing include behind the include of a neighbour. Sources that the build folder (BUILD=folder,
-default build) compiles by themselves are left out, unless they are named; so are those of src/core, which scripts/lint.sh reads one by one.
+default build) compiles by themselves are left out, unless they are named.
 Two minutes on two cores.
 """
 
@@ -42,10 +42,9 @@ def compiled_alone():
 def main():
     wanted = {os.path.relpath(path, ROOT) for path in sys.argv[1:]}
     done = set() if wanted else compiled_alone()
-    linted = () if wanted else ("src/core/",)
     with tempfile.TemporaryDirectory() as folder:
         found = {source: (words, where) for source, words, where in commands(folder)
-                 if source.startswith("src/") and source not in done and not source.startswith(linted) and (not wanted or source in wanted)}
+                 if source.startswith("src/") and source not in done and (not wanted or source in wanted)}
         def compiled(source):
             words, where = found[source]
             return source, subprocess.run(words, cwd=where, capture_output=True, text=True, check=False)

@@ -22,10 +22,10 @@ constexpr double kSummaryVoxels = 200;  // along the longest side
 // cores, and a share of what the sweeps of a long program take anyway.
 constexpr double kMostColumns = 1.5e6, kColumnsPerCut = 15;
 
-// As so many columns counts one below a cutter with a head that is wider than what is above it, on
+// Cost, in plain columns, of a column below a cutter whose head is wider than what is above it, on
 // a helix or a tilted arc: each distance is a search.
 constexpr double kSearchedColumns = 100;
-// As so many one below such a cutter's other moves: it has two ends.
+// The same below such a cutter's other moves: both ends of the head are asked.
 constexpr double kHeadColumns = 3;
 
 // Of the stock in plan, where the sweeps leave heights: as much time.
@@ -33,15 +33,15 @@ constexpr double kHeightColumns = 60e3, kHeightColumnsPerCut = 0.3;
 // The same, counted once for each sweep over them: up to 0.02 us of one core each. Short moves of a
 // wide tool side by side reach that; each of them passes over many columns.
 constexpr double kColumnsSwept = 25e6, kColumnsSweptPerCut = 20;
-// As so many columns, or sweeps over a column, counts one of a cone or a bull-nosed mill, whose
-// bottom takes longer.
+// The same of a column below a cone or a bull-nosed mill, whose bottom takes longer.
 constexpr double kSlowBottom = 6;
 
 // Below upright arcs, and below helices of all but flat mills, each column asks the chords of a
 // sweep, 5 us, and searches where the cutter is steep.
 constexpr double kSearches = 15e3, kSearchesPerCut = 14;
 
-// Of a voxel: a pass along a finished surface removes less by rounding.
+// Share of a voxel up to which a removed volume is rounding: that of a pass along a finished
+// surface.
 constexpr double kNothing = 1e-3;
 
 // Cuts are asked in pieces, so that a cut that leaves the material counts as air from
@@ -111,7 +111,7 @@ void sum_pieces(const CutPieces& pieces, const std::vector<double>& removed, std
   }
 }
 
-// Cuts shorter than a column may have none of their own. So a way up to a column long is no air
+// Cuts shorter than a column may have none of their own. So a way up to two columns long is no air
 // where the cuts before and after it remove something.
 void close_short_gaps(std::span<const Motion> motions, History& history) {
   const auto is_air = [&](std::size_t i) { return is_cut(motions[i]) && history.air[i] == 1; };

@@ -12,22 +12,22 @@ namespace mrsim {
 namespace {
 
 // What a tool cuts, in mm.
-struct Reach {
+struct InsertReach {
   double lead = 0, radius = 0;  // largest ones
 };
 
-std::vector<Reach> reaches(const Program& program) {
-  std::vector<Reach> reaches(program.tools.size());
+std::vector<InsertReach> reaches(const Program& program) {
+  std::vector<InsertReach> reaches(program.tools.size());
   for (const Motion& m : program.motions) {
     if (!is_cut(m) || m.tool < 0) continue;
-    Reach& reach = reaches[static_cast<std::size_t>(m.tool)];
+    InsertReach& reach = reaches[static_cast<std::size_t>(m.tool)];
     reach.lead = std::max(reach.lead, std::fabs(m.lead));
     reach.radius = std::max({reach.radius, std::fabs(m.start.x), std::fabs(m.end.x)});
   }
   return reaches;
 }
 
-void complete_insert(Tool& tool, const Reach& reach) {
+void complete_insert(Tool& tool, const InsertReach& reach) {
   constexpr double kEdge = 16, kLeastEdge = 1;  // mm
   constexpr double kWidthPerNose = 4;           // a flank is left beside the rounding of 60 degrees
   if (tool.edge_length > 0) return;
@@ -43,7 +43,7 @@ void complete_insert(Tool& tool, const Reach& reach) {
 }  // namespace
 
 void complete_inserts(Program& program) {
-  const std::vector<Reach> cuts = reaches(program);
+  const std::vector<InsertReach> cuts = reaches(program);
   for (std::size_t i = 0; i < cuts.size(); ++i)
     if (is_turning(program.tools[i].type)) complete_insert(program.tools[i], cuts[i]);
 }

@@ -117,7 +117,8 @@ bool may_suit_tolerance(const detail::SurfaceSurvey& survey, bool has_searched_h
 
 bool is_helix(const Motion& motion) { return motion.kind == MotionKind::arc && motion.rise != 0; }
 
-// A helix by a tool whose distance there is not a formula's root (helix_sweep.h).
+// Whether a helix is cut by a tool whose distance has no closed form there, so that each one is
+// searched (helix_sweep.h).
 bool has_searched_helix(const CutList& cuts) {
   std::vector<char> is_searched;
   for (const Tool& tool : cuts.tools())

@@ -29,8 +29,8 @@ MeshPlan chosen_plan(const Job& job, const Stock& stock, const MeshChoice& choic
   return plan;
 }
 
-// The plan of a grid after a mesh within the tolerance was given up: a stage of its own, as how
-// long it takes is not told by how long that was tried.
+// The plan of a grid after a mesh within the tolerance was given up. It is a stage of its own for
+// the progress, because the time of the first try does not tell its time.
 MeshPlan grid_plan(const Job& job, const Stock& stock, const MeshChoice& choice) {
   MeshPlan plan = chosen_plan(job, stock, choice);
   if (job.mesh.progress)

@@ -4,6 +4,7 @@
 #include "core/memory_limit.h"
 #include "mesh/solid/pieces.h"
 #include "removal/part/default_stock.h"
+#include "removal/part/stock_margin.h"
 #include "thread_passes.h"
 
 #include <algorithm>
@@ -41,7 +42,6 @@ void warn_of_thin(JobResult& result) {
 
 // Whether a milling tool cuts at or above the stock's top only, as a face mill at the zero does.
 bool cuts_above(const Program& program, int tool, double top) {
-  constexpr double kSameHeight = 1e-6;  // mm
   return program.machine == MachineKind::mill &&
          std::all_of(program.motions.begin(), program.motions.end(), [&](const Motion& m) {
            return m.tool != tool || !is_cut(m) || std::min(m.start.z, m.end.z) > top - kSameHeight;

@@ -113,7 +113,7 @@ StockShape load_stock(const std::string& spec, const StockOptions& options,
                                  : read_mesh(spec);
   if (options.wrap.distance > 0) found.repair = wrap_stock(mesh, options.wrap);
   if (findings != nullptr) *findings = found;
-  constexpr double kTriangleMemory = 350;  // bytes, measured: what looks for crossings
+  constexpr double kTriangleMemory = 350;  // bytes, measured: the search for self-intersections
   require_memory(kTriangleMemory * double(mesh.triangles.size()),
                  fmt::format("a stock of {} triangles", mesh.triangles.size()),
                  "a coarser mesh takes less");
@@ -178,7 +178,7 @@ Stock carve_part(const Job& job, const StockShape& shape, const CutList& cuts, M
                });
 }
 
-// Makes the mesh, which is checked as it comes. Returns what it holds more than the exact part,
+// Makes the mesh, which is checked as it comes. Returns its volume less that of the exact part,
 // mm^3.
 double make_mesh(const Job& job, JobResult& result, Stock& stock, MeshChoice& choice,
                  MeshMaker& maker) {

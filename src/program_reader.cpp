@@ -49,7 +49,7 @@ class Collector : public MotionSink {
   std::vector<Diagnostic> diagnostics;
 
  private:
-  static constexpr std::size_t kFew = 10000;  // of which nothing is asked
+  static constexpr std::size_t kFew = 10000;  // motions that may be kept without asking for memory
 };
 
 class TraceSinkAdapter : public MotionSink {

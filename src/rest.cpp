@@ -25,7 +25,7 @@
 namespace mrsim {
 namespace {
 
-constexpr double kVoxels = 400;      // along the longest side
+constexpr double kVoxelsOfRest = 400;  // along the longest side
 constexpr double kLeaves = 0.25;     // of what is too thin to be looked for: what a tool may leave
 constexpr double kLargestTool = 64;  // mm
 constexpr double kNear = 2;          // voxels from a piece's surface: inner edges that belong to it
@@ -118,7 +118,7 @@ void find_tools(const NominalSurface& nominal, const Rest& rest, const RestVoxel
 double voxel_of(const RestOptions& options, const Box3& box) {
   const Vec3 size = box.hi - box.lo;
   const double longest = std::max({size.x, size.y, size.z});
-  const double voxel = options.voxel > 0 ? options.voxel : longest / kVoxels;
+  const double voxel = options.voxel > 0 ? options.voxel : longest / kVoxelsOfRest;
   if (longest / voxel > kMostVoxels)
     throw Error("rest-voxel",
                 fmt::format("a voxel of {:g} mm is too small for {:g} mm: {:.3g} mm or more", voxel,

@@ -45,7 +45,7 @@ bool tells_mill(const ToolHint& hint, double unit, double diameter, Tool& said) 
 
 // A remark without a size, as "drill", is about a tool of the table's diameter.
 ToolHint read_remark(const std::string& remark, double diameter) {
-  const ToolHint hint = read_tool_comment(remark);
+  ToolHint hint = read_tool_comment(remark);
   if (!hint.diameters.empty() || remark.empty() || !(diameter > 0)) return hint;
   return read_tool_comment(fmt::format("{} D{:.6g} mm", remark, diameter));
 }

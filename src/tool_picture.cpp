@@ -58,7 +58,8 @@ struct Place {
 
 Place place_of(const std::vector<Outline>& shapes, std::size_t index) {
   Place place;
-  place.corner = {kCell * double(index % kColumns), (kCell + kText) * double(index / kColumns)};
+  const std::size_t row = index / kColumns;
+  place.corner = {kCell * double(index % kColumns), (kCell + kText) * double(row)};
   place.low = place.high = shapes.front().points.front();
   for (const Outline& o : shapes)
     for (const Vec2 p : o.points) {
@@ -85,7 +86,8 @@ struct Drawing {
   std::vector<std::string> labels;
   double width() const { return kCell * double(std::min(tools.size(), kColumns)); }
   double height() const {
-    return (kCell + kText) * double((tools.size() + kColumns - 1) / kColumns);
+    const std::size_t rows = (tools.size() + kColumns - 1) / kColumns;
+    return (kCell + kText) * double(rows);
   }
 };
 

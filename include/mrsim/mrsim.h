@@ -10,9 +10,9 @@
 ///
 /// Errors: faults of files, options and the machine throw mrsim::Error; faults of the program are
 /// Diagnostics. Every function that reads a file may throw "file-missing", "file-unreadable",
-/// "file-is-directory", "file-too-large" and "memory". One that writes a file may throw
-/// "output-unwritable", "output-folder" and "output-full"; the file that was there then stays. The
-/// functions name only what they throw besides.
+/// "file-is-directory", "file-too-large", "file-read-once" and "memory". One that writes a file may
+/// throw "output-unwritable", "output-folder" and "output-full"; the file that was there then
+/// stays. The functions name only what they throw besides.
 ///
 /// Every function may be called from any thread; results do not depend on the number of threads.
 #pragma once
@@ -157,7 +157,9 @@ class MRSIM_API PreparedFiles {
 struct Job {
   std::string program;
   InterpOptions interp;
-  std::string stock;  ///< as load_stock takes it; empty: a box around the program's cuts, reported
+  /// As load_stock takes it. Empty: the stock that the program states, or else a box around its
+  /// cuts, on lathes a bar; reported.
+  std::string stock;
   StockOptions stock_options;
   CarveOptions carve;
   CollisionOptions collisions;

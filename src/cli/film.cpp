@@ -39,7 +39,7 @@ void require_ffmpeg() {
 }
 
 std::string make_film(const std::string& folder) {
-  const std::string film = folder + "/film.webm";
+  std::string film = folder + "/film.webm";
   const int code = run_ffmpeg({"ffmpeg", "-nostdin", "-v", "error", "-y", "-framerate", "12", "-i",
                                folder + "/%04d.png", "-c:v", "libvpx-vp9", "-pix_fmt", "yuv420p",
                                "-crf", "32", "-b:v", "0", film});

@@ -30,8 +30,8 @@ using Json = nlohmann::ordered_json;
 
 constexpr std::size_t kMostShown = 200000;  // triangles of the part
 constexpr std::size_t kMostNominal = 150000;
-constexpr int kMostLines = 200000;       // of a program; beyond, only those around the cuts
-constexpr double kDeviationStep = 1e-4;  // mm
+constexpr int kMostProgramLines = 200000;  // of a program; beyond, only those around the cuts
+constexpr double kDeviationStep = 1e-4;    // mm
 // Bytes, measured: what is shown has at most so many triangles, but comes from copies.
 constexpr double kPage = 25e6, kPartTriangle = 30, kNominalTriangle = 200;
 
@@ -98,9 +98,9 @@ Json mesh_json(const DisplayMesh& display, const Grid& grid, const FaceLines* li
 std::vector<bool> wanted_lines(const Comparison& c, std::size_t file,
                                const std::vector<LineKey>& keys) {
   const auto& text = c.text[file];
-  std::vector<bool> wanted(text.size(), text.size() <= std::size_t(kMostLines));
-  if (text.size() <= std::size_t(kMostLines)) return wanted;
-  int left = kMostLines;
+  std::vector<bool> wanted(text.size(), text.size() <= std::size_t(kMostProgramLines));
+  if (text.size() <= std::size_t(kMostProgramLines)) return wanted;
+  int left = kMostProgramLines;
   for (const LineKey& key : keys) {
     if (key.file != std::int32_t(file) || left <= 0) continue;
     for (int l = std::max(0, key.line - 3); l < std::min(int(text.size()), key.line + 2); ++l)

@@ -14,7 +14,7 @@ namespace {
 
 constexpr std::size_t kCells = 512;  // a side; about one ray a cell
 
-struct Crossing {
+struct RayCrossing {
   std::uint32_t ray;
   double z;
   std::int8_t first, second;  // steps of the winding numbers upwards
@@ -70,7 +70,7 @@ bool left_of(Vec2 a, Vec2 b, Vec2 p) {
 }
 
 void cross_mesh(const TriMesh& mesh, bool is_first, const RayGrid& grid,
-                std::vector<Crossing>& out) {
+                std::vector<RayCrossing>& out) {
   for (std::size_t f = 0; f < mesh.triangles.size(); ++f) {
     const Vec3 n = area_normal(mesh, f);
     if (n.z == 0) continue;
@@ -93,10 +93,10 @@ struct Lengths {
   double excess = 0;             // the winding number of the first less that of the second
 };
 
-Lengths lengths_along(const Crossing* begin, const Crossing* end) {
+Lengths lengths_along(const RayCrossing* begin, const RayCrossing* end) {
   Lengths out;
   int first = 0, second = 0;
-  for (const Crossing* c = begin; c != end; ++c) {
+  for (const RayCrossing* c = begin; c != end; ++c) {
     if (c != begin) {
       const double dz = c->z - (c - 1)->z;
       if (first > 0 && second <= 0) out.first += dz;
@@ -146,12 +146,12 @@ VolumeDifference volume_difference(const TriMesh& first, const TriMesh& second, 
   for (const TriMesh* mesh : {&first, &second})
     for (const auto& v : mesh->vertices) extend(box, to_vec(v));
   const RayGrid grid(box, rays);
-  std::array<std::vector<Crossing>, 2> parts;
+  std::array<std::vector<RayCrossing>, 2> parts;
   parallel_for(2, threads,
                [&](std::size_t i) { cross_mesh(i == 0 ? first : second, i == 0, grid, parts[i]); });
-  std::vector<Crossing> all = std::move(parts[0]);
+  std::vector<RayCrossing> all = std::move(parts[0]);
   all.insert(all.end(), parts[1].begin(), parts[1].end());
-  std::stable_sort(all.begin(), all.end(), [](const Crossing& a, const Crossing& b) {
+  std::stable_sort(all.begin(), all.end(), [](const RayCrossing& a, const RayCrossing& b) {
     return a.ray != b.ray ? a.ray < b.ray : a.z < b.z;
   });
   ControlledMean excess, gouge;

@@ -13,7 +13,7 @@ namespace mrsim {
 struct ChildLimits {
   int seconds = 60;       ///< of processor time; four times as many by the clock
   std::size_t bytes = 0;  ///< of memory beyond what this process has, or what its limit leaves
-  std::string what;       ///< it does, as messages call it: "reading a.step"
+  std::string what;       ///< what the process does, for messages: "reading a.step"
 };
 
 struct ChildOutcome {
@@ -29,8 +29,8 @@ struct ChildOutcome {
 ChildOutcome run_in_child(const ChildLimits& limits,
                           const std::function<void(const ByteSink& sink)>& work);
 
-/// Of a program that is started: of our process, with which it dies and whose streams it has, or of
-/// its own, which says nothing.
+/// Of a program that is started. `ours`: it dies with this process and shares its streams; `own`:
+/// it lives on and is silent.
 enum class ProgramLife { ours, own };
 /// Starts a program that is found by PATH, with the signals as a shell would set them. Its process,
 /// or -1 where it can not be started.

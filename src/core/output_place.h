@@ -1,4 +1,5 @@
-// Where the bytes of an output go, and that no output lands on a file that is none.
+// Where the bytes of an output go: a regular file is replaced, a device, FIFO or socket is written
+// to. An output that would replace an input or another output is refused.
 #pragma once
 
 #include <mrsim/files.h>

@@ -12,6 +12,9 @@ inline constexpr double kInfinity = std::numeric_limits<double>::infinity();
 /// some of them by 1e-11; no control reads steps below 1e-5.
 inline constexpr double kRounding = 1e-9;
 
+/// mm: distances that bound others are widened by this, more than they are rounded.
+inline constexpr double kBoundError = 1e-8;
+
 /// Radians, and products of unit vectors: turns up to this are none.
 inline constexpr double kTurnRounding = 1e-9;
 

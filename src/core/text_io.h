@@ -17,7 +17,7 @@ namespace mrsim {
 std::optional<double> parse_number(std::string_view text, bool exponent = false);
 
 /// The whole file. Throws Error "file-missing", "file-is-directory", "file-unreadable",
-/// "file-too-large" (over `limit` bytes).
+/// "file-too-large" (over `limit` bytes), "file-read-once" (a pipe that was read before), "memory".
 std::string read_file(const std::string& path, std::size_t limit = std::size_t(4) << 30);
 
 /// Writes `path` whole or not at all: a draft beside it, fsync, rename. On any exception,

@@ -2,7 +2,7 @@
 // fault a Diagnostic.
 #pragma once
 
-#include "interp/motion_sink.h"
+#include "interp/text/motion_sink.h"
 #include <mrsim/options.h>
 #include <mrsim/types.h>
 

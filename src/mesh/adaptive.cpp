@@ -14,6 +14,7 @@
 #include "mesh/solid/self_intersection.h"
 #include "mesh/surface/piece_hash.h"
 #include "mesh/surface/surface.h"
+#include "mesh/tiles/mesh_distance.h"
 
 #include <algorithm>
 #include <cmath>
@@ -36,12 +37,11 @@ using detail::PlaceHash;
 using detail::StepTimer;
 using detail::TriangleBound;
 
-constexpr double kBaseShare = 1.0;  ///< of the tolerance, for triangles before simplification
-constexpr double kNearestCorner = 0.5773502691896258;  ///< of the longest side, at most
-constexpr double kBorderShare = 1.0 / 8;               ///< of the voxel, for borders between owners
-constexpr int kCrowdedRounds = 3;          ///< of splitting cells with two pieces of surface
-constexpr double kSecondsPerByte = 3e-8;   ///< of one core: both go with the cells and their faces
-constexpr std::size_t kMostRounds = 24;    ///< of splitting, where a grid may take its place
+constexpr double kBaseShare = 1.0;        ///< of the tolerance, for triangles before simplification
+constexpr double kBorderShare = 1.0 / 8;  ///< of the voxel, for borders between owners
+constexpr int kCrowdedRounds = 3;         ///< of splitting cells with two pieces of surface
+constexpr double kSecondsPerByte = 3e-8;  ///< of one core: both go with the cells and their faces
+constexpr std::size_t kMostRounds = 24;   ///< of splitting, where a grid may take its place
 constexpr std::size_t kCarefulRounds = 4;  ///< of splitting, by one step each
 constexpr std::size_t kDrawnRounds = 8;    ///< in which more detail may take the place of splitting
 
@@ -81,7 +81,7 @@ class AdaptiveMesher {
 
   TriMesh mesh() {
     report_.memory = detail::expected_memory(field_, tree_, options_.tolerance, options_.threads);
-    detail::require_memory(report_.memory, options_.max_memory, options_.tolerance);
+    detail::require_mesh_memory(report_.memory, options_.max_memory, options_.tolerance);
     timer_.expect(kSecondsPerByte * report_.memory / resolve_threads(options_.threads));
     timer_.step("tree");
     nodes_ = tree_.size();
@@ -169,7 +169,7 @@ class AdaptiveMesher {
     const Vec3 &a = mesh.vertices[x[0]], &b = mesh.vertices[x[1]], &c = mesh.vertices[x[2]];
     const double longest = std::max({distance(a, b), distance(b, c), distance(c, a)});
     const TriangleBound found = bound(mesh, t, limit);
-    const double corner = kNearestCorner * longest;
+    const double corner = detail::kNearestCorner * longest;
     return corner <= found.distance ? TriangleBound{corner, true} : found;
   }
 

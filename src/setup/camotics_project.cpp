@@ -14,7 +14,7 @@
 namespace mrsim {
 namespace {
 
-constexpr std::size_t kFileLimit = std::size_t(16) << 20;
+constexpr std::size_t kProjectFileLimit = std::size_t(16) << 20;
 
 [[noreturn]] void fail(const std::string& path, const std::string& what) {
   throw Error("job-value", fmt::format("{}: {}", path, what));
@@ -52,7 +52,7 @@ std::string program_of(const Json& root, const std::string& path) {
 }  // namespace
 
 JobFile load_camotics_project(const std::string& path) {
-  const Json root = parse_json(read_file(path, kFileLimit), path);
+  const Json root = parse_json(read_file(path, kProjectFileLimit), path);
   JobFile job;
   job.program = program_of(root, path);
   const Json& workpiece = json_at(root, "workpiece");

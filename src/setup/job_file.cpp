@@ -19,7 +19,7 @@
 namespace mrsim {
 namespace {
 
-constexpr std::size_t kFileLimit = std::size_t(1) << 20;
+constexpr std::size_t kJobFileLimit = std::size_t(1) << 20;
 constexpr double kLargest = 1e6;
 
 using Value = OptionValue;
@@ -273,7 +273,7 @@ JobFile parse_job(std::string_view text, const std::string& name, bool allow_out
 }
 
 JobFile load_job_file(const std::string& path, bool allow_outside) {
-  return parse_job(read_file(path, kFileLimit), path, allow_outside);
+  return parse_job(read_file(path, kJobFileLimit), path, allow_outside);
 }
 
 }  // namespace mrsim

@@ -12,28 +12,28 @@
 namespace mrsim {
 namespace {
 
-struct Kind {
+struct FusionKind {
   std::string_view name;
   ToolType type;
 };
-constexpr Kind kKinds[] = {{"flat end mill", ToolType::endmill},
-                           {"ball end mill", ToolType::ballmill},
-                           {"bull nose end mill", ToolType::bullmill},
-                           {"face mill", ToolType::endmill},
-                           {"slot mill", ToolType::tslot},
-                           {"chamfer mill", ToolType::chamfer},
-                           {"tapered mill", ToolType::taper},
-                           {"lollipop mill", ToolType::lollipop},
-                           {"drill", ToolType::drill},
-                           {"spot drill", ToolType::drill},
-                           {"center drill", ToolType::drill},
-                           {"counter sink", ToolType::chamfer},
-                           {"counter bore", ToolType::endmill},
-                           {"reamer", ToolType::endmill},
-                           {"tap right hand", ToolType::endmill},
-                           {"tap left hand", ToolType::endmill},
-                           {"boring bar", ToolType::endmill},
-                           {"boring head", ToolType::endmill}};
+constexpr FusionKind kFusionKinds[] = {{"flat end mill", ToolType::endmill},
+                                       {"ball end mill", ToolType::ballmill},
+                                       {"bull nose end mill", ToolType::bullmill},
+                                       {"face mill", ToolType::endmill},
+                                       {"slot mill", ToolType::tslot},
+                                       {"chamfer mill", ToolType::chamfer},
+                                       {"tapered mill", ToolType::taper},
+                                       {"lollipop mill", ToolType::lollipop},
+                                       {"drill", ToolType::drill},
+                                       {"spot drill", ToolType::drill},
+                                       {"center drill", ToolType::drill},
+                                       {"counter sink", ToolType::chamfer},
+                                       {"counter bore", ToolType::endmill},
+                                       {"reamer", ToolType::endmill},
+                                       {"tap right hand", ToolType::endmill},
+                                       {"tap left hand", ToolType::endmill},
+                                       {"boring bar", ToolType::endmill},
+                                       {"boring head", ToolType::endmill}};
 
 void read_angles(const Json& geometry, const std::string& kind, Tool& tool) {
   const double point = json_number(geometry, "SIG").value_or(0);
@@ -83,9 +83,9 @@ void read_tool(const Json& entry, const std::string& name, ToolLibrary& out) {
   tool.id = json_id(json_at(json_at(entry, "post-process"), "number"));
   made.remark = json_text(entry, "description");
   tool.origin = name;
-  const auto* kind = std::find_if(std::begin(kKinds), std::end(kKinds),
-                                  [&](const Kind& k) { return k.name == type; });
-  if (kind == std::end(kKinds))
+  const auto* kind = std::find_if(std::begin(kFusionKinds), std::end(kFusionKinds),
+                                  [&](const FusionKind& k) { return k.name == type; });
+  if (kind == std::end(kFusionKinds))
     return skip_library_tool(out, tool.id, fmt::format("a {} can not be read from Fusion", type));
   tool.type = kind->type;
   const double scale = unit_of(entry);

@@ -18,8 +18,8 @@
 namespace mrsim {
 namespace {
 
-constexpr std::size_t kFileLimit = std::size_t(1) << 20;
-constexpr double kLargest = 1e7;
+constexpr std::size_t kMachineFileLimit = std::size_t(1) << 20;
+constexpr double kLargestRate = 1e7;
 
 // A key with one number, and the least that it may be.
 struct NumberKey {
@@ -77,9 +77,9 @@ class MachineReader {
   }
   double number(std::string_view key, const toml::node& node, double least) const {
     const std::optional<double> value = node.value<double>();
-    if (!node.is_number() || !value || !(*value >= least && *value <= kLargest))
+    if (!node.is_number() || !value || !(*value >= least && *value <= kLargestRate))
       fail(node.source().begin, "machine-value",
-           fmt::format("{} must be a number from {:g} to {:g}", key, least, kLargest));
+           fmt::format("{} must be a number from {:g} to {:g}", key, least, kLargestRate));
     return *value;
   }
   Vec3 axes(std::string_view key, const toml::node& node) const {
@@ -99,8 +99,8 @@ class MachineReader {
     const toml::array* row = node.as_array();
     if (row == nullptr || row->size() != 3)
       fail(node.source().begin, "machine-value", fmt::format("{} must be three numbers", key));
-    return {number(key, (*row)[0], -kLargest), number(key, (*row)[1], -kLargest),
-            number(key, (*row)[2], -kLargest)};
+    return {number(key, (*row)[0], -kLargestRate), number(key, (*row)[1], -kLargestRate),
+            number(key, (*row)[2], -kLargestRate)};
   }
   // limits = { x = [-600, 0], z = [-500, 0] }; an axis without limits ends nowhere.
   Box3 limits(const toml::node& node) const {
@@ -121,8 +121,8 @@ class MachineReader {
              fmt::format("limits.{} must be two numbers: the least and the largest", name.str()));
       double& lo = component(box.lo, int(axis));
       double& hi = component(box.hi, int(axis));
-      lo = number(name.str(), (*range)[0], -kLargest);
-      hi = number(name.str(), (*range)[1], -kLargest);
+      lo = number(name.str(), (*range)[0], -kLargestRate);
+      hi = number(name.str(), (*range)[1], -kLargestRate);
       if (!(lo < hi))
         fail(value.source().begin, "machine-value",
              fmt::format("limits.{}: {:g} is not below {:g}", name.str(), lo, hi));
@@ -194,7 +194,7 @@ MachineData parse_machine(std::string_view text, const std::string& name) {
 }
 
 MachineData load_machine_file(const std::string& path) {
-  return parse_machine(read_file(path, kFileLimit), path);
+  return parse_machine(read_file(path, kMachineFileLimit), path);
 }
 
 }  // namespace mrsim

@@ -1,6 +1,7 @@
 #include "setup/stock_spec.h"
 
 #include "core/text_io.h"
+#include "setup/spec_text.h"
 #include "setup/tool_keys.h"
 
 #include <cmath>
@@ -26,12 +27,6 @@ constexpr Form kForms[] = {{"box", "x0,y0,z0,x1,y1,z1", 6},
       "stock-spec",
       fmt::format("stock \"{}\": {}; write {}:{} in mm", spec, what, form.word, form.arguments),
       Error::Kind::usage);
-}
-
-std::string_view trimmed(std::string_view text) {
-  while (!text.empty() && text.front() == ' ') text.remove_prefix(1);
-  while (!text.empty() && text.back() == ' ') text.remove_suffix(1);
-  return text;
 }
 
 std::vector<double> numbers_of(const std::string& spec, const Form& form) {

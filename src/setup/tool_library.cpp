@@ -16,7 +16,7 @@
 namespace mrsim {
 namespace {
 
-constexpr std::size_t kFileLimit = std::size_t(64) << 20;
+constexpr std::size_t kLibraryFileLimit = std::size_t(64) << 20;
 constexpr std::size_t kMostTools = 20000;
 
 [[noreturn]] void fail_format(const std::string& name, const std::string& what) {
@@ -30,7 +30,7 @@ constexpr std::size_t kMostTools = 20000;
 // The JSON inside Fusion's .tools.
 std::string unpack_tools(std::string_view bytes, const std::string& name) {
   for (const detail::ZipEntry& entry : detail::zip_directory(bytes, name))
-    if (entry.name.ends_with(".json")) return detail::unzip(bytes, entry, kFileLimit, name);
+    if (entry.name.ends_with(".json")) return detail::unzip(bytes, entry, kLibraryFileLimit, name);
   fail_format(name, "is a zip archive without a tool library");
 }
 
@@ -156,7 +156,7 @@ ToolLibrary parse_library(std::string_view bytes, const std::string& name) {
 }
 
 ToolLibrary load_library(const std::string& path) {
-  return parse_library(read_file(path, kFileLimit), path);
+  return parse_library(read_file(path, kLibraryFileLimit), path);
 }
 
 }  // namespace mrsim

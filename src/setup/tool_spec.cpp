@@ -3,6 +3,7 @@
 #include "core/suggest.h"
 #include "core/text_io.h"
 #include "core/tool_types.h"
+#include "setup/spec_text.h"
 #include "setup/tool_keys.h"
 
 #include <string_view>
@@ -14,15 +15,9 @@
 namespace mrsim {
 namespace {
 
-[[noreturn]] void fail(const std::string& spec, const std::string& what) {
+[[noreturn]] void fail_spec(const std::string& spec, const std::string& what) {
   throw Error("tool-spec", fmt::format("tool \"{}\": {}; write it like 4=endmill:d=5", spec, what),
               Error::Kind::usage);
-}
-
-std::string_view trimmed(std::string_view text) {
-  while (!text.empty() && text.front() == ' ') text.remove_prefix(1);
-  while (!text.empty() && text.back() == ' ') text.remove_suffix(1);
-  return text;
 }
 
 // Cuts `rest` at the next separator and returns what stood before it.
@@ -37,12 +32,12 @@ void set_word(Tool& tool, std::string_view key, std::string_view value, const st
   if (key == "insert") {
     tool.insert = std::string(value);
   } else if (key == "hand") {
-    if (value != "left" && value != "right") fail(spec, "hand is left or right");
+    if (value != "left" && value != "right") fail_spec(spec, "hand is left or right");
     tool.left_hand = value == "left";
   } else {  // tip
     const std::optional<double> tip = parse_number(value);
     if (!tip || *tip < 1 || *tip > 9 || *tip != static_cast<int>(*tip))
-      fail(spec, "tip is a whole number from 1 to 9");
+      fail_spec(spec, "tip is a whole number from 1 to 9");
     tool.tip = static_cast<int>(*tip);
     tool.tip_is_nose_centre = tool.tip == 9;
   }
@@ -64,18 +59,18 @@ void set_key(Tool& tool, std::string_view assignment, const std::string& spec) {
   const std::string_view key = next_part(value, '=');
   value = trimmed(value);
   if (assignment.find('=') == assignment.npos)
-    fail(spec, fmt::format("\"{}\" is not of the form key=value", assignment));
+    fail_spec(spec, fmt::format("\"{}\" is not of the form key=value", assignment));
   if (is_turning(tool.type) && (key == "insert" || key == "hand" || key == "tip"))
     return set_word(tool, key, value, spec);
   const ToolKey* known = find_tool_key(key, tool.type);
   if (known == nullptr)
-    fail(spec, fmt::format("unknown key \"{}\"{} (a tool of type {} has: {})", key,
-                           suggestion(key, key_names(tool.type)), tool_type_name(tool.type),
-                           fmt::join(keys_of(tool.type), ", ")));
+    fail_spec(spec, fmt::format("unknown key \"{}\"{} (a tool of type {} has: {})", key,
+                                suggestion(key, key_names(tool.type)), tool_type_name(tool.type),
+                                fmt::join(keys_of(tool.type), ", ")));
   const std::optional<double> number = parse_number(value, true);
-  if (!number) fail(spec, fmt::format("{} = \"{}\" is not a number", key, value));
+  if (!number) fail_spec(spec, fmt::format("{} = \"{}\" is not a number", key, value));
   const std::string wrong = set_number(tool, *known, *number, 1.0);
-  if (!wrong.empty()) fail(spec, fmt::format("{} = {}: {}", known->name, value, wrong));
+  if (!wrong.empty()) fail_spec(spec, fmt::format("{} = {}: {}", known->name, value, wrong));
 }
 
 }  // namespace
@@ -87,7 +82,7 @@ Tool parse_tool_spec(const std::string& spec) {
   const std::size_t equal = head.find('=');
   if (equal != head.npos) {
     tool.id = std::string(trimmed(head.substr(0, equal)));
-    if (tool.id.empty()) fail(spec, "the tool's number or name is missing before \"=\"");
+    if (tool.id.empty()) fail_spec(spec, "the tool's number or name is missing before \"=\"");
     head = trimmed(head.substr(equal + 1));
   }
   // T4 is how the program says it; 4 is its id. "T3.D2" is edge 2 of tool 3.
@@ -97,13 +92,14 @@ Tool parse_tool_spec(const std::string& spec) {
     tool.id.erase(0, 1);
   const std::optional<ToolType> type = tool_type(head);
   if (!type)
-    fail(spec, fmt::format("unknown type \"{}\"{} (types: {})", head,
-                           suggestion(head, tool_type_names()), fmt::join(tool_type_names(), " ")));
+    fail_spec(spec,
+              fmt::format("unknown type \"{}\"{} (types: {})", head,
+                          suggestion(head, tool_type_names()), fmt::join(tool_type_names(), " ")));
   tool.type = *type;
   keys = trimmed(keys);
   while (!keys.empty()) set_key(tool, next_part(keys, ','), spec);
   const std::string wrong = check_tool(tool);
-  if (!wrong.empty()) fail(spec, wrong);
+  if (!wrong.empty()) fail_spec(spec, wrong);
   tool.origin = "--tool";
   return tool;
 }

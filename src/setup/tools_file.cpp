@@ -21,7 +21,7 @@
 namespace mrsim {
 namespace {
 
-constexpr std::size_t kFileLimit = std::size_t(16) << 20;
+constexpr std::size_t kToolsFileLimit = std::size_t(16) << 20;
 
 using Words = std::vector<std::string_view>;
 
@@ -299,7 +299,7 @@ ToolTable parse_tools(std::string_view text, const std::string& name) {
 }
 
 ToolTable load_tools_file(const std::string& path) {
-  return parse_tools(read_file(path, kFileLimit), path);
+  return parse_tools(read_file(path, kToolsFileLimit), path);
 }
 
 }  // namespace mrsim

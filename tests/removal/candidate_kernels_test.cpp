@@ -19,7 +19,7 @@ using namespace testing;
 constexpr std::size_t kSlots = 96;
 
 struct Table {
-  alignas(64) float slots[kNearColumns][kSlots] = {};
+  alignas(64) float slots[kCandidateColumns][kSlots] = {};
   CandidateColumns columns() const { return {slots[0], kSlots}; }
 };
 

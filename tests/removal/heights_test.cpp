@@ -52,7 +52,7 @@ double underside(const Profile& tool, double rho) {
 /// Pieces in columns, padded for whole registers.
 struct PieceColumns {
   static constexpr std::size_t kStride = 320;
-  alignas(64) float values[kNearColumns * kStride] = {};
+  alignas(64) float values[kCandidateColumns * kStride] = {};
   std::size_t count = 0;
 
   void add(const std::vector<LineRecord>& pieces) {
@@ -287,7 +287,7 @@ TEST(Heights, AreTheSameOnEveryInstructionSet) {
     rows.squared = squared, rows.z = columns.values + 2 * PieceColumns::kStride;
     struct Result {
       std::vector<float> lower = std::vector<float>(PieceColumns::kStride), level = lower,
-                         kept = std::vector<float>(kNearColumns * PieceColumns::kStride);
+                         kept = std::vector<float>(kCandidateColumns * PieceColumns::kStride);
       float least, least_level;
       std::size_t count;
     };
@@ -314,7 +314,7 @@ TEST(Heights, AreTheSameOnEveryInstructionSet) {
       ASSERT_TRUE(same(&plain.least, &other.least, 1) &&
                   same(&plain.least_level, &other.least_level, 1));
       ASSERT_EQ(plain.count, other.count);
-      for (std::size_t i = 0; i < kNearColumns; ++i) {
+      for (std::size_t i = 0; i < kCandidateColumns; ++i) {
         if (i == kPackColumn) continue;
         const std::size_t column = i * PieceColumns::kStride;
         ASSERT_TRUE(same(&plain.kept[column], &other.kept[column], plain.count)) << i;

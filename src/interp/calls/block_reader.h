@@ -27,7 +27,7 @@ struct CallRequest {
   bool level = true;  ///< counts as a call: in the depth, and in the places of findings
   std::function<void()> on_start;  ///< before every run
   std::function<void()> on_end;    ///< after every run
-  std::function<void()> on_left;   ///< after the last one, when another call may follow
+  std::function<void()> on_left;   ///< after the last run, once the caller is read again
 };
 
 class BlockReader : public ControlPart {
@@ -74,7 +74,7 @@ class BlockReader : public ControlPart {
   bool replace_line(std::string_view text);
   /// No further runs of what is being read.
   void drop_repeats() { stack_.back().repeats = 0; }
-  /// Ends stretches that are no calls (repeated parts of a program) about what is being read.
+  /// Ends the repeated parts of a program that surround the current position.
   void leave_stretches();
   /// The text ended without a word that says so.
   void end_of_text();

@@ -39,8 +39,9 @@ std::optional<BladeCode> read_mgmn(const Tokens& tokens, std::size_t i) {
 std::optional<BladeCode> read_iscar(const Tokens& tokens, std::size_t i) {
   BladeCode code;
   if (one_of(tokens[i].text, {"DGN", "DGR", "DGL"}) && is_whole(tokens, i + 1, 4)) {
-    code.width = static_cast<int>(tokens[i + 1].value) / 100 / 10.0;
-    code.nose = static_cast<int>(tokens[i + 1].value) % 100 / 10.0;
+    const int number = static_cast<int>(tokens[i + 1].value), tenths = number / 100;
+    code.width = tenths / 10.0;
+    code.nose = number % 100 / 10.0;
     code.end = i + 2;
     return code;
   }

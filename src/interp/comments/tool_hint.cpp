@@ -13,7 +13,7 @@
 namespace mrsim {
 namespace {
 
-constexpr double kSame = 0.02;               // mm: two readings of one size differ by rounding only
+constexpr double kSameSize = 0.02;           // mm: two readings of one size differ by rounding only
 constexpr double kRounded = 0.05;            // mm: a radius in inches with three decimals
 constexpr double kLeastVee = 1;              // mm: of a V-bit; a smaller size is rather its tip's
 constexpr double kLargestWithoutUnit = 150;  // mm: a larger one is rather a size in another unit
@@ -40,7 +40,7 @@ double agreed_diameter(const ToolHint& hint, double unit, std::string& why) {
   bool confirmed = false;
   for (const ToolLength& other : hint.diameters) {
     if (&other == &first) continue;
-    if (std::abs(in_mm(other, unit) - diameter) > kSame) {
+    if (std::abs(in_mm(other, unit) - diameter) > kSameSize) {
       why = fmt::format("can be read as diameter {} or {}", as_written(first), as_written(other));
       return 0;
     }
@@ -83,7 +83,7 @@ bool fill_corner(const ToolHint& hint, double unit, Tool& out, std::string& why)
   const double radius = out.diameter / 2;
   // D of a tapered mill is where its flank meets the plane of the tip: inside a ball's equator.
   const SinCos lean = sincos(out.type == ToolType::taper ? out.taper_angle : 0);
-  if (out.corner_radius > radius * lean.cos / (1 - lean.sin) + kSame) {
+  if (out.corner_radius > radius * lean.cos / (1 - lean.sin) + kSameSize) {
     why = fmt::format("gives a corner radius of {:.6g} mm, more than half the diameter",
                       out.corner_radius);
     return false;
@@ -111,7 +111,7 @@ void fill_cone(const ToolHint& hint, double unit, Tool& out, std::string& why) {
   if (hint.flute_length) out.flute_length = beside(hint.flute_length, hint, unit);
   const bool ball = hint.trade == ToolTrade::cone_ball;
   const double tip = ball ? 2 * out.corner_radius : hint.tip ? beside(hint.tip, hint, unit) : 0;
-  if (tip > 0 && tip < out.diameter - kSame) out.tip_diameter = tip;
+  if (tip > 0 && tip < out.diameter - kSameSize) out.tip_diameter = tip;
   if (!(out.taper_angle > 0))
     why = "gives no taper angle";
   else if (ball && !(out.corner_radius > 0))

@@ -104,7 +104,7 @@ void ControlPart::note_once(const char* code, const std::string& text, const Wor
 double ControlPart::length_unit(const Word& word) const {
   const double unit = modal_.inch ? 25.4 : 1.0;
   if (!options_.least_increments || word.point || !is(Dialect::fanuc)) return unit;
-  return unit * (modal_.inch ? 1e-4 : 1e-3);
+  return unit * modal_.least_increment();
 }
 
 double ControlPart::axis_value(int axis, const Word& word, bool incremental) const {

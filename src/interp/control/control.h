@@ -136,7 +136,7 @@ class ControlPart {
   /// mm per revolution of the block's F, or of E where a FANUC lathe has it instead.
   std::optional<double> thread_lead();
 
-  /// The contour of a cycle has been read: the block of the cycle goes on.
+  /// After the contour of a cycle was read: makes the block of the cycle the current one again.
   void put_back_block(const BlockPlace& place) {
     block_.put_back(place);
     reporter_.set_place(place.file, place.line, place.call, {});

@@ -78,8 +78,10 @@ struct Modal {
   int plane = 0;         ///< 0 = G17, 1 = G18, 2 = G19, 3 = by `normal`
   Vec3 normal{0, 0, 1};  ///< CODESYS G16
   bool incremental = false;
-  bool has_increments = false;   ///< the program has said G91
-  bool inch = false;             ///< lengths
+  bool has_increments = false;  ///< the program has said G91
+  bool inch = false;            ///< lengths
+  /// Of a number without a point, in the program's unit.
+  double least_increment() const { return inch ? 1e-4 : 1e-3; }
   bool inch_feed = false;        ///< feeds
   bool units_given = false;      ///< by a G word of the program
   bool center_absolute = false;  ///< CODESYS G98

@@ -120,7 +120,7 @@ bool DrillWords::peck(const Word& q) {
   modal_.drill.first = 0;
   if (q.point || std::abs(q.value) < kLongPeck || !is(Dialect::fanuc) || options_.least_increments)
     return true;
-  modal_.drill.peck *= modal_.inch ? 1e-4 : 1e-3;
+  modal_.drill.peck *= modal_.least_increment();
   note_once("number-without-point",
             fmt::format("{} without a decimal point counts least increments", text_of(q)), q, "Q");
   return true;

@@ -10,7 +10,7 @@
 namespace mrsim {
 namespace {
 
-constexpr double kMostHoles = 10'000;
+constexpr double kMostHolesOfCall = 10'000;
 constexpr double kMostCircles = 100'000;
 
 }  // namespace
@@ -71,7 +71,7 @@ bool HaasCycles::needs(std::string_view letters) {
 bool HaasCycles::haas_holes(std::vector<Vec3>& points) {
   const double g = block_.oneshot->value;
   long number = 1;
-  if (!needs(g == 71 ? "ILK" : "IL") || !count('L', kMostHoles, number)) return false;
+  if (!needs(g == 71 ? "ILK" : "IL") || !count('L', kMostHolesOfCall, number)) return false;
   const double size = length_of('I');
   const double angle = value_of('J');
   if (g == 72)
@@ -89,11 +89,12 @@ bool HaasCycles::mitsubishi_holes(std::vector<Vec3>& points) {
   if (!needs(g >= 36 ? "IJKP" : "IJK")) return false;
   long number = 1, across = 1;
   const bool clockwise = g == 34 && peek('K')->value < 0;
-  if (!count('K', kMostHoles, number, clockwise) || (g > 37 && !count('P', kMostHoles, across)))
+  if (!count('K', kMostHolesOfCall, number, clockwise) ||
+      (g > 37 && !count('P', kMostHolesOfCall, across)))
     return false;
   const double size = length_of('I');
   if (g > 37) {
-    if (double(number) * double(across) > kMostHoles)
+    if (double(number) * double(across) > kMostHolesOfCall)
       return error("value-range", "too many holes in the grid", *block_.oneshot);
     const double row = length_of('J');
     for (long k = 0; k < number; ++k)

@@ -16,9 +16,6 @@ namespace {
 constexpr double kLargestOfFrame = 1e9;
 constexpr std::size_t kMostIndices = 3;
 
-constexpr std::array<double, 16> kPowersOfTen = {1e0, 1e1, 1e2,  1e3,  1e4,  1e5,  1e6,  1e7,
-                                                 1e8, 1e9, 1e10, 1e11, 1e12, 1e13, 1e14, 1e15};
-
 }  // namespace
 
 bool Evaluator::number(Value& out) {

@@ -25,7 +25,7 @@ constexpr FunctionRow kLinuxcncFunctions[] = {
 };
 
 // FANUC: * / AND MOD before + - OR XOR before comparisons.
-constexpr OperatorRow kFanuc[] = {
+constexpr OperatorRow kFanucOperators[] = {
     {"*", O::multiply, 3},    {"/", O::divide, 3},      {"AND", O::bits_and, 3},
     {"MOD", O::remainder, 3}, {"+", O::add, 2},         {"-", O::subtract, 2},
     {"OR", O::bits_or, 2},    {"XOR", O::bits_xor, 2},  {"EQ", O::equal, 1},
@@ -45,7 +45,7 @@ constexpr FunctionRow kFanucFunctions[] = {
 
 // SINUMERIK: NOT and B_NOT (operands), * / DIV MOD, + -, B_AND, B_XOR, B_OR, AND, XOR, OR, <<,
 // comparisons; the colon of frames binds most closely.
-constexpr OperatorRow kSinumerik[] = {
+constexpr OperatorRow kSinumerikOperators[] = {
     {":", O::chain, 12},       {"*", O::multiply, 10},
     {"/", O::divide, 10},      {"DIV", O::divide_whole, 10},
     {"MOD", O::remainder, 10}, {"+", O::add, 9},
@@ -113,7 +113,7 @@ constexpr FunctionRow kFagorFunctions[] = {
 };
 
 // CODESYS: NOT and functions (operands), MOD, * /, + -, comparisons, AND, XOR, OR.
-constexpr OperatorRow kCodesys[] = {
+constexpr OperatorRow kCodesysOperators[] = {
     {"MOD", O::remainder, 14}, {"*", O::multiply, 13},
     {"/", O::divide, 13},      {"+", O::add, 12},
     {"-", O::subtract, 12},    {"=", O::equal, 10},
@@ -151,7 +151,7 @@ const ExpressionRules& linuxcnc_rules() {
 const ExpressionRules& fanuc_rules() {
   static const ExpressionRules kRules = [] {
     ExpressionRules rules;
-    rules.operators = kFanuc;
+    rules.operators = kFanucOperators;
     rules.functions = kFanucFunctions;
     rules.abbreviated = rules.vacant_is_zero = rules.plain_names = true;
     rules.full_turn = rules.arc_sine_full = true;
@@ -167,7 +167,7 @@ const ExpressionRules& sinumerik_rules() {
     ExpressionRules rules;
     rules.open = '(';
     rules.close = ')';
-    rules.operators = kSinumerik;
+    rules.operators = kSinumerikOperators;
     rules.functions = kSinumerikFunctions;
     rules.spelling = Spelling::names;
     rules.glued_blanks = false;
@@ -198,7 +198,7 @@ const ExpressionRules& codesys_rules() {
     ExpressionRules rules;
     rules.open = '{';
     rules.close = '}';
-    rules.operators = kCodesys;
+    rules.operators = kCodesysOperators;
     rules.functions = kCodesysFunctions;
     rules.spelling = Spelling::plc;
     rules.glued_blanks = false;

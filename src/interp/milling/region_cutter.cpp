@@ -11,7 +11,7 @@ namespace mrsim {
 namespace {
 
 constexpr double kMostRuns = 1e5;  // loops at all levels
-constexpr std::size_t kMostPieces = 3'000;
+constexpr std::size_t kMostBorderPieces = 3'000;
 constexpr double kClosed = 0.01;  // mm between the ends of a contour
 
 }  // namespace
@@ -55,7 +55,7 @@ bool RegionCutter::closed_loop(const std::vector<Motion>& contour, std::size_t f
 bool RegionCutter::clear(const Region& region, double radius, double aside, double step,
                          const Levels& levels, const Word& where) {
   std::vector<Loop> loops;
-  if (region.pieces() > kMostPieces)
+  if (region.pieces() > kMostBorderPieces)
     return error("value-range", "the contours of the pocket have more than 3000 pieces", where);
   if (!clearing_loops(region, radius, aside, step, loops))
     return error("pocket-contour",

@@ -2,9 +2,9 @@
 // Private to src/interp.
 #pragma once
 
-#include "interp/motion_sink.h"
 #include "interp/moves/travel_check.h"
 #include "interp/path/compensation.h"
+#include "interp/text/motion_sink.h"
 #include "interp/tools/compensation_words.h"
 
 #include <vector>

@@ -20,8 +20,7 @@ bool Moves::run() {
     return error("motion-missing", "axis words, and no motion is in force: G0 or G1 before them",
                  block_.words.front());
   const Frame frame = frame_words_.now();
-  const Vec3 from =
-      block_.suppress_frames ? apply_inverse(frame, position_.physical) : position_.programmed;
+  const Vec3 from = position_.programmed;
   const Word* ang = find(angle_address());
   if (pending_angle_.active && !ang) {
     pending_angle_.active = false;

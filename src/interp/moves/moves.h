@@ -54,7 +54,7 @@ class Moves : public ControlPart {
   void dwell(double seconds) { out_.dwell(seconds); }
   /// The position becomes `to`, without a path.
   void jump(const Target& to);
-  /// A block ANG= waits for the next one.
+  /// Whether the first of two blocks with ANG= is held until the second one is read.
   bool waits() const { return pending_angle_.active; }
   /// The program ends.
   void finish();
@@ -77,7 +77,6 @@ class Moves : public ControlPart {
   bool hold_angle(const Word& ang);
   bool two_angle_lines(const Target& to, const Vec3& from, const Frame& frame);
   bool thread_values(const Target& to, const Vec3& from);
-  void sinumerik_lead(const Vec3& path);
   Motion motion_template(const Word& where, MotionKind kind, double lead = 0, double feed = 0);
   void begin_cut(const Word& where, bool has_feed);
   void compare_origins(const Word& where);

@@ -9,8 +9,8 @@
 namespace mrsim {
 namespace {
 
-constexpr double kSame = 1e-6;   // mm
-constexpr double kFalls = 2e-3;  // of a unit tangent: rounded ends of arcs
+constexpr double kSameCorner = 1e-6;  // mm
+constexpr double kFalls = 2e-3;       // of a unit tangent: rounded ends of arcs
 
 Vec2 point_at(const PlanePiece& piece, double along) {
   if (!piece.arc) return piece.start + along * start_tangent(piece);
@@ -54,7 +54,7 @@ PlanePiece turned_piece(const Motion& m, int u, int v, const Vec3& shift) {
 int RoughContour::runs_back() const {
   for (std::size_t i = 0; i < pieces_.size(); ++i) {
     const PlanePiece& piece = pieces_[i];
-    bool back = run_ * (piece.end.y - piece.start.y) < -kSame;
+    bool back = run_ * (piece.end.y - piece.start.y) < -kSameCorner;
     if (piece.arc) {
       back = back || std::abs(piece.sweep) > kPi;
       for (const Vec2 t : {start_tangent(piece), end_tangent(piece)})
@@ -85,7 +85,7 @@ std::vector<FreeStretch> RoughContour::free_at(double u) const {
     for (std::size_t i = 1; i < cuts.size(); ++i) {
       if (cuts[i] - cuts[i - 1] <= 0) continue;
       const Vec2 middle = point_at(piece, (cuts[i - 1] + cuts[i]) / 2);
-      const bool below = rise_ * (middle.x - u) < kSame;
+      const bool below = rise_ * (middle.x - u) < kSameCorner;
       if (below && !free)
         out.push_back({point_at(piece, cuts[i - 1]).y, 0, &piece == pieces_.data() && i == 1});
       free = below;

@@ -11,9 +11,9 @@
 namespace mrsim {
 namespace {
 
-using Names = std::initializer_list<std::string_view>;
+using Phrases = std::initializer_list<std::string_view>;
 
-bool has_any_word(std::string_view c, Names words) {
+bool has_any_word(std::string_view c, Phrases words) {
   return std::any_of(words.begin(), words.end(),
                      [&](std::string_view word) { return has_word(c, word); });
 }
@@ -363,7 +363,7 @@ void DialectSigns::weigh_ngc(const LineScan& s, std::string_view raw, int line) 
 void DialectSigns::weigh_comment(const LineScan& s, int line) {
   if (line > 60) return;
   const std::string comment = upper_case(s.comment.substr(0, 200));
-  const auto weigh = [&](Dialect d, Names words) {
+  const auto weigh = [&](Dialect d, Phrases words) {
     for (const std::string_view word : words)
       if (names(comment, word)) add(d, 8, fmt::format("\"{}\"", word), line);
   };

@@ -4,6 +4,7 @@
 #include "core/text_io.h"
 #include "core/trig.h"
 #include "core/units.h"
+#include "interp/cycles/iso_pitch.h"
 #include "interp/text/characters.h"
 #include "interp/words/unread_modes.h"
 
@@ -66,16 +67,6 @@ bool measures(std::string_view name) {
 }
 
 }  // namespace
-
-double iso_pitch(double thread) {
-  static constexpr std::array<std::pair<double, double>, 22> kPitches = {
-      {{3, 0.5}, {4, 0.7},  {5, 0.8},  {6, 1},    {8, 1.25}, {10, 1.5}, {12, 1.75}, {14, 2},
-       {16, 2},  {18, 2.5}, {20, 2.5}, {22, 2.5}, {24, 3},   {27, 3},   {30, 3.5},  {33, 3.5},
-       {36, 4},  {39, 4},   {42, 4.5}, {45, 4.5}, {48, 5},   {52, 5}}};
-  for (const auto& [size, pitch] : kPitches)
-    if (thread == size) return pitch;
-  return 0;
-}
 
 bool SinumerikCycles::knows(std::string_view name) {
   return is_cycle(name) || is_of_802(name) || MillCycles::knows(name) ||

@@ -13,7 +13,7 @@
 namespace mrsim {
 namespace {
 
-constexpr double kMostHoles = 10'000;
+constexpr double kMostHolesOfPattern = 10'000;
 
 }  // namespace
 
@@ -77,7 +77,7 @@ bool SinumerikCycles::swivel(const Call& call) {
 // SPCA SPCO STA1 FDIS DBH NUM: holes on a line.
 bool SinumerikCycles::row(const Call& call) {
   const double count = call.get(5), unit = scale();
-  if (count < 0 || count > kMostHoles)
+  if (count < 0 || count > kMostHolesOfPattern)
     return error("value-range", "HOLES1: the number of holes is 1 to 10000", where());
   const SinCos sc = sincos_deg(call.get(2));
   std::vector<Vec2> list;
@@ -94,7 +94,7 @@ bool SinumerikCycles::row(const Call& call) {
 // CPA CPO RAD STA1 INDA NUM: holes on a circle; INDA 0: all round.
 bool SinumerikCycles::circle(const Call& call) {
   const double count = call.get(5), unit = scale();
-  if (count < 1 || count > kMostHoles)
+  if (count < 1 || count > kMostHolesOfPattern)
     return error("value-range", "HOLES2: the number of holes is 1 to 10000", where());
   const double step = call.get(4) != 0 ? call.get(4) : 360 / std::floor(count);
   std::vector<Vec2> list;
@@ -109,7 +109,7 @@ bool SinumerikCycles::circle(const Call& call) {
 // SPCA SPCO STA DIS1 DIS2 NUM1 NUM2: a grid, or its frame alone (VARI 1).
 bool SinumerikCycles::grid(const Call& call) {
   const double columns = call.get(5), rows = call.get(6), unit = scale();
-  if (columns < 1 || rows < 1 || columns * rows > kMostHoles)
+  if (columns < 1 || rows < 1 || columns * rows > kMostHolesOfPattern)
     return error("value-range", "CYCLE801: the number of holes is 1 to 10000", where());
   const bool frame = static_cast<int>(call.get(7)) % 10 == 1;
   const int nu = static_cast<int>(columns), nv = static_cast<int>(rows);

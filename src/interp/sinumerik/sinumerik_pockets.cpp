@@ -9,7 +9,7 @@
 namespace mrsim {
 namespace {
 
-constexpr int kRough = 1, kFloor = 3, kWall = 4, kChamfer = 5;
+constexpr int kRoughing = 1, kFloor = 3, kWall = 4, kChamfer = 5;
 
 }  // namespace
 
@@ -23,7 +23,7 @@ bool SinumerikContours::pocket_levels(RegionCutter::Levels& l) {
                    where_);
   if (call_.values.size() > 26)
     return error("not-supported", "CYCLE63: a list of more than 26 values", where_);
-  if (kind != kRough && (kind < kFloor || kind > kChamfer))
+  if (kind != kRoughing && (kind < kFloor || kind > kChamfer))
     return error("not-supported",
                  fmt::format("CYCLE63: VARI {:g} is not supported; its unit is 1 (roughing), 3 "
                              "(finishing the floor), 4 (the wall) or 5 (chamfering)",

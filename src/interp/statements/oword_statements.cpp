@@ -271,7 +271,7 @@ bool OwordStatements::call(const std::string& name, std::size_t from, std::size_
   return values(p, arguments) && enter_sub(name, {}, std::move(arguments), place_word(from, p));
 }
 
-bool OwordStatements::call_sub(const std::string& name, CallRequest request, const Word& word) {
+bool OwordStatements::call_sub(const std::string& name, CallRequest&& request, const Word& word) {
   return enter_sub(name, std::move(request), {}, word);
 }
 

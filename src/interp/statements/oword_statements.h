@@ -22,7 +22,7 @@ class OwordStatements : public Statements {
     return saved_modes_.run(m, reader_.depth(), word);
   }
   bool call_program(const SubprogramName& name, long repeats, const Word& word) override;
-  bool call_sub(const std::string& name, CallRequest request, const Word& word) override;
+  bool call_sub(const std::string& name, CallRequest&& request, const Word& word) override;
 
  protected:
   bool statement(std::size_t p) override;

@@ -131,7 +131,7 @@ std::string SinumerikStatements::behind_attributes(std::size_t& p, bool& global)
                                                   "APRP", "APWP", "APRB", "APWB"};
   for (;;) {
     std::size_t q = p;
-    const std::string word = name_at(q);
+    std::string word = name_at(q);
     const bool plain = std::find(std::begin(kPlain), std::end(kPlain), word) != std::end(kPlain);
     const bool counted =
         std::find(std::begin(kCounted), std::end(kCounted), word) != std::end(kCounted);

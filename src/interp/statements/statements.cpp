@@ -103,7 +103,7 @@ LanguageReader::Answer Statements::value(std::string_view line, std::size_t& p, 
   const bool length = word.address < Address::function &&
                       std::string_view("XYZUVWIJKRABCQ").find(c) != std::string_view::npos;
   const bool steps = length && is(Dialect::fanuc) && !whole;  // ROUND in a word of FANUC's macros
-  evaluator_.set_round_step(!steps ? 1 : modal_.inch ? 1e-4 : 1e-3);
+  evaluator_.set_round_step(!steps ? 1 : modal_.least_increment());
   Value out;
   const bool ok = whole ? evaluator_.expression(line, p, out) : evaluator_.operand(line, p, out);
   evaluator_.set_round_step(1);
@@ -279,7 +279,7 @@ bool Statements::saved_modes(int m, const Word& word) {
   return error("not-supported", fmt::format("M{} is not a word of this control", m), word);
 }
 
-bool Statements::call_sub(const std::string& name, CallRequest, const Word& word) {
+bool Statements::call_sub(const std::string& name, CallRequest&&, const Word& word) {
   return error("subprogram-missing", "there is no subprogram " + name, word);
 }
 

@@ -37,9 +37,9 @@ class Statements : public ControlPart, public LanguageReader {
   virtual bool saved_modes(int m, const Word& word);
   /// The main program's text ends without a word that says so.
   virtual void end_of_main() {}
-  /// After a block of words; `moved`: it had a motion.
   /// MCALL of a program is in force.
   virtual bool has_modal_call() const { return false; }
+  /// After a block of words; `moved`: it had a motion.
   virtual void end_block(bool moved) { (void)moved; }
   /// A call by number or name without arguments. False: reported.
   virtual bool call_program(const SubprogramName& name, long repeats, const Word& word) {
@@ -47,7 +47,7 @@ class Statements : public ControlPart, public LanguageReader {
   }
   /// A subprogram of the control's language without arguments; `request` says what happens about
   /// it. False: reported.
-  virtual bool call_sub(const std::string& name, CallRequest request, const Word& word);
+  virtual bool call_sub(const std::string& name, CallRequest&& request, const Word& word);
   /// Who knows the data of the tool in the spindle.
   void set_tools(ToolChanger& tools) { system_.set_tools(tools); }
   /// The values of a call whose text between the brackets is `argument`, a part of the block's
@@ -81,7 +81,6 @@ class Statements : public ControlPart, public LanguageReader {
   /// anything, it starts the program again for the next part.
   bool jump_always(const Place& to);
   bool number(std::size_t& p, double& out, bool whole);
-  /// Values in brackets up to the end: "[1] [#2]".
   bool store(double number, const Value& value, std::size_t from, std::size_t to);
   bool store(std::string_view name, std::span<const Value> indices, const Value& value,
              std::size_t from, std::size_t to);

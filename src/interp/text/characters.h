@@ -1,6 +1,7 @@
 // Character classes of NC text: ASCII only, whatever the locale.
 #pragma once
 
+#include <array>
 #include <string>
 #include <string_view>
 
@@ -11,6 +12,10 @@ constexpr bool is_digit(char c) { return c >= '0' && c <= '9'; }
 constexpr bool is_letter(char c) { return upper(c) >= 'A' && upper(c) <= 'Z'; }
 constexpr bool is_name(char c) { return is_letter(c) || is_digit(c) || c == '_'; }
 constexpr bool starts_number(char c) { return is_digit(c) || c == '+' || c == '-' || c == '.'; }
+
+/// Exact: a mantissa below 2^53 divided by a power of ten up to 10^22 is correctly rounded.
+inline constexpr std::array<double, 16> kPowersOfTen = {
+    1e0, 1e1, 1e2, 1e3, 1e4, 1e5, 1e6, 1e7, 1e8, 1e9, 1e10, 1e11, 1e12, 1e13, 1e14, 1e15};
 
 inline std::string upper_case(std::string_view text) {
   std::string out(text);

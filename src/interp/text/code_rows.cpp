@@ -15,7 +15,7 @@ constexpr Row kShared[] = {{0, C::rapid, G::motion},          {10, C::line, G::m
                            {420, C::comp_right, G::comp},     {900, C::absolute, G::distance},
                            {910, C::incremental, G::distance}};
 
-constexpr Row kSinumerik[] = {
+constexpr Row kSinumerikCodes[] = {
     {90, C::path_stops_once, G::other},
     {220, C::diameter_off, G::diameter},  // 802S, 802C
     {230, C::diameter_on, G::diameter},
@@ -88,7 +88,7 @@ constexpr Row kSinumerik[] = {
 };
 
 // FANUC words that mean the same on mills and lathes.
-constexpr Row kFanuc[] = {
+constexpr Row kFanucCodes[] = {
     {50, C::high_speed, G::path},
     {51, C::high_speed, G::path},
     {53, C::high_speed, G::path},  // Hurco's surface quality
@@ -232,7 +232,7 @@ constexpr Row kFanucLathe[] = {
     {990, C::per_revolution, G::feed},
 };
 
-// G6, G36 and G39 are read before the others (control/iso_words).
+// G6, G36 and G39 are read before the others (words/iso_words).
 constexpr Row kIso[] = {
     {50, C::high_speed, G::path},
     {51, C::high_speed, G::path},
@@ -276,7 +276,7 @@ constexpr Row kIso[] = {
     {970, C::surface_speed_off, G::speed},
 };
 
-constexpr Row kCodesys[] = {
+constexpr Row kCodesysCodes[] = {
     {50, C::unsupported, G::motion},      {60, C::unsupported, G::motion},
     {80, C::unsupported, G::motion},      {90, C::unsupported, G::motion},
     {100, C::unsupported, G::motion},     {120, C::unsupported, G::motion},
@@ -363,12 +363,12 @@ constexpr Row kNgc[] = {
 }  // namespace
 
 std::span<const CodeRow> shared_codes() { return kShared; }
-std::span<const CodeRow> sinumerik_codes() { return kSinumerik; }
-std::span<const CodeRow> fanuc_codes() { return kFanuc; }
+std::span<const CodeRow> sinumerik_codes() { return kSinumerikCodes; }
+std::span<const CodeRow> fanuc_codes() { return kFanucCodes; }
 std::span<const CodeRow> fanuc_mill_codes() { return kFanucMill; }
 std::span<const CodeRow> fanuc_lathe_codes() { return kFanucLathe; }
 std::span<const CodeRow> iso_codes() { return kIso; }
-std::span<const CodeRow> codesys_codes() { return kCodesys; }
+std::span<const CodeRow> codesys_codes() { return kCodesysCodes; }
 std::span<const CodeRow> linuxcnc_codes() { return kNgc; }
 
 }  // namespace mrsim

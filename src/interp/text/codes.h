@@ -142,7 +142,6 @@ enum class Code : std::uint8_t {
   fagor_scale,       ///< G72 S
   fagor_turn,        ///< G73 Q
   fagor_pocket,      ///< G87 G88 with J and B
-  program_end,
   program_return,
   header,
 };

@@ -11,13 +11,7 @@
 #include <fmt/format.h>
 
 namespace mrsim {
-namespace {
-
-// Exact: a mantissa below 2^53 divided by a power of ten up to 10^22 is correctly rounded.
-constexpr std::array<double, 16> kPowersOfTen = {1e0, 1e1, 1e2,  1e3,  1e4,  1e5,  1e6,  1e7,
-                                                 1e8, 1e9, 1e10, 1e11, 1e12, 1e13, 1e14, 1e15};
-
-}  // namespace
+namespace {}  // namespace
 
 void LineParser::skip_blanks() {
   while (p_ < line_.size() && blank(line_[p_])) ++p_;

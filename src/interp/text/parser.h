@@ -1,6 +1,7 @@
 // Characters to blocks: one line of text holds one block, or several (FANUC ";", CODESYS "N").
-// Lexical rules of the four dialects are flags; every fault is reported at its character and the
-// rest of the block is still read, so that one run shows all of them.
+// Rules that a control does not share with the others are classes of their own; every fault is
+// reported at its character and the rest of the block is still read, so that one run shows all of
+// them.
 #pragma once
 
 #include "interp/text/line_parser.h"

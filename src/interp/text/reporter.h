@@ -2,8 +2,8 @@
 // Of a kind, 100 findings are told and the rest is counted: a damaged program is no flood.
 #pragma once
 
-#include "interp/motion_sink.h"
 #include "interp/text/block.h"
+#include "interp/text/motion_sink.h"
 
 #include <map>
 #include <string>

@@ -13,7 +13,7 @@
 namespace mrsim {
 namespace {
 
-constexpr std::size_t kLongestName = 32;
+constexpr std::size_t kLongestVariable = 32;
 constexpr std::pair<std::string_view, Address> kAddresses[] = {
     {"CR", Address::cr},     {"AR", Address::ar},       {"AP", Address::ap},
     {"RP", Address::rp},     {"TURN", Address::turn},   {"RND", Address::rnd},
@@ -122,9 +122,9 @@ void SinumerikWords::read(Block& block) {
 // "NAME:", p_ on the colon.
 void SinumerikWords::label(Block& block, std::size_t from, std::size_t end) {
   ++p_;
-  if (end - from < 2 || end - from > kLongestName)
-    fault(block, "label-length", fmt::format("a label has 2 to {} characters", kLongestName), from,
-          end);
+  if (end - from < 2 || end - from > kLongestVariable)
+    fault(block, "label-length", fmt::format("a label has 2 to {} characters", kLongestVariable),
+          from, end);
 }
 
 // "L1:", "N10:": read as words, so they name no place.
@@ -212,9 +212,9 @@ void SinumerikWords::program_name(Block& block, std::size_t from, std::string_vi
   }
   const std::string_view what = unsupported_name(name);
   if (!what.empty()) return unsupported(block, run, what, from);
-  if (run.size() > kLongestName)
+  if (run.size() > kLongestVariable)
     return fault(block, "name-too-long",
-                 fmt::format("a name has at most {} characters", kLongestName), from, p_);
+                 fmt::format("a name has at most {} characters", kLongestVariable), from, p_);
   word.text = run;
   push(block, word, from);
 }

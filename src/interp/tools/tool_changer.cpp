@@ -37,7 +37,7 @@ std::string ToolChanger::id_of(const Word& word) {
   if (is(Dialect::ngc)) return mach_station(number, digits, text, word);
   const long station = turret_station(number, digits);
   const long offset = number - station * (digits == 8 ? 10000 : 1000);
-  const std::string whole = fmt::format("{}", number);
+  std::string whole = fmt::format("{}", number);
   if (digits >= turret_digits() && given(whole) != nullptr) return whole;
   const bool thrice = digits == 6 && number == station * 10101;
   if ((digits == 6 || digits == 8) && offset != 0 && offset != station && !thrice)
@@ -57,7 +57,7 @@ std::size_t ToolChanger::turret_digits() const {
 // T0101 is tool 1 with offset 1 in Mach; LinuxCNC would look for tool 101.
 std::string ToolChanger::mach_station(long number, std::size_t digits, const std::string& text,
                                       const Word& word) {
-  const std::string whole = fmt::format("{}", number);
+  std::string whole = fmt::format("{}", number);
   if (digits != turret_digits() || number < 100 || given(whole) != nullptr) return whole;
   note_once("tool-station",
             fmt::format("{} is read as tool {} with offset {}, as Mach does; if it is tool {}, "

@@ -74,7 +74,7 @@ bool ContourCycles::counts_thousandths(std::string_view letters, double least) {
 
 double ContourCycles::cycle_unit(const Word& word) const {
   const bool least = modal_.turn_settings.thousandths && !word.point;
-  return length_unit(word) * (!least ? 1 : modal_.inch ? 1e-4 : 1e-3);
+  return length_unit(word) * (!least ? 1 : modal_.least_increment());
 }
 
 bool ContourCycles::run() {

@@ -11,7 +11,7 @@
 namespace mrsim {
 namespace {
 
-constexpr std::size_t kMostPieces = 100'000;
+constexpr std::size_t kMostContourPieces = 100'000;
 constexpr double kMostFinishes = 10'000;
 
 }  // namespace
@@ -179,8 +179,8 @@ bool LinuxCncTurning::move_to(const Word& place) {
       return error("cycle-contour", "the contour of a cycle begins with G0 or G1, the way to it",
                    place);
   }
-  if (pieces_.size() > kMostPieces)
-    return error("value-range", fmt::format("more than {} pieces", kMostPieces), place);
+  if (pieces_.size() > kMostContourPieces)
+    return error("value-range", fmt::format("more than {} pieces", kMostContourPieces), place);
   end = to.programmed;
   piece.start = unit * in_plane(basis(), at_);
   piece.end = unit * in_plane(basis(), end);

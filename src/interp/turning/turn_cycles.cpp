@@ -16,7 +16,7 @@ namespace {
 
 constexpr std::array<std::string_view, 6> kTurnCycles = {"CYCLE92", "CYCLE93", "CYCLE951",
                                                          "CYCLE97", "CYCLE98", "CYCLE99"};
-constexpr double kMostPasses = 1e5;
+constexpr double kMostTurningPasses = 1e5;
 
 double sign(double v) { return v < 0 ? -1 : 1; }
 
@@ -78,7 +78,7 @@ bool TurnCycles::corner_values(Corner& c) {
     c.allowance = {-sign(whole.x) * std::abs(call_.get(8)) * unit, 0,
                    -sign(whole.z) * std::abs(call_.get(9)) * unit};
     if (c.depth <= 0) return fail("value-missing", "CYCLE951 needs MID, the depth of a pass");
-    if (std::abs(component(whole, c.u)) / c.depth > kMostPasses)
+    if (std::abs(component(whole, c.u)) / c.depth > kMostTurningPasses)
       return fail("value-range", "too many passes");
   }
   return true;
@@ -270,7 +270,7 @@ bool TurnCycles::groove() {
   if (!groove_values(g)) return false;
   const Flank &first = g.flanks[0], &last = g.flanks[1];
   const double in = sign(g.bottom - g.top), travel = last.place - first.place;
-  if (std::abs(g.bottom - g.top) > kMostPasses * g.infeed && g.infeed > 0)
+  if (std::abs(g.bottom - g.top) > kMostTurningPasses * g.infeed && g.infeed > 0)
     return fail("value-range", "too many passes");
   const double most = std::abs(travel), run = sign(travel);
   double before = std::max(g.flank_allowance - first.corner, 0.0),
@@ -282,7 +282,8 @@ bool TurnCycles::groove() {
   }
   const double begin = first.place + run * (first.corner + before),
                end = last.place - run * (last.corner + behind);
-  if (std::abs(end - begin) > kMostPasses * g.step) return fail("value-range", "too many passes");
+  if (std::abs(end - begin) > kMostTurningPasses * g.step)
+    return fail("value-range", "too many passes");
   to(g.clear, position_.programmed.z, MotionKind::rapid);
   const int n = std::abs(end - begin) < kRounding ? 0 : steps_of(std::abs(end - begin), g.step);
   for (int i = 0; i <= n; ++i)

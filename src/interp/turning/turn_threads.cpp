@@ -1,5 +1,6 @@
 // CYCLE97 cuts a thread, CYCLE98 a chain of up to three, CYCLE99 one by the current list.
 #include "core/trig.h"
+#include "interp/cycles/iso_pitch.h"
 #include "interp/turning/turn_cycles.h"
 
 #include <algorithm>

@@ -38,7 +38,7 @@ bool TurnWords::wants_block() const {
 
 // P and Q of the cycles, and R beside them, count least increments where no point is written.
 double TurnWords::least(const Word& word) const {
-  return word.value * (word.point ? scale() : scale() * (modal_.inch ? 1e-4 : 1e-3));
+  return word.value * (word.point ? scale() : scale() * modal_.least_increment());
 }
 
 void TurnWords::go(double x, double z, MotionKind kind, double lead) {

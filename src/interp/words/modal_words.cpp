@@ -9,6 +9,31 @@
 #include <fmt/format.h>
 
 namespace mrsim {
+namespace {
+
+bool is_motion(Code code) {
+  switch (code) {
+    case Code::rapid:
+    case Code::line:
+    case Code::arc_cw:
+    case Code::arc_ccw:
+    case Code::thread:
+    case Code::thread_growing:
+    case Code::thread_shrinking:
+    case Code::tap_in:
+    case Code::tap_out:
+    case Code::tap_return:
+    case Code::spline_cubic:
+    case Code::spline_quadratic:
+    case Code::nurbs:
+    case Code::nurbs_end:
+      return true;
+    default:
+      return false;
+  }
+}
+
+}  // namespace
 
 bool ModalWords::apply() {
   bool ok = true;
@@ -83,6 +108,51 @@ bool ModalWords::pause(const Word& word) {
   return true;
 }
 
+bool ModalWords::refuse_unknown(const Word& word) {
+  return error("g-unknown",
+               fmt::format("G{:g} is not known to this control{}", word.value,
+                           is(Dialect::sinumerik) ? " (alarm 12470)"
+                           : is(Dialect::fanuc)   ? " (alarm 010)"
+                                                  : ""),
+               word);
+}
+
+// G70 and G71 alone are units.
+bool ModalWords::hole_pattern(const Word& word, Code code) {
+  if ((word.value == 70 || word.value == 71) && !peek('I') && !peek('L'))
+    return plain_.apply(word.value == 70 ? Code::inch_feed : Code::metric_feed, word);
+  return for_oneshot(word, code);
+}
+
+bool ModalWords::ignore_words() {
+  for (const Word& other : block_.words)
+    if (other.address != letter('G') && other.address != letter('M')) take(other.address);
+  return true;
+}
+
+bool ModalWords::select_motion(const Word& word, Code code) {
+  modal_.drill.number = 0;
+  modal_.turn.number = 0;
+  block_.motion_code = &word;
+  modal_.motion = code;
+  return true;
+}
+
+bool ModalWords::end_cycle(const Word& word, Code code) {
+  modal_.drill.number = 0;
+  block_.ends_cycle = &word;
+  if (code == Code::motion_off && !block_.motion_code) modal_.motion = code;
+  return true;
+}
+
+bool ModalWords::select_path_mode(const Word& word, Code code) {
+  block_.path_mode = code == Code::path_continuous ? PathMode::continuous
+                     : code == Code::path_exact    ? PathMode::exact_path
+                     : code == Code::path_stops    ? PathMode::exact_stop
+                                                   : PathMode::exact_once;
+  return code == Code::path_stops_once || path_control(word);
+}
+
 bool ModalWords::apply_code(const Word& word, const CodeEntry& entry) {
   if (is(Dialect::iso) && word.value >= 20 && word.value <= 29 && block_.number_behind(word))
     return error("not-supported",
@@ -95,12 +165,7 @@ bool ModalWords::apply_code(const Word& word, const CodeEntry& entry) {
       if (!is(Dialect::ngc)) return apply_modal_code(word, entry);
       return pause(word);
     case Code::unknown:
-      return error("g-unknown",
-                   fmt::format("G{:g} is not known to this control{}", word.value,
-                               is(Dialect::sinumerik) ? " (alarm 12470)"
-                               : is(Dialect::fanuc)   ? " (alarm 010)"
-                                                      : ""),
-                   word);
+      return refuse_unknown(word);
     case Code::turn_pass:
       return select_turning(word, entry.number);
     case Code::turn_cycle:
@@ -121,9 +186,7 @@ bool ModalWords::apply_code(const Word& word, const CodeEntry& entry) {
     case Code::contour_pocket:
       return for_oneshot(word, entry.code);
     case Code::hole_pattern:
-      if ((word.value == 70 || word.value == 71) && !peek('I') && !peek('L'))
-        return plain_.apply(word.value == 70 ? Code::inch_feed : Code::metric_feed, word);
-      return for_oneshot(word, entry.code);
+      return hole_pattern(word, entry.code);
     case Code::reference_store:
       if (position_.known == 7)
         control_.stored_places[word.value < 30 ? 0 : 1] = position_.physical;
@@ -131,21 +194,12 @@ bool ModalWords::apply_code(const Word& word, const CodeEntry& entry) {
     case Code::ignored:
       return true;
     case Code::path_continuous:
-      block_.path_mode = PathMode::continuous;
-      return path_control(word);
     case Code::path_exact:
-      block_.path_mode = PathMode::exact_path;
-      return path_control(word);
     case Code::path_stops:
-      block_.path_mode = PathMode::exact_stop;
-      return path_control(word);
     case Code::path_stops_once:
-      block_.path_mode = PathMode::exact_once;
-      return true;
+      return select_path_mode(word, entry.code);
     case Code::ignored_words:
-      for (const Word& other : block_.words)
-        if (other.address != letter('G') && other.address != letter('M')) take(other.address);
-      return true;
+      return ignore_words();
     case Code::high_speed:
       return high_speed(word);
     case Code::drill_cycle:
@@ -153,10 +207,7 @@ bool ModalWords::apply_code(const Word& word, const CodeEntry& entry) {
       return true;
     case Code::cycle_off:
     case Code::motion_off:
-      modal_.drill.number = 0;
-      block_.ends_cycle = &word;
-      if (entry.code == Code::motion_off && !block_.motion_code) modal_.motion = entry.code;
-      return true;
+      return end_cycle(word, entry.code);
     case Code::return_initial:
     case Code::return_r:
       modal_.return_told = true;
@@ -165,33 +216,14 @@ bool ModalWords::apply_code(const Word& word, const CodeEntry& entry) {
     case Code::probe:
       if (!peek('X') && !peek('Y') && !peek('Z'))
         return error("motion-missing", "a probing move needs an axis", word);
-      if (!is(Dialect::ngc)) return for_one_block(word, entry.code);  // G31
-      [[fallthrough]];
+      return is(Dialect::ngc) ? select_motion(word, entry.code)
+                              : for_one_block(word, entry.code);  // G31
     case Code::arc_point:
     case Code::arc_tangent:
-      if (is(Dialect::iso)) return for_one_block(word, entry.code);
-      [[fallthrough]];
-    case Code::rapid:
-    case Code::line:
-    case Code::arc_cw:
-    case Code::arc_ccw:
-    case Code::thread:
-    case Code::thread_growing:
-    case Code::thread_shrinking:
-    case Code::tap_in:
-    case Code::tap_out:
-    case Code::tap_return:
-    case Code::spline_cubic:
-    case Code::spline_quadratic:
-    case Code::nurbs:
-    case Code::nurbs_end:
-      modal_.drill.number = 0;
-      modal_.turn.number = 0;
-      block_.motion_code = &word;
-      modal_.motion = entry.code;
-      return true;
+      return is(Dialect::iso) ? for_one_block(word, entry.code) : select_motion(word, entry.code);
     default:
-      return apply_modal_code(word, entry);
+      return is_motion(entry.code) ? select_motion(word, entry.code)
+                                   : apply_modal_code(word, entry);
   }
 }
 
@@ -237,7 +269,7 @@ bool ModalWords::units_of_mach(const Word& word) {
 bool ModalWords::refuse(const Word& word) {
   const std::string_view what =
       word.address == letter('G')
-          ? unsupported_code(control_.dialect, static_cast<int>(word.value * 10 + 0.5))
+          ? unsupported_code(control_.dialect, static_cast<int>(std::lround(word.value * 10)))
           : std::string_view();
   return error("not-supported",
                what.empty() ? fmt::format("{} is not supported yet", text_of(word))

@@ -31,6 +31,12 @@ class ModalWords : public ControlPart {
   bool refuse(const Word& word);
   bool for_oneshot(const Word& word, Code code);
   bool for_one_block(const Word& word, Code code);
+  bool refuse_unknown(const Word& word);
+  bool hole_pattern(const Word& word, Code code);
+  bool ignore_words();
+  bool select_motion(const Word& word, Code code);
+  bool end_cycle(const Word& word, Code code);
+  bool select_path_mode(const Word& word, Code code);
   bool path_control(const Word& word);
   bool orients_spindle() const;
   bool high_speed(const Word& word);

@@ -2,6 +2,7 @@
 
 #include "interp/text/characters.h"
 
+#include <cmath>
 #include <string_view>
 
 #include <fmt/format.h>
@@ -28,7 +29,7 @@ constexpr int kIsoMode = 2910, kSiemensMode = 2900;
 
 int number_by_10(const Word& word) {
   return word.address == letter('G') && word.value >= 0 && word.value < 1e4
-             ? static_cast<int>(word.value * 10 + 0.5)
+             ? static_cast<int>(std::lround(word.value * 10))
              : -1;
 }
 

@@ -16,7 +16,7 @@ WordIndex::WordIndex(Control& control) : ControlPart(control) {
                                    : is(Dialect::iso) ? "ABCDFGHIJKLMNOPQRSTXYZ"
                                    : lathe()          ? "ABCDEFGHIJKLMNOPQRSTUVWXYZ"
                                                       : "ABCDFGHIJKLMNOPQRSTXYZ";
-  for (const char c : letters) legal_[static_cast<std::size_t>(c)] = true;
+  for (const char c : letters) legal_[static_cast<unsigned char>(c)] = true;
   if (is(Dialect::ngc)) legal_['@'] = legal_['^'] = legal_['$'] = true;
   for (auto a = static_cast<std::size_t>(Address::function); a < legal_.size(); ++a)
     legal_[a] = true;

@@ -12,7 +12,7 @@ namespace {
 constexpr double kEven = 0.3;  ///< of a voxel: second differences of an even run of distances
 
 // A part of a cell in voxels, both ends included.
-struct Part {
+struct DoubtfulPart {
   std::int32_t lo[3], hi[3];
   std::int32_t side(int axis) const { return hi[axis] - lo[axis] + 1; }
 };
@@ -38,8 +38,8 @@ class DoubtfulSearch {
   static constexpr std::int32_t kSampled = 4;  // voxels to a side
   static constexpr std::size_t kMostPoints = (kSampled + 3) * (kSampled + 3) * (kSampled + 3);
 
-  void look(const Part& part, std::span<const std::uint32_t> candidates) const {
-    Part near = part;
+  void look(const DoubtfulPart& part, std::span<const std::uint32_t> candidates) const {
+    DoubtfulPart near = part;
     for (int a = 0; a < 3; ++a) {
       near.lo[a] = std::max(part.lo[a] - 1, 0);
       near.hi[a] = std::min(part.hi[a] + 1, voxels_);
@@ -54,7 +54,7 @@ class DoubtfulSearch {
     const std::int32_t size = part.hi[0] - part.lo[0];
     if (size <= kSampled) return look_closely(part, near, own);
     for (int k = 0; k < 8; ++k) {
-      Part eighth = part;
+      DoubtfulPart eighth = part;
       for (int a = 0; a < 3; ++a) (k >> a & 1 ? eighth.lo : eighth.hi)[a] = part.lo[a] + size / 2;
       look(eighth, own);
     }
@@ -79,7 +79,7 @@ class DoubtfulSearch {
 
   // d at the points of a part, and what decides it.
   struct Samples {
-    Part range;
+    DoubtfulPart range;
     std::int32_t stride[3];
     double d[kMostPoints];
     std::uint32_t deciders[kMostPoints];
@@ -90,7 +90,8 @@ class DoubtfulSearch {
       return i;
     }
   };
-  void sample(const Part& range, std::span<const std::uint32_t> candidates, Samples& out) const {
+  void sample(const DoubtfulPart& range, std::span<const std::uint32_t> candidates,
+              Samples& out) const {
     Vec3 places[kMostPoints];
     std::size_t count = 0;
     for (std::int32_t x = range.lo[0]; x <= range.hi[0]; ++x)
@@ -104,7 +105,7 @@ class DoubtfulSearch {
   }
 
   // The points next to the part are asked where an edge in it may be doubtful.
-  void look_closely(const Part& part, const Part& near,
+  void look_closely(const DoubtfulPart& part, const DoubtfulPart& near,
                     std::span<const std::uint32_t> candidates) const {
     Samples samples;
     sample(part, candidates, samples);
@@ -116,7 +117,7 @@ class DoubtfulSearch {
     add_doubtful(part, samples);
   }
 
-  void add_doubtful(const Part& part, const Samples& samples) const {
+  void add_doubtful(const DoubtfulPart& part, const Samples& samples) const {
     for (std::int32_t x = part.lo[0]; x < part.hi[0]; ++x)
       for (std::int32_t y = part.lo[1]; y < part.hi[1]; ++y)
         for (std::int32_t z = part.lo[2]; z < part.hi[2]; ++z)

@@ -86,7 +86,7 @@ double expected_memory(const ExactField& field, const CellOctree& tree, double t
              static_cast<double>(std::max<std::size_t>(some, 1));
 }
 
-void require_memory(double needed, std::size_t available, double tolerance) {
+void require_mesh_memory(double needed, std::size_t available, double tolerance) {
   if (available == 0 || needed <= static_cast<double>(available)) return;
   throw Error("memory",
               fmt::format("the mesh within a tolerance of {:.6g} mm needs about {} or more, "
@@ -104,9 +104,9 @@ void require_cells(double nodes, std::size_t most) {
 }
 
 void require_room(double bytes) {
-  mrsim::require_memory(bytes, "a mesh within a tolerance",
-                        "a larger --tolerance takes less, and with --voxel and no --tolerance the "
-                        "run is done in slabs");
+  require_memory(bytes, "a mesh within a tolerance",
+                 "a larger --tolerance takes less, and with --voxel and no --tolerance the "
+                 "run is done in slabs");
 }
 
 }  // namespace mrsim::detail

@@ -20,8 +20,8 @@ inline constexpr double kSplitMemory = 450, kSurfaceMemory = 500;
 /// Bytes of a node at the peak of a mesh that is given up.
 inline constexpr double kTriedMemory = 1200;
 
-/// Nodes that come of a cell whose triangles fail when they are certified for the first time: its
-/// own split, less what its neighbours share of it.
+/// Nodes that a cell adds whose triangles fail when they are certified for the first time: those of
+/// its split, less those that its neighbours add, too.
 inline constexpr double kNodesAFailure = 2.5;
 
 /// Bytes of a triangle while a round is certified, and while ridges are tested for what meets.
@@ -33,7 +33,7 @@ double expected_memory(const ExactField& field, const CellOctree& tree, double t
                        int threads);
 
 /// Throws Error "memory" where the mesher needs more than `available` bytes; 0 = any amount.
-void require_memory(double needed, std::size_t available, double tolerance);
+void require_mesh_memory(double needed, std::size_t available, double tolerance);
 
 /// Nodes of the octree in the end, once its cells are split, by what expected_memory() says; and
 /// the bytes of so many.

@@ -104,11 +104,11 @@ std::size_t CellOctree::split(std::vector<std::int32_t> leaves) {
 void CellOctree::make_room(std::size_t split) {
   const std::size_t count = size() + 8 * split;
   const auto nodes = static_cast<double>(count);
-  // Lists as long as those of now.
+  // The new lists are taken to be as long as the present ones.
   std::size_t listed = 0;
   for (const Candidates& list : lists_) listed += list.capacity();
   const double list = sizeof(std::uint32_t) * static_cast<double>(listed) / double(size());
-  require_memory((kNodeMemory + list) * nodes, limits_.memory, tolerance_);
+  require_mesh_memory((kNodeMemory + list) * nodes, limits_.memory, tolerance_);
   require_cells(nodes, limits_.nodes);
   if (count <= nodes_.capacity()) return;
   // Twice as many, as a vector would take by itself, are too much where memory is short.

@@ -49,9 +49,9 @@ bool has_creases(const ExactField& field, const Box3& box, const Candidates& swe
 }
 
 // How often the surface crosses a line through the box along each axis, somewhere in it: the edges
-// of a lattice that it crosses there, for each square of its cells. Points on the line tell sheets
-// that are farther apart than they are. They begin up to half a step before the box or in it, so
-// that a sheet between two boxes counts in one of them.
+// of a lattice that it crosses there, for each square of its cells. Sheets are told apart
+// that are farther from each other than the points on a line are. The points begin up to half a
+// step before the box or in it, so that a sheet between two boxes counts in one of them.
 double sheets_in(const ExactField& field, const Box3& box, const Candidates& sweeps) {
   constexpr std::size_t kMost = 24, kLeast = 6, kAsked = 400;  // steps; sweeps that all may ask
   constexpr double kGolden = 0.618033988749895;

@@ -13,7 +13,7 @@ struct SurfaceSurvey {
   double block = 0;        ///< mm: their edge
   std::size_t blocks = 0;  ///< how many they are
   double sweeps = 0;       ///< that matter in one of them, on average
-  double creasing = 0;     ///< the same, but one where all faces in it turn the same way
+  double creasing = 0;     ///< the same, where a block without a crease counts as one sweep
   double sheets = 1;       ///< of surface that lines along x, y and z meet in one, on average
 
   /// Cells of `voxel` mm that the cut surface passes, about. Flat sides of the stock do not count:

@@ -174,7 +174,8 @@ void CellTile::sample_node(const LatticePoint& origin, std::span<const std::uint
     }
 }
 
-// A node in which the box alone decides: what its planes do not tell is sampled when asked for.
+// A node in which the box of the stock alone decides: its planes give most signs, and the other
+// corners are sampled when they are asked for.
 template <std::int32_t kSize>
 void CellTile::mark_stock_node(const LatticePoint& origin) {
   const std::uint64_t all = run(origin.z, kSize);

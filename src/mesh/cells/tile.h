@@ -175,4 +175,6 @@ class CellTile final : public SurfaceCells {
   std::vector<std::uint64_t> merged_;  ///< bits of cells, by column
 };
 
+inline constexpr std::int32_t kTileCells = CellTile::kCells, kTileOwned = CellTile::kOwned;
+
 }  // namespace mrsim::detail

@@ -7,8 +7,6 @@
 namespace mrsim::detail {
 namespace {
 
-constexpr std::int32_t kCells = CellTile::kCells;
-
 // Cells in which the surface crosses the edges along an axis and no others, by layers on it.
 class FlatLayers {
  public:
@@ -29,7 +27,7 @@ class FlatLayers {
   const std::vector<Layer>& all() const { return layers_; }
 
  private:
-  std::int32_t ids_[3][kCells] = {};  ///< counted from 1
+  std::int32_t ids_[3][kTileCells] = {};  ///< counted from 1
   std::vector<Layer> layers_;
 };
 
@@ -55,9 +53,9 @@ CellRows edges_within(const std::vector<CellSquare>& squares) {
 // A box is convex: where the surface crosses four parallel edges of a cell, it is one side of it.
 void CellTile::merge_flat_cells() {
   FlatLayers flat;
-  for (std::int32_t x = 1; x < kCells - 1; ++x)
-    for (std::int32_t y = 1; y < kCells - 1; ++y) {
-      const std::uint64_t uncut = column(x, y).sampled & ~column(x, y).cut & run(1, kCells - 2);
+  for (std::int32_t x = 1; x < kTileCells - 1; ++x)
+    for (std::int32_t y = 1; y < kTileCells - 1; ++y) {
+      const std::uint64_t uncut = column(x, y).sampled & ~column(x, y).cut & run(1, kTileCells - 2);
       const std::uint64_t a = inside(x, y), b = inside(x, y + 1), c = inside(x + 1, y),
                           d = inside(x + 1, y + 1);
       const std::uint64_t differ = (a ^ b) | (a ^ c) | (a ^ d);
@@ -71,7 +69,7 @@ void CellTile::merge_flat_cells() {
           bits != 0 && is_tested(y, false))
         flat.of(1, y)[row] = bits;
       for (std::uint64_t left =
-               uncut & (a ^ a >> 1) & ~(differ | differ >> 1) & run(kFirstOwned, kOwned);
+               uncut & (a ^ a >> 1) & ~(differ | differ >> 1) & run(kFirstOwned, kTileOwned);
            left != 0; left &= left - 1)
         flat.of(2, std::countr_zero(left))[row] |= std::uint64_t(1) << y;
     }
@@ -89,12 +87,12 @@ void CellTile::add_square(const TileSquare& square) {
   for (std::int32_t row = s.row; row < s.row + s.size; ++row)
     for (std::int32_t column = s.column; column < s.column + s.size; ++column) {
       const LatticePoint p = square.cell(row, column);
-      merged_[static_cast<std::size_t>(p.x * kCells + p.y)] |= std::uint64_t(1) << p.z;
+      merged_[static_cast<std::size_t>(p.x * kTileCells + p.y)] |= std::uint64_t(1) << p.z;
     }
 }
 
 void CellTile::remove_edges(int axis, std::int32_t layer, const CellRows& edges) {
-  for (std::int32_t i = 0; i < kCells; ++i) {
+  for (std::int32_t i = 0; i < kTileCells; ++i) {
     std::uint64_t bits = edges[static_cast<std::size_t>(i)];
     if (axis == 0) crossed_.remove(TileEdges::column(0, layer, i), bits);
     if (axis == 1) crossed_.remove(TileEdges::column(1, i, layer), bits);

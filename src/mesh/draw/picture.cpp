@@ -29,7 +29,7 @@ class SrgbTable {
   }
   // `dither` in [0, 1) hides the steps of 8 bits in soft shades.
   png_byte operator()(float c, float dither) const {
-    const int i = int(std::sqrt(std::clamp(c, 0.0f, 1.0f)) * kSize + 0.5f);
+    const int i = int(std::lround(std::sqrt(std::clamp(c, 0.0f, 1.0f)) * kSize));
     return png_byte(std::min(255, int(values_[i] + dither)));
   }
 

@@ -15,7 +15,7 @@
 namespace mrsim {
 namespace {
 
-using Json = nlohmann::ordered_json;
+using OrderedJson = nlohmann::ordered_json;
 
 constexpr double kCrease = 25;  // degrees
 enum : int {
@@ -71,11 +71,11 @@ Vertices split_vertices(const TriMesh& mesh, const FacePalette& palette) {
 // The binary part, with the views and accessors that describe it.
 class Binary {
  public:
-  Json views = Json::array(), accessors = Json::array();
+  OrderedJson views = OrderedJson::array(), accessors = OrderedJson::array();
   std::string bytes;
 
-  int add(const std::string& data, int stride, int target, Json accessor) {
-    Json view = {{"buffer", 0}, {"byteOffset", bytes.size()}, {"byteLength", data.size()}};
+  int add(const std::string& data, int stride, int target, OrderedJson accessor) {
+    OrderedJson view = {{"buffer", 0}, {"byteOffset", bytes.size()}, {"byteLength", data.size()}};
     if (stride > 0) view["byteStride"] = stride;
     view["target"] = target;
     accessor["bufferView"] = views.size();
@@ -87,8 +87,8 @@ class Binary {
   }
 };
 
-Json accessor(int type, const char* shape, std::size_t count, bool normalized = false) {
-  Json a = {{"componentType", type}, {"count", count}, {"type", shape}};
+OrderedJson accessor(int type, const char* shape, std::size_t count, bool normalized = false) {
+  OrderedJson a = {{"componentType", type}, {"count", count}, {"type", shape}};
   if (normalized) a["normalized"] = true;
   return a;
 }
@@ -101,7 +101,7 @@ int add_positions(const TriMesh& mesh, const Vertices& vertices, Binary& binary)
     for (const float x : p) detail::store(data, x);
     extend(box, to_vec(p));
   }
-  Json a = accessor(kFloat, "VEC3", vertices.corners.size());
+  OrderedJson a = accessor(kFloat, "VEC3", vertices.corners.size());
   if (is_empty(box)) box = {{}, {}};
   a["min"] = {box.lo.x, box.lo.y, box.lo.z};
   a["max"] = {box.hi.x, box.hi.y, box.hi.z};
@@ -151,13 +151,14 @@ int add_indices(const Vertices& vertices, Binary& binary) {
       accessor(narrow ? kUnsignedShort : kUnsignedInt, "SCALAR", vertices.indices.size()));
 }
 
-Json extras_of(const TriMesh& mesh) {
+OrderedJson extras_of(const TriMesh& mesh) {
   const OwnerTable& table = mesh.origin;
-  Json files = Json::array(), tools = Json::array(), origins = Json::array();
+  OrderedJson files = OrderedJson::array(), tools = OrderedJson::array(),
+              origins = OrderedJson::array();
   for (const std::string& file : table.files) files.push_back(to_utf8(file));
   for (const std::string& tool : table.tools) tools.push_back(to_utf8(tool));
   for (const FaceOrigin& o : table.origins) origins.push_back({o.owner, o.file, o.line, o.tool});
-  Json out = {{"files", files}, {"tools", tools}, {"origins", origins}};
+  OrderedJson out = {{"files", files}, {"tools", tools}, {"origins", origins}};
   if (!mesh.colors.empty())
     for (const ColorLabel& l : mesh.legend)
       out["legend"].push_back({l.color[0], l.color[1], l.color[2], to_utf8(l.text)});
@@ -165,18 +166,19 @@ Json extras_of(const TriMesh& mesh) {
 }
 
 // To metres with Y up: (x, y, z) mm -> (x, z, -y) / 1000. By columns.
-Json node_of_part() {
+OrderedJson node_of_part() {
   constexpr double kMetre = 0.001;
   return {{"mesh", 0},
           {"name", "part"},
           {"matrix", {kMetre, 0, 0, 0, 0, 0, -kMetre, 0, 0, kMetre, 0, 0, 0, 0, 0, 1}}};
 }
 
-Json document(const TriMesh& mesh, const Json& primitive, const Binary& binary) {
+OrderedJson document(const TriMesh& mesh, const OrderedJson& primitive, const Binary& binary) {
   const bool colored = primitive["attributes"].contains("COLOR_0");
   const double gray = to_linear(kStockColor).r;
-  const Json base = colored ? Json{1, 1, 1, 1} : Json{gray, gray, gray * 1.04, 1};
-  Json part = {{"name", "part"}, {"primitives", {primitive}}};
+  const OrderedJson base =
+      colored ? OrderedJson{1, 1, 1, 1} : OrderedJson{gray, gray, gray * 1.04, 1};
+  OrderedJson part = {{"name", "part"}, {"primitives", {primitive}}};
   if (!mesh.owners.empty() || !mesh.colors.empty()) part["extras"] = extras_of(mesh);
   return {{"asset", {{"version", "2.0"}, {"generator", "mrsim"}}},
           {"extensionsUsed", {"KHR_mesh_quantization"}},
@@ -200,13 +202,13 @@ void write_glb(const TriMesh& mesh, const MeshFileOptions& options, const ByteSi
   const FacePalette palette = make_palette(mesh, options.color);
   const Vertices vertices = split_vertices(mesh, palette);
   Binary binary;
-  Json attributes;
+  OrderedJson attributes;
   attributes["POSITION"] = add_positions(mesh, vertices, binary);
   attributes["NORMAL"] = add_normals(vertices, binary);
   if (!mesh.colors.empty() || !palette.index.empty())
     attributes["COLOR_0"] = add_colors(mesh, vertices, palette, binary);
   if (!mesh.owners.empty()) attributes["_OWNER"] = add_owners(vertices, binary);
-  const Json primitive = {
+  const OrderedJson primitive = {
       {"attributes", attributes}, {"indices", add_indices(vertices, binary)}, {"material", 0}};
   std::string json = document(mesh, primitive, binary).dump();
   json.resize((json.size() + 3) / 4 * 4, ' ');

@@ -14,9 +14,9 @@ namespace {
 
 constexpr std::size_t kMostCorners = 512;  // ears take the square of it
 
-using Loop = std::vector<std::uint32_t>;
+using Polygon = std::vector<std::uint32_t>;
 
-Vec3 loop_normal(const TriMesh& mesh, const Loop& loop) {
+Vec3 loop_normal(const TriMesh& mesh, const Polygon& loop) {
   Vec3 sum;
   const Vec3 a = to_vec(mesh.vertices[loop[0]]);
   for (std::size_t i = 1; i + 1 < loop.size(); ++i)
@@ -25,7 +25,7 @@ Vec3 loop_normal(const TriMesh& mesh, const Loop& loop) {
 }
 
 // Whether the corner `i` can be cut off: it is convex and no other corner lies in it.
-bool is_ear(const TriMesh& mesh, const Loop& loop, std::size_t i, const Vec3& normal) {
+bool is_ear(const TriMesh& mesh, const Polygon& loop, std::size_t i, const Vec3& normal) {
   const std::size_t n = loop.size(), before = (i + n - 1) % n, after = (i + 1) % n;
   const Vec3 a = to_vec(mesh.vertices[loop[before]]), b = to_vec(mesh.vertices[loop[i]]),
              c = to_vec(mesh.vertices[loop[after]]);
@@ -43,7 +43,7 @@ bool is_ear(const TriMesh& mesh, const Loop& loop, std::size_t i, const Vec3& no
 
 // Cuts ears off until a triangle is left; a polygon without an ear (crossing itself, or flat) is
 // cut anywhere, so that its border stays what it was.
-std::vector<std::array<std::uint32_t, 3>> triangulate(const TriMesh& mesh, Loop loop) {
+std::vector<std::array<std::uint32_t, 3>> triangulate(const TriMesh& mesh, Polygon loop) {
   std::vector<std::array<std::uint32_t, 3>> out;
   const Vec3 normal = loop.size() > 3 ? loop_normal(mesh, loop) : Vec3{};
   bool has_ears = true;
@@ -101,7 +101,7 @@ void MeshBuilder::add_vertex(double x, double y, double z) {
 }
 
 void MeshBuilder::add_face(std::span<const std::int64_t> corners, std::int32_t owner) {
-  Loop loop;
+  Polygon loop;
   if (corners.size() > kMostCorners)
     fail("polygon", fmt::format("a face has {} corners, {} are too many to take apart; "
                                 "triangulate the mesh before",

@@ -6,8 +6,6 @@
 namespace mrsim::detail {
 namespace {
 
-bool is_blank(char c) { return c == ' ' || c == '\t' || c == '\r' || c == '\v' || c == '\f'; }
-
 char lower(char c) { return c >= 'A' && c <= 'Z' ? char(c + 32) : c; }
 
 }  // namespace

@@ -8,6 +8,10 @@
 
 namespace mrsim::detail {
 
+inline bool is_blank(char c) {
+  return c == ' ' || c == '\t' || c == '\r' || c == '\v' || c == '\f';
+}
+
 class TextScan {
  public:
   explicit TextScan(std::string_view text) : text_(text) {}

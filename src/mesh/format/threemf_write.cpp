@@ -14,7 +14,7 @@ namespace mrsim {
 namespace {
 
 constexpr const char* kXml = "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n";
-constexpr const char* kTypes =
+constexpr const char* kContentTypes =
     "<Types xmlns=\"http://schemas.openxmlformats.org/package/2006/content-types\">"
     "<Default Extension=\"rels\" "
     "ContentType=\"application/vnd.openxmlformats-package.relationships+xml\"/>"
@@ -95,7 +95,7 @@ void write_3mf(const MeshSource& mesh, ColorBy color, const ByteSink& out, int t
   head += bases.empty() ? "<object id=\"2\" type=\"model\">\n"
                         : "<object id=\"2\" type=\"model\" pid=\"1\" pindex=\"0\">\n";
   detail::ZipWriter zip(out);
-  zip.add("[Content_Types].xml", std::string(kXml) + kTypes);
+  zip.add("[Content_Types].xml", std::string(kXml) + kContentTypes);
   zip.add("_rels/.rels", std::string(kXml) + kRelations);
   zip.add("3D/3dmodel.model", [&](const ByteSink& model) {
     detail::write_text(head, model);

@@ -8,9 +8,9 @@
 namespace mrsim::detail {
 namespace {
 
-bool is_blank(char c) { return c == ' ' || c == '\t' || c == '\r' || c == '\n'; }
+bool is_space(char c) { return c == ' ' || c == '\t' || c == '\r' || c == '\n'; }
 
-bool ends_name(char c) { return is_blank(c) || c == '=' || c == '/' || c == '>' || c == '<'; }
+bool ends_name(char c) { return is_space(c) || c == '=' || c == '/' || c == '>' || c == '<'; }
 
 char entity(std::string_view name) {
   constexpr std::pair<std::string_view, char> kNames[] = {
@@ -35,7 +35,7 @@ void XmlScan::fail(const std::string& what) const {
 }
 
 void XmlScan::skip_blanks() {
-  while (at_ < text_.size() && is_blank(text_[at_])) ++at_;
+  while (at_ < text_.size() && is_space(text_[at_])) ++at_;
 }
 
 std::string_view XmlScan::read_name() {

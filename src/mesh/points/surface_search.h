@@ -66,7 +66,8 @@ class CrossingSearch {
   const Vec3& point() const { return point_; }  ///< where d is wanted; when done, the crossing
   const FieldSample& at() const { return at_; }
   const Vec3& normal() const { return normal_; }  ///< of the surface, nearly there
-  /// Beside it: where d is 0. So what is crossed in one plane lies in that plane.
+  /// The point beside the crossing at which d = 0. For edges that cross one plane all these points
+  /// lie on that plane.
   Vec3 place() const;
   /// Takes the sample at point(); true when that is the crossing.
   bool take(const ExactField& field, const FieldSample& sample);

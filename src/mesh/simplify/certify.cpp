@@ -13,13 +13,14 @@ namespace {
 
 constexpr double kIntrusion = 1.5;  ///< factor on the distance of a face that is not the triangle's
 constexpr double kFlat = 2e-5;      ///< mm: deviations that rounding of coordinates explains
-constexpr double kEven = 0.15, kUneven = 0.4;  ///< shares of second and third differences
+constexpr double kEvenShare = 0.15, kUneven = 0.4;  ///< shares of second and third differences
 constexpr double kSmoothAngle = 0.05;  ///< sine below which a crease is measured from its faces
-constexpr double kAlong = 0.9;   ///< cosine between a triangle and faces that join nearly smoothly
+constexpr double kNearlySmooth =
+    0.9;                         ///< cosine between a triangle and faces that join nearly smoothly
 constexpr double kTaper = -0.5;  ///< cosine below which a face across a crease makes a sharp edge
 constexpr int kRefinements = 3;  ///< of a triangle into quarters
 constexpr int kSides = 4;        ///< nodes at quarters of the sides and between
-constexpr double kUnknown = std::numeric_limits<double>::infinity();
+constexpr double kNoDistance = std::numeric_limits<double>::infinity();
 
 // Node (i, j): i quarters towards b, j towards c.
 struct Nodes {
@@ -50,7 +51,7 @@ struct Nodes {
       along(k, 0, 0, 1, kSides - k);
       along(kSides - k, 0, -1, 1, kSides - k);
     }
-    return kEven * second + kUneven * third;
+    return kEvenShare * second + kUneven * third;
   }
 };
 
@@ -112,17 +113,18 @@ double sampled_bound(const ExactField& field, const FieldSample& face, const Vec
   return nodes.largest() + nodes.remainder();
 }
 
-// The distance of a node on a triangle's side from the crease on which the side lies: where the
-// face `across` that decides d there meets the one that runs along the triangle, as seen `depth` mm
-// beneath it; with the sign of the latter. Infinite where nothing there does, or where a wall
-// tapers off.
+// Distance of a node on a triangle's side from the crease on which the side lies. The crease is
+// where the face `across`, which decides d at the node, meets the face that runs along the
+// triangle; that one is looked up `depth` mm below the node and gives the sign. Infinite where no
+// such face is found, or where the edge is too sharp.
 double crease_distance(const ExactField& field, const CellOctree& tree, const Vec3& p,
                        const FieldSample& across, const Vec3& normal, double depth) {
   const Vec3 out = field.gradient(p, across);
-  if (!(dot(normal, out) > kTaper * length(normal))) return kUnknown;
+  if (!(dot(normal, out) > kTaper * length(normal))) return kNoDistance;
   const Vec3 beneath = p - (std::max(across.distance, 0.0) + depth) * out;
   const FieldSample along = field.sample(beneath, tree.candidates(tree.locate(beneath)));
-  if (!(dot(normal, field.gradient(beneath, along)) > kAlong * length(normal))) return kUnknown;
+  if (!(dot(normal, field.gradient(beneath, along)) > kNearlySmooth * length(normal)))
+    return kNoDistance;
   return std::copysign(crease_bound(field, along, across, p, p), field.patch_distance(p, along));
 }
 
@@ -195,14 +197,14 @@ double part_bound(const ExactField& field, const CellOctree& tree, const Vec3& a
       const FieldSample s = field.sample(p, tree.candidates(cell));
       double& value = nodes.value[i][j];
       value = s.distance;
-      if (dot(normal, field.gradient(p, s)) > kAlong * area) {
+      if (dot(normal, field.gradient(p, s)) > kNearlySmooth * area) {
         if (!has_face) face = s;
         has_face = true;
         has_several = has_several || !same_face(s, face);
       } else {
         const bool is_on_side = i == 0 || j == 0 || i + j == kSides;
-        value = is_on_side ? crease_distance(field, tree, p, s, normal, depth) : kUnknown;
-        if (!std::isfinite(value)) return kUnknown;
+        value = is_on_side ? crease_distance(field, tree, p, s, normal, depth) : kNoDistance;
+        if (!std::isfinite(value)) return kNoDistance;
         has_crease = true;
       }
       most = std::max(most, std::abs(value));
@@ -210,7 +212,7 @@ double part_bound(const ExactField& field, const CellOctree& tree, const Vec3& a
     if (most > limit) return most;
   }
   // One face that ends in a crease is measured by itself.
-  if (has_crease && !has_several) return kUnknown;
+  if (has_crease && !has_several) return kNoDistance;
   return most + nodes.remainder();
 }
 

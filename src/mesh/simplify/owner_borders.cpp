@@ -15,7 +15,7 @@ namespace {
 constexpr double kEndShare = 1e-3;     ///< of an edge: where the owner at its end is asked
 constexpr double kInward = 1e-4;       ///< mm: where the owner beside an edge is asked
 constexpr int kEdgeSamples = 4;        ///< parts of an edge at whose ends it is asked
-constexpr int kRounds = 4;             ///< of cutting edges, then at chords
+constexpr int kChordRounds = 4;        ///< of cutting edges, then at chords
 constexpr int kHalvings = 24;          ///< of a part, to its border
 constexpr double kSameNormal = 0.999;  ///< cosine: two triangles of one plane, as far as labels go
 
@@ -30,7 +30,7 @@ class BorderCutter {
 
   LabelledMesh run(const LabelledMesh& before) {
     find_plane_triangles();
-    for (int round = 0; round < kRounds && !edges_.empty(); ++round) {
+    for (int round = 0; round < kChordRounds && !edges_.empty(); ++round) {
       std::vector<std::uint32_t> seen;
       while (!edges_.empty()) {
         seen.push_back(edges_.front());
@@ -213,9 +213,9 @@ class BorderCutter {
     return {};
   }
 
-  // The face of an owner lies here, too. Where that is so of two owners at both of two places there
-  // is no border between these: two passes over one wall, of which rounding takes now this one and
-  // now that one.
+  // Whether this owner's face passes here, too. If the faces of two owners pass both of two places,
+  // two passes have cut one wall and rounding picks the owner: there is no border between the
+  // places.
   bool reaches(std::int32_t owner, const Vec3& p) const {
     if (owner == kStockOwner) return false;
     const std::uint32_t only = field_.candidate(owner);
@@ -259,7 +259,7 @@ class BorderCutter {
     std::size_t count = 0;
     for (const std::int32_t owner : {from.owner, to.owner})
       if (owner != kStockOwner) both[count++] = field_.candidate(owner);
-    std::sort(both, both + count);
+    if (count == 2 && both[1] < both[0]) std::swap(both[0], both[1]);
     for (int i = 0; i < kHalvings; ++i) {
       const double middle = 0.5 * (from.at + to.at);
       const Vec3 p = place(middle);

@@ -11,8 +11,8 @@
 namespace mrsim::detail {
 namespace {
 
-constexpr int kRounds = 5;
-constexpr double kGrowth = 3;  ///< of the margin, from round to round
+constexpr int kLockRounds = 5;
+constexpr double kMarginGrowth = 3;  ///< of the margin, from round to round
 
 using Pairs = std::vector<std::pair<std::uint32_t, std::uint32_t>>;
 
@@ -57,7 +57,7 @@ ApartMesh simplify_apart(const LabelledMesh& mesh, double margin, int threads,
                          const std::function<LabelledMesh(const std::vector<char>&)>& simplify) {
   std::vector<char> locked(mesh.vertices.size(), 0);
   const SortedVertices vertices(mesh.vertices);
-  for (int round = 0; round < kRounds; ++round, margin *= kGrowth) {
+  for (int round = 0; round < kLockRounds; ++round, margin *= kMarginGrowth) {
     LabelledMesh small = simplify(locked);
     const Pairs pairs = self_intersections(small.vertices, small.triangles, threads);
     if (pairs.empty())

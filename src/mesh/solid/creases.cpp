@@ -10,7 +10,7 @@
 namespace mrsim {
 namespace {
 
-constexpr std::size_t kGrain = 4096;
+constexpr std::size_t kEdgesAThread = 4096;
 constexpr double kSliver = 1e-4;  // height of a sliver, of the part's diagonal
 constexpr int kSliverPasses = 16;
 constexpr float kUnset = 9;  // in place of a unit vector
@@ -125,16 +125,18 @@ SurfaceShape find_surface_shape(const TriMesh& mesh, double degrees, int threads
   shape.face_normals.resize(mesh.triangles.size());
   parallel_for(
       mesh.triangles.size(), threads,
-      [&](std::size_t f) { shape.face_normals[f] = normalized(area_normal(mesh, f)); }, kGrain);
+      [&](std::size_t f) { shape.face_normals[f] = normalized(area_normal(mesh, f)); },
+      kEdgesAThread);
   straighten_slivers(mesh, shape);
   shape.normals.assign(3 * mesh.triangles.size(), {kUnset, 0, 0});
   const Sectors sectors(mesh, shape, sincos_deg(degrees).cos);
   const VertexFans fans = half_edges_by_vertex(mesh);
-  const std::size_t blocks = (mesh.vertices.size() + kGrain - 1) / kGrain;
+  const std::size_t blocks = (mesh.vertices.size() + kEdgesAThread - 1) / kEdgesAThread;
   parallel_for(blocks, threads, [&](std::size_t b) {
     std::vector<std::uint32_t> members;
-    const std::size_t end = std::min(mesh.vertices.size(), (b + 1) * kGrain);
-    for (std::size_t v = b * kGrain; v < end; ++v) smooth_vertex(fans, v, sectors, members, shape);
+    const std::size_t end = std::min(mesh.vertices.size(), (b + 1) * kEdgesAThread);
+    for (std::size_t v = b * kEdgesAThread; v < end; ++v)
+      smooth_vertex(fans, v, sectors, members, shape);
   });
   for (std::uint32_t h = 0; h < shape.opposite.size(); ++h) {
     if (is_half_edge(shape.opposite[h]) && shape.opposite[h] < h) continue;

@@ -12,7 +12,7 @@
 namespace mrsim {
 namespace {
 
-constexpr std::size_t kGrain = 8192;
+constexpr std::size_t kTrianglesAThread = 8192;
 constexpr std::uint32_t kNone = ~0u;
 
 std::string place(const Vec3& p) {
@@ -144,11 +144,11 @@ void MeshAudit::add_components(const MeshBlock& block) {
 }
 
 void MeshAudit::add_sums(const MeshBlock& block, const std::vector<std::uint32_t>& component) {
-  const std::size_t parts = (component.size() + kGrain - 1) / kGrain;
+  const std::size_t parts = (component.size() + kTrianglesAThread - 1) / kTrianglesAThread;
   std::vector<PartialSums> sums(parts);
   parallel_for(parts, threads_, [&](std::size_t i) {
-    sums[i] = sum_triangles(block, component, center_, i * kGrain,
-                            std::min(component.size(), (i + 1) * kGrain));
+    sums[i] = sum_triangles(block, component, center_, i * kTrianglesAThread,
+                            std::min(component.size(), (i + 1) * kTrianglesAThread));
   });
   for (PartialSums& part : sums) {
     for (auto& [index, sum] : part.components) {
@@ -248,10 +248,10 @@ void MeshAudit::check_vertices(std::span<const Patch::State> states,
     std::uint32_t first = kNone;
   };
   const VertexFans fans = half_edges_by_vertex(triangles, points.size());
-  std::vector<Found> parts((points.size() + kGrain - 1) / kGrain);
+  std::vector<Found> parts((points.size() + kTrianglesAThread - 1) / kTrianglesAThread);
   parallel_for(parts.size(), threads_, [&](std::size_t i) {
-    const std::size_t end = std::min(points.size(), (i + 1) * kGrain);
-    for (std::size_t v = i * kGrain; v < end; ++v) {
+    const std::size_t end = std::min(points.size(), (i + 1) * kTrianglesAThread);
+    for (std::size_t v = i * kTrianglesAThread; v < end; ++v) {
       if ((!states.empty() && states[v] != Patch::closing) || is_single_fan(fans, opposite, v))
         continue;
       if (parts[i].count++ == 0) parts[i].first = std::uint32_t(v);

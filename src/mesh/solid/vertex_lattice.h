@@ -14,7 +14,6 @@
 namespace mrsim::detail {
 
 inline constexpr double kQuantum = 1.0 / (1 << 20);  ///< mm
-inline constexpr double kLargestCoordinate = 4096;   ///< mm: 32 bits of quanta
 
 /// The nearest coordinate that a vertex may have. The rounding to the 24 bits of a float is
 /// Veltkamp's split: GCC 12 drops a cast to float and back when it vectorises three of them (-O2).

@@ -13,7 +13,7 @@
 namespace mrsim::detail {
 namespace {
 
-constexpr int kRounds = 16;
+constexpr int kStripRounds = 16;
 
 using Triangle = std::array<std::uint32_t, 3>;
 
@@ -328,7 +328,7 @@ bool RidgeStrip::put_back_meeting() {
 void RidgeStrip::put_back_crossed() {
   for (std::size_t k = 0; k < ridge_.size(); ++k)
     fresh_[k] = touched_[k] = ridge_[k].moves || joined_[k] != static_cast<std::int32_t>(k);
-  for (int round = 0; round < kRounds; ++round) {
+  for (int round = 0; round < kStripRounds; ++round) {
     while (put_back_flat() || put_back_doubled()) {
     }
     if (!put_back_meeting()) return;

@@ -7,8 +7,6 @@
 namespace mrsim::detail {
 namespace {
 
-constexpr std::int32_t kCells = CellTile::kCells;
-
 // What the signs at the corners of a cell (bits 4 x + 2 y + z) tell of it.
 struct CellCase {
   std::uint16_t edges = 0;  ///< crossed ones, by kCellEdges
@@ -67,7 +65,7 @@ constexpr FaceEdge kFaceEdges[3][4] = {{face_edge(1, 0, 0, 0, 1), face_edge(2, 0
                                        {face_edge(0, 0, 0, 0, 1), face_edge(1, 0, 0, 0, 2),
                                         face_edge(0, 0, 1, 0, 3), face_edge(1, 1, 0, 0, 0)}};
 
-bool has(std::uint64_t bits, std::int32_t i) { return (bits >> i & 1) != 0; }
+bool has_bit(std::uint64_t bits, std::int32_t i) { return (bits >> i & 1) != 0; }
 
 // Bits 1 .. last.
 std::uint64_t up_to(std::int32_t last) {
@@ -86,9 +84,9 @@ void TileLoops::find(const CellTile& tile) {
   add_segments<0>(tile, crowded);
   add_segments<1>(tile, crowded);
   add_segments<2>(tile, crowded);
-  for (std::int32_t x = 1; x < kCells - 1; ++x)
-    for (std::int32_t y = 1; y < kCells - 1; ++y)
-      for (std::uint64_t left = crowded[static_cast<std::size_t>(x * kCells + y)]; left != 0;
+  for (std::int32_t x = 1; x < kTileCells - 1; ++x)
+    for (std::int32_t y = 1; y < kTileCells - 1; ++y)
+      for (std::uint64_t left = crowded[static_cast<std::size_t>(x * kTileCells + y)]; left != 0;
            left &= left - 1)
         add_crowded_loops(tile, x, y, std::countr_zero(left));
   list_segments();
@@ -108,7 +106,7 @@ void TileLoops::add_square(const CellTile& tile, const TileSquare& square) {
       const LatticePoint p = square.cell(s.row + row, s.column + column);
       for (const CellEdge& e : kCellEdges) {
         const std::int32_t edges = TileEdges::column(0, p.x, p.y) + e.column, z = p.z + e.d[2];
-        if (e.axis != square.axis || !has(tile.crossed().bits(edges), z)) continue;
+        if (e.axis != square.axis || !has_bit(tile.crossed().bits(edges), z)) continue;
         Crossing& c = crossings_[static_cast<std::size_t>(tile.crossed().number(edges, z))];
         c.loops[e.place] = id;
         on = &c;
@@ -126,14 +124,14 @@ void TileLoops::add_square(const CellTile& tile, const TileSquare& square) {
 
 // The loops of cells that have one; bits of the others.
 std::vector<std::uint64_t> TileLoops::add_plain_loops(const CellTile& tile) {
-  std::vector<std::uint64_t> crowded(kCells * kCells);
-  for (std::int32_t x = 1; x < kCells - 1; ++x)
-    for (std::int32_t y = 1; y < kCells - 1; ++y) {
+  std::vector<std::uint64_t> crowded(kTileCells * kTileCells);
+  for (std::int32_t x = 1; x < kTileCells - 1; ++x)
+    for (std::int32_t y = 1; y < kTileCells - 1; ++y) {
       const std::uint64_t corners[4] = {tile.inside(x, y), tile.inside(x, y + 1),
                                         tile.inside(x + 1, y), tile.inside(x + 1, y + 1)};
       std::uint64_t any = 0, all = ~any;
       for (const std::uint64_t c : corners) any |= c | c >> 1, all &= c & c >> 1;
-      for (std::uint64_t left = any & ~all & ~tile.merged(x, y) & up_to(kCells - 2); left != 0;
+      for (std::uint64_t left = any & ~all & ~tile.merged(x, y) & up_to(kTileCells - 2); left != 0;
            left &= left - 1) {
         const std::int32_t z = std::countr_zero(left);
         unsigned signs = 0;
@@ -143,7 +141,7 @@ std::vector<std::uint64_t> TileLoops::add_plain_loops(const CellTile& tile) {
         if (kCases[signs].is_plain)
           add_loop(tile, x, y, z, kCases[signs].edges);
         else
-          crowded[static_cast<std::size_t>(x * kCells + y)] |= std::uint64_t(1) << z;
+          crowded[static_cast<std::size_t>(x * kTileCells + y)] |= std::uint64_t(1) << z;
       }
     }
   return crowded;
@@ -170,7 +168,7 @@ void TileLoops::add_loop(const CellTile& tile, std::int32_t x, std::int32_t y, s
 template <int kAxis>
 void TileLoops::add_segments(const CellTile& tile, const std::vector<std::uint64_t>& crowded) {
   constexpr const FaceEdge(&kOn)[4] = kFaceEdges[kAxis];
-  constexpr auto last = [](int axis) { return axis == kAxis ? kCells - 1 : kCells - 2; };
+  constexpr auto last = [](int axis) { return axis == kAxis ? kTileCells - 1 : kTileCells - 2; };
   const TileEdges& edges = tile.crossed();
   for (std::int32_t x = 1; x <= last(0); ++x)
     for (std::int32_t y = 1; y <= last(1); ++y) {
@@ -190,22 +188,23 @@ void TileLoops::add_segments(const CellTile& tile, const std::vector<std::uint64
       const auto crowded_at = [&](std::int32_t i) { return crowded[static_cast<std::size_t>(i)]; };
       const std::uint64_t own = crowded_at(column);
       const std::uint64_t needed = all | own |
-                                   (kAxis == 0   ? crowded_at(column - kCells)
+                                   (kAxis == 0   ? crowded_at(column - kTileCells)
                                     : kAxis == 1 ? crowded_at(column - 1)
                                                  : own << 1);
       for (; any != 0; any &= any - 1) {
         const std::int32_t z = std::countr_zero(any);
         CellFace face;
         for (int k = 0; k < 4; ++k)
-          if (has(bits[k], z))
+          if (has_bit(bits[k], z))
             face.add(edges.number(column + kOn[k].column, z + kOn[k].z), kOn[k].place);
-        if (!has(needed, z) && same_face(crossings_[static_cast<std::size_t>(face.crossing(0))].at,
-                                         crossings_[static_cast<std::size_t>(face.crossing(1))].at))
+        if (!has_bit(needed, z) &&
+            same_face(crossings_[static_cast<std::size_t>(face.crossing(0))].at,
+                      crossings_[static_cast<std::size_t>(face.crossing(1))].at))
           continue;
         face.axis = kAxis;
         face.high = CellTile::cell_at(x, y, z);
         face.low = CellTile::cell_at(x - (kAxis == 0), y - (kAxis == 1), z - (kAxis == 2));
-        add_segment_if(face, has(needed, z));
+        add_segment_if(face, has_bit(needed, z));
       }
     }
 }
@@ -240,7 +239,7 @@ void TileLoops::add_crowded_loops(const CellTile& tile, std::int32_t x, std::int
     const CellEdge& e = kCellEdges[k];
     const std::int32_t column = TileEdges::column(0, x, y) + e.column;
     ids[k] = -1;
-    if (!has(tile.crossed().bits(column), z + e.d[2])) continue;
+    if (!has_bit(tile.crossed().bits(column), z + e.d[2])) continue;
     ids[k] = tile.crossed().number(column, z + e.d[2]);
     open |= 1u << k;
   }

@@ -8,8 +8,7 @@
 namespace mrsim::detail {
 namespace {
 
-constexpr double kNearestCorner = 0.5773502691896258;  ///< of the longest side, at most
-constexpr double kFirstStep = 1e-6;                    ///< mm: upper end of the first bin
+constexpr double kFirstStep = 1e-6;  ///< mm: upper end of the first bin
 
 // The upper ends of the bins: 1, 1.5, 2, 3, 4, 6 .. times the first.
 double upper_end(std::size_t bin) {

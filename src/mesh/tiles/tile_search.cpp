@@ -10,7 +10,6 @@ namespace mrsim::detail {
 namespace {
 
 constexpr std::int64_t kLargeParts = 32;  ///< that the tiles are looked for in at once
-constexpr std::int32_t kCells = CellTile::kCells, kOwned = CellTile::kOwned;
 
 // Boxes of tiles, halved until they are single ones.
 struct TileRange {
@@ -31,17 +30,18 @@ std::int64_t count(const TileRange& range) {
 Box3 box(const Lattice& lattice, const TileRange& range) {
   const std::int32_t unit = lattice.per_voxel();
   const auto corner = [&](const LatticePoint& tile, std::int32_t more) {
-    return lattice.position({(tile.x * kOwned + more) * unit, (tile.y * kOwned + more) * unit,
-                             (tile.z * kOwned + more) * unit});
+    return lattice.position({(tile.x * kTileOwned + more) * unit,
+                             (tile.y * kTileOwned + more) * unit,
+                             (tile.z * kTileOwned + more) * unit});
   };
-  return {corner(range.low, 0), corner(range.high, kCells - kOwned)};
+  return {corner(range.low, 0), corner(range.high, kTileCells - kTileOwned)};
 }
 
 TileRange whole(const ExactField& field, const Lattice& lattice) {
   TileRange range;
   const LatticePoint last = lattice.floor(field.bounds().hi);
   for (int a = 0; a < 3; ++a)
-    component(range.high, a) = (component(last, a) / lattice.per_voxel() + 1) / kOwned + 1;
+    component(range.high, a) = (component(last, a) / lattice.per_voxel() + 1) / kTileOwned + 1;
   return range;
 }
 
@@ -85,8 +85,9 @@ TileSet find_tiles(const ExactField& field, const Lattice& lattice, int threads)
   for (std::vector<TilePart>& parts : single)
     for (TilePart& part : parts) {
       const LatticePoint& at = part.range.low;
-      set.tiles.push_back(
-          {at, {at.x * kOwned, at.y * kOwned, at.z * kOwned}, std::move(part.candidates)});
+      set.tiles.push_back({at,
+                           {at.x * kTileOwned, at.y * kTileOwned, at.z * kTileOwned},
+                           std::move(part.candidates)});
     }
   std::stable_sort(set.order.axes.begin(), set.order.axes.end(),
                    [&](int a, int b) { return extent(range, a) > extent(range, b); });

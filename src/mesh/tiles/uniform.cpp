@@ -21,12 +21,12 @@
 namespace mrsim::detail {
 namespace {
 
-constexpr double kShallow = 1.0 / 64;  ///< of a voxel: what cutting off a shallow crease may move
-constexpr double kMost = 0.99;         ///< share of the triangles whose distance is told
-constexpr int kMargin = 4;             ///< voxels before the part, which no owned edge is missed in
-constexpr std::size_t kBatch = 2;      ///< tiles a thread between two blocks of the mesh
-constexpr std::int32_t kCells = CellTile::kCells, kOwned = CellTile::kOwned,
-                       kFirstOwned = CellTile::kFirstOwned;
+constexpr double kShallowCrease =
+    1.0 / 64;                       ///< of a voxel: what cutting off a shallow crease may move
+constexpr double kMostTold = 0.99;  ///< share of the triangles whose distance is told
+constexpr int kVoxelsBefore = 4;    ///< voxels before the part, which no owned edge is missed in
+constexpr std::size_t kBatch = 2;   ///< tiles a thread between two blocks of the mesh
+constexpr std::int32_t kFirstOwned = CellTile::kFirstOwned;
 
 /// What is remembered of a tile when its mesh has gone to the sink.
 struct TileNotes {
@@ -42,7 +42,7 @@ struct TileNotes {
 struct TileMaker {
   TileMaker(const ExactField& field, const Lattice& lattice, const CommonLists& common)
       : cells(field, lattice, &common),
-        surface(field, cells, {.shallow = kShallow * lattice.voxel(), .threads = 1}) {}
+        surface(field, cells, {.shallow = kShallowCrease * lattice.voxel(), .threads = 1}) {}
   CellTile cells;
   DualSurface surface;
 };
@@ -151,7 +151,7 @@ class UniformMesher {
   std::vector<CellPlace> forced_in(const Tile& tile) const {
     std::vector<CellPlace> out;
     for (const CellPlace& cell : forced_)
-      if (covers(tile, cell.origin, 0, kCells)) out.push_back(cell);
+      if (covers(tile, cell.origin, 0, kTileCells)) out.push_back(cell);
     return out;
   }
   bool covers(const Tile& tile, const LatticePoint& p, std::int32_t from, std::int32_t to) const {
@@ -166,12 +166,12 @@ class UniformMesher {
   TileMesh make_split(const Tile& tile, TileNotes& notes) const {
     OctreePart part;
     part.origin = {tile.first.x * unit(), tile.first.y * unit(), tile.first.z * unit()};
-    part.size = kCells * unit();
+    part.size = kTileCells * unit();
     part.candidates = tile.candidates;
     part.complete[0] = unit();
-    part.complete[1] = (kCells - 1) * unit();
+    part.complete[1] = (kTileCells - 1) * unit();
     part.owned[0] = kFirstOwned * unit();
-    part.owned[1] = (kFirstOwned + kOwned) * unit();
+    part.owned[1] = (kFirstOwned + kTileOwned) * unit();
     part.common = &common_;
     CellOctree tree(field_, lattice_, part);
     for (std::size_t count = 1; count > 0;) {
@@ -182,7 +182,7 @@ class UniformMesher {
       count = tree.split(std::move(leaves));
     }
     CrossedGrid grid = split_badly_crossed(tree);
-    DualSurface surface(field_, tree, {.shallow = kShallow * lattice_.voxel(), .threads = 1});
+    DualSurface surface(field_, tree, {.shallow = kShallowCrease * lattice_.voxel(), .threads = 1});
     surface.find_loops(std::move(grid));
     surface.make_triangles();
     TileMesh mesh = collect(surface, tree, tile, notes);
@@ -211,7 +211,7 @@ class UniformMesher {
       return lattice_.coordinate(axis, (component(tile.first, axis) + i) * unit());
     };
     const Vec3 inner_low{plane(0, kFirstOwned), plane(1, kFirstOwned), plane(2, kFirstOwned)};
-    const std::int32_t last = kFirstOwned + kOwned - 1;
+    const std::int32_t last = kFirstOwned + kTileOwned - 1;
     const Vec3 inner_high{plane(0, last), plane(1, last), plane(2, last)};
     std::vector<std::uint32_t> id(base.vertices.size(), ~0u);
     out.triangles.reserve(base.triangles.size());
@@ -341,7 +341,7 @@ class UniformMesher {
       std::vector<std::size_t> again;
       for (std::size_t i = 0; i < set_.tiles.size(); ++i)
         if (std::any_of(fresh.begin(), fresh.end(), [&](const CellPlace& cell) {
-              return covers(set_.tiles[i], cell.origin, 0, kCells);
+              return covers(set_.tiles[i], cell.origin, 0, kTileCells);
             }))
           again.push_back(i);
       parallel_for(again.size(), options_.threads, [&](std::size_t k) { make_tile(again[k]); });
@@ -363,7 +363,7 @@ class UniformMesher {
     }
     report_.thin = distinct(thin);
     report_.bound = distance.largest();
-    report_.usual = distance.quantile(kMost);
+    report_.usual = distance.quantile(kMostTold);
     report_.sampled = distance.sampled();
     timer_.step("thin");
   }
@@ -386,7 +386,7 @@ class UniformMesher {
 
 void mesh_uniform(const ExactField& field, double voxel, int fine_levels, const MeshPlan& options,
                   MeshSink& sink, MeshReport& report) {
-  UniformMesher(field, Lattice(field.bounds(), voxel, fine_levels, kMargin), options, report)
+  UniformMesher(field, Lattice(field.bounds(), voxel, fine_levels, kVoxelsBefore), options, report)
       .run(sink);
 }
 

@@ -10,7 +10,7 @@ namespace mrsim::detail {
 namespace {
 
 constexpr double kLeastBend = 0.17;  ///< radians, nearly: what bends less is no corner
-constexpr double kAlong = 0.5;       ///< cosine between a chord and what it stands for, at least
+constexpr double kChordAlong = 0.5;  ///< cosine between a chord and what it stands for, at least
 constexpr int kEvenSteps = 8;
 constexpr double kStraight = 1e-7;  ///< mm
 
@@ -148,7 +148,7 @@ class Chooser {
     for (std::size_t k = from; k < to; ++k) {
       const Vec3 piece = points_[k + 1].at - points_[k].at;
       const double size = length(piece);
-      if (size > 4 * limits_.height && dot(piece, along) < kAlong * size * length(along))
+      if (size > 4 * limits_.height && dot(piece, along) < kChordAlong * size * length(along))
         return false;
     }
     const auto [first, last] = longest_run(from, to);

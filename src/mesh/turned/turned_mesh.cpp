@@ -45,10 +45,10 @@ std::uint32_t sides_for(double radius, double limit) {
 /// How many sides a ring has: a base times a power of two, so that the corners of one ring are at
 /// angles of those of every larger one; the base a multiple of four, so that diameters along X and
 /// Y are those of the part.
-class Sides {
+class TurnedSides {
  public:
   /// `least`, `most`: what the rings need.
-  Sides(std::uint32_t least, std::uint32_t most) {
+  TurnedSides(std::uint32_t least, std::uint32_t most) {
     std::uint32_t step = 1;
     while (most / (2 * step) >= least) step *= 2;
     base_ = (most + 4 * step - 1) / (4 * step) * 4;
@@ -108,7 +108,7 @@ Rings rings_of(const std::vector<Outline>& outlines, double limit, bool all_alik
       most = std::max(most, n);
     }
   }
-  const Sides sides(all_alike ? most : least, most);
+  const TurnedSides sides(all_alike ? most : least, most);
   Rings out;
   for (std::size_t i = 0; i < outlines.size(); ++i) {
     const Outline& line = outlines[i];
@@ -237,7 +237,7 @@ class TurnedMesher {
       if (rings.bound > limit_) return {};
       report_.memory = kTriangleMemory * static_cast<double>(rings.triangles) +
                        kSquareMemory * static_cast<double>(section.squares);
-      require_memory(report_.memory, options_.max_memory, options_.tolerance);
+      require_mesh_memory(report_.memory, options_.max_memory, options_.tolerance);
       timer_.step("chords");
       TriMesh mesh = std::move(Turner(rings).mesh());
       timer_.step("surface");

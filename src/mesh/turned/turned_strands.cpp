@@ -9,9 +9,9 @@
 namespace mrsim::detail {
 namespace {
 
-constexpr int kMostHalvings = 16;  ///< of the curve between two points
-constexpr double kAlong = 0.5;     ///< cosine between the ends of a piece, at least
-constexpr double kJoined = 0.98;   ///< the same of pieces over several faces
+constexpr int kMostHalvings = 16;    ///< of the curve between two points
+constexpr double kPieceAlong = 0.5;  ///< cosine between the ends of a piece, at least
+constexpr double kJoined = 0.98;     ///< the same of pieces over several faces
 
 /// Where the outline passes a line of the lattice. Named by the shortest part of the line that
 /// holds it, so that all squares about it agree.
@@ -163,7 +163,7 @@ class SquareTracer {
     const double turn = std::abs(n.x * m.z - n.z * m.x);
     const double top = turn > 1e-9 ? size * std::abs(rise * fall) / turn
                                    : size * std::max(std::abs(rise), std::abs(fall));
-    const bool bends_one_way = rise * fall >= -1e-12 && dot(n, m) > kAlong;
+    const bool bends_one_way = rise * fall >= -1e-12 && dot(n, m) > kPieceAlong;
     if (bends_one_way && top <= height_) return add(a, b, top);
     Vec3 middle = 0.5 * (a.at + b.at);
     if (halvings == kMostHalvings || !solve_faces(field_, {&a.face, 1}, 1, room_, middle) ||

@@ -11,11 +11,11 @@
 namespace mrsim {
 namespace {
 
-constexpr std::size_t kMostBoxes = 4000;
-constexpr double kShare = 1.0 / 32;      // of the depth: what the boxes may leave undecided
-constexpr double kFirstStep = 1.0 / 32;  // of the size of all: of the steps from the first hit
-constexpr double kLongestStep = 0.25;    // mm: of these, so that few cuts matter about a point
-constexpr double kLastStep = 1e-4;       // mm
+constexpr std::size_t kMostDepthBoxes = 4000;
+constexpr double kDepthShare = 1.0 / 32;  // of the depth: what the boxes may leave undecided
+constexpr double kFirstStep = 1.0 / 32;   // of the size of all: of the steps from the first hit
+constexpr double kLongestStep = 0.25;     // mm: of these, so that few cuts matter about a point
+constexpr double kLastStep = 1e-4;        // mm
 
 class DepthSearch {
  public:
@@ -102,11 +102,11 @@ void DepthSearch::push(Node node) {
 }
 
 void DepthSearch::branch() {
-  for (std::size_t boxes = 0; boxes < kMostBoxes && !heap_.empty(); ++boxes) {
+  for (std::size_t boxes = 0; boxes < kMostDepthBoxes && !heap_.empty(); ++boxes) {
     std::pop_heap(heap_.begin(), heap_.end());
     const Node top = std::move(heap_.back());
     heap_.pop_back();
-    if (top.bound <= best_ + std::max(scene_.threshold, kShare * best_)) return;
+    if (top.bound <= best_ + std::max(scene_.threshold, kDepthShare * best_)) return;
     for (const Box3& half : halves(top.box)) {
       Node node;
       if (make_node(half, top.cuts, node)) push(std::move(node));
@@ -134,8 +134,10 @@ void DepthSearch::improve(double step) {
     const double before = best_;
     const Vec3 at = place_;
     if (distance(at, from) > reach - 2 * step) cuts = near(from = at, reach);
-    for (int way = 0; way < 27; ++way)
-      provable(at + step * Vec3{way / 9 - 1.0, flat * (way / 3 % 3 - 1.0), way % 3 - 1.0}, cuts);
+    for (int x = -1; x <= 1; ++x)
+      for (int y = -1; y <= 1; ++y)
+        for (int z = -1; z <= 1; ++z)
+          provable(at + step * Vec3{double(x), flat * y, double(z)}, cuts);
     if (best_ <= before + kLastStep) step /= 2;
   }
 }
@@ -149,7 +151,7 @@ DeepPoint DepthSearch::run(const Vec3& seed) {
   Node root;
   if (make_node(root_, cuts, root)) push(std::move(root));
   branch();
-  if (best_ > seeded) improve(std::max(scene_.threshold, kShare * best_));
+  if (best_ > seeded) improve(std::max(scene_.threshold, kDepthShare * best_));
   return {best_, place_};
 }
 

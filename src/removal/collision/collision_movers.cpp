@@ -11,7 +11,6 @@ namespace mrsim {
 namespace {
 
 // mm: a cutter this near to where it has cut touches what it left, at most.
-constexpr double kSamePlace = 1e-6;
 
 // How many motions back a retract looks for the cut it follows.
 constexpr std::size_t kRecent = 16;
@@ -80,10 +79,6 @@ bool meets(const Box3& a, const Box3& b) {
 bool has_part(const Tool& tool, ToolPart part) {
   if (part == ToolPart::cutter) return true;
   return part == ToolPart::shank ? !tool.shank.empty() : !tool.holder.empty();
-}
-
-bool moves(const Motion& m) {
-  return m.kind == MotionKind::arc ? m.sweep != 0 : !(m.start == m.end);
 }
 
 class Selection {
@@ -185,6 +180,10 @@ bool Selection::stays_in(const Motion& cut, const Motion& rapid, const Known& to
 }
 
 }  // namespace
+
+bool moves(const Motion& m) {
+  return m.kind == MotionKind::arc ? m.sweep != 0 : !(m.start == m.end);
+}
 
 Movers find_movers(ToolPart part, std::span<const Motion> motions, std::span<const Tool> tools,
                    std::size_t first, const Box3& stock, std::vector<int>& shapeless) {

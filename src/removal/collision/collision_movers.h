@@ -12,6 +12,11 @@
 
 namespace mrsim {
 
+inline constexpr double kSamePlace = 1e-6;  ///< mm
+
+/// Whether it goes anywhere.
+bool moves(const Motion& m);
+
 /// One part of the tools along the motions that may collide.
 struct Movers {
   SweepTable sweeps;

@@ -26,7 +26,7 @@ constexpr std::size_t kMostFloors = 256;
 constexpr double kOutside = 8;
 
 // Share of the threshold: balls for less overlap than this would be too large.
-constexpr double kLeastOverlap = 1.0 / 16;
+constexpr double kLeastShare = 1.0 / 16;
 
 // Boxes smaller than this many thresholds are tried for two clear balls; larger ones would need
 // tools that are too large.
@@ -225,7 +225,7 @@ void CollisionDetector::drop_touching(const Ball& ball, double stock, Level& lev
     double overlap = scene_.threshold;
     if (!near_cuts_.empty())
       overlap = std::clamp(overlap + level.mover_distance[m] - near_cuts_.front().distance,
-                           kLeastOverlap * scene_.threshold, scene_.threshold);
+                           kLeastShare * scene_.threshold, scene_.threshold);
     const double depth = 0.75 * ball.radius * ball.radius / overlap + ball.radius;
     for (NearCut& near : near_cuts_) {
       if (!near.is_known) find_clear(ball, depth, near);

@@ -10,8 +10,8 @@
 namespace mrsim {
 namespace {
 
-constexpr std::size_t kMostBoxes = 1 << 12;  // of one level
-constexpr double kShare = 0.04;              // of the volume: what the last boxes may hold
+constexpr std::size_t kMostVolumeBoxes = 1 << 12;  // of one level
+constexpr double kVolumeShare = 0.04;              // of the volume: what the last boxes may hold
 
 class VolumeSearch {
  public:
@@ -102,7 +102,7 @@ double VolumeSearch::run() {
   for (;;) {
     double open = 0;
     for (const Node& node : nodes) open += size_of(node.box);
-    if (open <= kShare * (within_ + open) || 2 * nodes.size() > kMostBoxes) break;
+    if (open <= kVolumeShare * (within_ + open) || 2 * nodes.size() > kMostVolumeBoxes) break;
     std::vector<Node> next;
     for (const Node& node : nodes)
       for (const Box3& half : halves(node.box)) {

@@ -1,6 +1,7 @@
 #include "removal/collision/withdrawals.h"
 
 #include "core/vec.h"
+#include "removal/collision/collision_movers.h"
 #include "removal/tool/polygon.h"
 
 #include <algorithm>
@@ -11,13 +12,8 @@
 namespace mrsim {
 namespace {
 
-constexpr double kSamePlace = 1e-6;        // mm
 constexpr std::size_t kMostRapids = 4;     // withdrawals in a row: aside, back, and in between
 constexpr double kSine = 0.1736481776669;  // of 10 degrees
-
-bool moves(const Motion& m) {
-  return m.kind == MotionKind::arc ? m.sweep != 0 : !(m.start == m.end);
-}
 
 // Whether unit direction u leads from corner b of the polygon a, b, c (counter-clockwise) into the
 // polygon, or past a side of it at no more than the angle of kSine.

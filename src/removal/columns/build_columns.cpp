@@ -15,13 +15,13 @@
 namespace mrsim {
 namespace {
 
-constexpr std::size_t kPart = 1 << 13;  // motions; their rows stay in the cache
+constexpr std::size_t kMotionsOfPart = 1 << 13;  // motions; their rows stay in the cache
 
 // Appends parts to a table, in their order.
 class Joiner {
  public:
   Joiner(SweepColumns& table, std::size_t motions)
-      : table_(table), parts_((motions + kPart - 1) / kPart) {
+      : table_(table), parts_((motions + kMotionsOfPart - 1) / kMotionsOfPart) {
     reserve_large(table.refs, motions);
     reserve_large(table.tags, motions);
     reserve_large(table.motions, motions);
@@ -170,11 +170,11 @@ void build_columns(std::span<const Motion> program, std::span<const Tool> tools,
   static std::atomic<std::uint64_t> tables{0};
   out.serial = ++tables;
   Joiner joiner(out, program.size());
-  make_in_order((program.size() + kPart - 1) / kPart, threads,
+  make_in_order((program.size() + kMotionsOfPart - 1) / kMotionsOfPart, threads,
                 [&](std::size_t part) {
                   auto builder = std::make_unique<SweepBuilder>(tools, selection);
-                  for (std::size_t i = part * kPart;
-                       i < std::min((part + 1) * kPart, program.size()); ++i)
+                  for (std::size_t i = part * kMotionsOfPart;
+                       i < std::min((part + 1) * kMotionsOfPart, program.size()); ++i)
                     builder->add(program[i], static_cast<std::int32_t>(i));
                   return builder;
                 },

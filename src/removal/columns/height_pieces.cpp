@@ -10,13 +10,13 @@
 namespace mrsim {
 namespace {
 
-constexpr double kTiny = 1e-9;       // mm, and of slopes
-constexpr double kSteepest = 60;     // largest slope of a tangent
-constexpr double kSteepFillet = 7;   // the same where the fillet ends upright
-constexpr double kArcError = 0.01;   // mm: wanted distance of an arc from its pieces
-constexpr double kMostPieces = 256;  // of one path
-constexpr double kUpright = 64;      // slope from which a move is cut at kShort mm in plan
-constexpr double kShort = 0.02;
+constexpr double kFlat = 1e-9;        // mm, and of slopes
+constexpr double kSteepest = 60;      // largest slope of a tangent
+constexpr double kSteepFillet = 7;    // the same where the fillet ends upright
+constexpr double kArcError = 0.01;    // mm: wanted distance of an arc from its pieces
+constexpr double kMostPieces = 256;   // of one path
+constexpr double kUprightSlope = 64;  // slope from which a move is cut at kShortInPlan mm in plan
+constexpr double kShortInPlan = 0.02;
 
 bool is_horizontal(const ProfileEdge& e) { return e.radius == 0 && e.direction.y == 0; }
 bool is_upright(const ProfileEdge& e) { return e.radius == 0 && e.direction.x == 0; }
@@ -30,8 +30,8 @@ std::size_t read_underside(const std::vector<ProfileEdge>& edges, HeightTool& t)
   if (next < edges.size() && edges[next].radius > 0) {
     const ProfileEdge& arc = edges[next];
     const double across = arc.b.x - arc.center.x;
-    if (!arc.convex || std::fabs(arc.center.x - core) > kTiny ||
-        std::fabs(arc.center.y - arc.radius) > kTiny || arc.b.y > arc.center.y + kTiny ||
+    if (!arc.convex || std::fabs(arc.center.x - core) > kFlat ||
+        std::fabs(arc.center.y - arc.radius) > kFlat || arc.b.y > arc.center.y + kFlat ||
         across <= 0)
       return edges.size();
     t.round = static_cast<float>(arc.radius), t.per_round = static_cast<float>(1 / arc.radius);
@@ -99,7 +99,7 @@ HeightTool height_tool(const Profile& tool) {
 LineRecord piece_record(const Vec3& a, const Vec3& b, double eps) {
   const Vec3 &low = b.z < a.z ? b : a, &high = b.z < a.z ? a : b;
   const double dx = high.x - low.x, dy = high.y - low.y, length = std::sqrt(dx * dx + dy * dy);
-  const bool point = length < kTiny || high.z - low.z > kUpright * length;
+  const bool point = length < kFlat || high.z - low.z > kUprightSlope * length;
   LineRecord record;
   record.c[BallSlot::x] = low.x, record.c[BallSlot::y] = low.y, record.c[BallSlot::z] = low.z;
   record.c[BallSlot::ux] = length > 0 ? dx / length : 1,
@@ -113,8 +113,8 @@ LineRecord piece_record(const Vec3& a, const Vec3& b, double eps) {
 bool append_pieces(const ToolPath& path, std::vector<LineRecord>& out) {
   if (!path.arc) {
     const double plan = std::sqrt(path.travel.x * path.travel.x + path.travel.y * path.travel.y);
-    const bool steep = std::fabs(path.travel.z) > kUpright * plan;
-    const double count = steep ? std::clamp(std::ceil(plan / kShort), 1.0, 16.0) : 1;
+    const bool steep = std::fabs(path.travel.z) > kUprightSlope * plan;
+    const double count = steep ? std::clamp(std::ceil(plan / kShortInPlan), 1.0, 16.0) : 1;
     add_all(out, static_cast<int>(count), 0,
             [&](double t) { return path.start + t * path.travel; });
     return true;

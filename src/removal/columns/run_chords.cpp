@@ -11,8 +11,8 @@
 namespace mrsim {
 namespace {
 
-constexpr double kStraight = 1.0 / 16;  // largest spread of the chord of two packs of length 1
-constexpr double kSteep = 1e-3;         // in plan: shorter chords of length 1 have no direction
+constexpr double kPairSpread = 1.0 / 16;  // largest spread of the chord of two packs of length 1
+constexpr double kUprightChord = 1e-3;    // in plan: shorter chords of length 1 have no direction
 
 // The path along the chord of a pack, from its lower end.
 ToolPath path_along(const LineRecord& piece) {
@@ -39,11 +39,12 @@ std::optional<RunChords::Run> run_of_pair(const SweepColumns& c, std::uint32_t a
   path.travel = line_of(c.packs[b].last).end() - path.start;
   const Vec3 &way = path.travel, off = middle - path.start;
   const double square = dot(way, way);
-  if (!(way.x * way.x + way.y * way.y > kSteep * kSteep * square)) return std::nullopt;
+  if (!(way.x * way.x + way.y * way.y > kUprightChord * kUprightChord * square))
+    return std::nullopt;
   const Vec3 aside = off - std::clamp(dot(off, way) / square, 0.0, 1.0) * way;
   RunChords::Run run{c.packs[a].first, c.packs[b].last};
   run.spread = length(aside) + std::max(spread_of(c, a), spread_of(c, b)) + kRounding;
-  if (run.spread * run.spread > kStraight * kStraight * square) return std::nullopt;
+  if (run.spread * run.spread > kPairSpread * kPairSpread * square) return std::nullopt;
   run.chord = chain_line(c.chain_tools[c.refs[run.first].shape], path);
   return run;
 }

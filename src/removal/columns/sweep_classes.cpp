@@ -15,8 +15,6 @@
 namespace mrsim {
 namespace {
 
-constexpr std::size_t kPart = 1 << 16;  // sweeps that are worth a thread
-
 float rounded_down(double x) {
   return std::max(0.0f, std::nextafter(static_cast<float>(x), -1.0f));
 }
@@ -53,8 +51,7 @@ SweepClass class_of_sweep(const SweepColumns& c, const SweepRef& ref, SweepClass
   return k;
 }
 
-// The height that decides the tip of a plan sweep; sweeps of one tool agree in it just when they
-// agree in their tips.
+// A number that two plan sweeps of one tool share exactly when their tips are equally high.
 double tip_height(const SweepColumns& c, const SweepRef& ref) {
   if (ref.kind == SweepKind::plane_line) return c.plane_lines[ref.row].c[LineSlot::low];
   if (ref.kind == SweepKind::plane_arc) return c.plane_arcs[ref.row].c[ArcSlot::low];
@@ -97,17 +94,19 @@ bool are_alike(const SweepColumns& c, int threads) {
     return std::tuple(group_of(refs[i]), c.form_of(i), refs[i].shape);
   };
   std::atomic<bool> alike = true;
-  parallel_for((refs.size() + kPart - 1) / kPart, threads, [&](std::size_t part) {
-    for (std::size_t i = part * kPart; i < std::min((part + 1) * kPart, refs.size()); ++i)
-      if (is_plan(refs[i]) || key(i) != key(0)) return alike.store(false);
-  });
+  parallel_for((refs.size() + kSweepsOfThread - 1) / kSweepsOfThread, threads,
+               [&](std::size_t part) {
+                 for (std::size_t i = part * kSweepsOfThread;
+                      i < std::min((part + 1) * kSweepsOfThread, refs.size()); ++i)
+                   if (is_plan(refs[i]) || key(i) != key(0)) return alike.store(false);
+               });
   return alike;
 }
 
 }  // namespace
 
 void cut_pieces(SweepColumns& c) {
-  constexpr std::size_t kTogether = 1024;  // sweeps
+  constexpr std::size_t kSweepsTogether = 1024;  // sweeps
   std::vector<LineRecord> some;
   for (std::size_t i = 0; i < c.refs.size(); ++i) {
     const SweepRef& ref = c.refs[i];
@@ -119,7 +118,7 @@ void cut_pieces(SweepColumns& c) {
           path ? append_pieces(*c.paths[ref.row], some) : append_pieces(c.profiles[ref.row], some);
       if (cut && c.first_piece.empty()) c.first_piece.resize(c.refs.size() + 1);
     }
-    if ((i + 1) % kTogether != 0 && i + 1 != c.refs.size()) continue;
+    if ((i + 1) % kSweepsTogether != 0 && i + 1 != c.refs.size()) continue;
     reserve_ahead(c.pieces, some.size(), i + 1, c.refs.size());
     c.pieces.insert(c.pieces.end(), some.begin(), some.end());
     some.clear();

@@ -23,6 +23,8 @@
 
 namespace mrsim {
 
+inline constexpr std::size_t kSweepsOfThread = 1 << 16;  ///< sweeps that are worth a thread
+
 /// Patch numbers: the profile's patch, or kCornerPatch + corner where a corner of the profile draws
 /// the surface, plus kBranchPatch * branch (half of an arc, quarter turn of a helix), plus
 /// kFlankPatch for the second flank of the groove that a sharp tip leaves.
@@ -32,7 +34,7 @@ inline constexpr std::int32_t kBranchPatch = 1 << 16;
 
 enum class SweepKind : std::uint8_t {
   ball_line,   ///< ball reaching up, any line: ball_line of sweep_lanes.inl
-  plane_line,  ///< flat, bull-nose or ball reaching up, horizontal line: plane_line
+  plane_line,  ///< flat or bull-nose reaching up, or a closed ball, horizontal line: plane_line
   plane_arc,   ///< the same on a horizontal arc: plane_arc
   ball_arc,    ///< ball reaching up, arc in an upright plane
   profile,     ///< any profile on a horizontal line or arc, or up and down

@@ -13,13 +13,13 @@
 namespace mrsim {
 namespace {
 
-constexpr std::size_t kMost = 8, kLeast = 4;  // members of a pack
-constexpr double kStraight = 1.0 / 16;        // of the chord: the largest spread
-constexpr double kJoined = 1e-9;              // mm: ends of moves that follow one another
-constexpr double kShortest = 1e-3;            // mm in plan: shorter chords have no direction
-constexpr double kSteep = 8;                  // slope from which heights tell little of a chord
-constexpr std::size_t kPart = 1 << 13;        // sweeps that are packed on their own
-constexpr double kExpand = 0.7;               // of a pack: smaller regions see its members
+constexpr std::size_t kMost = 8, kLeast = 4;    // members of a pack
+constexpr double kLargestSpread = 1.0 / 16;     // of the chord: the largest spread
+constexpr double kJoined = 1e-9;                // mm: ends of moves that follow one another
+constexpr double kShortest = 1e-3;              // mm in plan: shorter chords have no direction
+constexpr double kSteepChord = 8;               // slope from which heights tell little of a chord
+constexpr std::size_t kSweepsOfPart = 1 << 13;  // sweeps that are packed on their own
+constexpr double kExpand = 0.7;                 // of a pack: smaller regions see its members
 
 using Form = SweepClass::Form;
 
@@ -188,7 +188,8 @@ class SweepPacks::Builder {
   }
   static std::optional<Spread> spread_in_space(std::span<const Item> items, const Vec3& a,
                                                const Vec3& d) {
-    const double size = dot(d, d), most = kStraight * kStraight * size, inverse = 1 / size;
+    const double size = dot(d, d), most = kLargestSpread * kLargestSpread * size,
+                 inverse = 1 / size;
     double joints = 0, own = 0;
     for (const Item& item : items) {
       joints = std::max(joints, squared_distance(item.start, a, d, inverse));
@@ -203,7 +204,7 @@ class SweepPacks::Builder {
   std::optional<Spread> spread_of_pieces(std::span<const Item> items, const Vec3& a,
                                          const Vec3& d) const {
     const double n = std::sqrt(d.x * d.x + d.y * d.y), ux = d.x / n, uy = d.y / n, m = d.z / n;
-    if (std::fabs(m) > kSteep) return std::nullopt;
+    if (std::fabs(m) > kSteepChord) return std::nullopt;
     Spread joints, own;
     for (const Item& item : items) {
       const Vec3 q = item.start - a;
@@ -212,9 +213,9 @@ class SweepPacks::Builder {
       joints = max(joints, {std::fabs(q.y * ux - q.x * uy), std::fabs(q.z - m * along)});
       own = max(own, item.spread);
     }
-    const double room = 4 * kJoined * (1 + kSteep);
+    const double room = 4 * kJoined * (1 + kSteepChord);
     const Spread spread = joints + own + Spread{room, room};
-    if (in_height(items[0], spread) > kStraight * n) return std::nullopt;
+    if (in_height(items[0], spread) > kLargestSpread * n) return std::nullopt;
     return spread;
   }
   // What it may change in the height of a tool, about.
@@ -266,11 +267,11 @@ class SweepPacks::Builder {
 
 SweepPacks::SweepPacks(const SweepColumns& columns, int threads) {
   const std::size_t sweeps = columns.refs.size();
-  make_in_order((sweeps + kPart - 1) / kPart, threads,
+  make_in_order((sweeps + kSweepsOfPart - 1) / kSweepsOfPart, threads,
                 [&](std::size_t k) {
                   return Builder(columns).build(
-                      static_cast<std::uint32_t>(k * kPart),
-                      static_cast<std::uint32_t>(std::min((k + 1) * kPart, sweeps)));
+                      static_cast<std::uint32_t>(k * kSweepsOfPart),
+                      static_cast<std::uint32_t>(std::min((k + 1) * kSweepsOfPart, sweeps)));
                 },
                 [&](const SweepPacks& part) { append(part, sweeps); });
   if (packs_.empty()) return;

@@ -13,8 +13,9 @@ namespace {
 // Room for rounding in a bound, mm: coordinates up to 10 m.
 constexpr double kBoundSlack = 1e-9;
 
-// Of a path without length, where the insert is a disc: a polygon needs a side.
-constexpr double kShortest = 1e-6;
+// mm: half a side of the path of a round insert that stays in one place, because a polygon needs a
+// side.
+constexpr double kPointSide = 1e-6;
 
 double segment_distance(Vec2 a, Vec2 b, Vec2 q) {
   const Vec2 d = b - a, w = q - a;
@@ -52,7 +53,7 @@ class TurnTree::Builder {
           const TurnSweep& s = sweep_of(i);
           paths_[i] = {s.start, s.end, s.bulge};
         },
-        kTogether);
+        kChildrenOfThread);
   }
 
   // The packs of the items [from, to), all of one insert; the last one is their root.
@@ -65,7 +66,7 @@ class TurnTree::Builder {
   }
 
  private:
-  static constexpr std::size_t kTogether = 32;  // worth a thread
+  static constexpr std::size_t kChildrenOfThread = 32;  // worth a thread
   struct Range {
     std::uint32_t from, to;
   };
@@ -90,7 +91,7 @@ class TurnTree::Builder {
           level[k] = leaves ? leaf(a, b) : inner(a, b);
           chords_[first + k] = chord_of(ranges_[first + k]);
         },
-        kTogether);
+        kChildrenOfThread);
     std::size_t sides = tree_.sides_.size();
     for (Made& made : level) {
       made.pack.sides = static_cast<std::uint32_t>(sides);
@@ -105,7 +106,7 @@ class TurnTree::Builder {
           const Chord& c = chords_[first + k];
           tree_.size_[first + k] = length(c.b - c.a) + 2 * c.away;
         },
-        kTogether);
+        kChildrenOfThread);
     return static_cast<std::uint32_t>(first);
   }
 
@@ -136,8 +137,8 @@ class TurnTree::Builder {
       TurnSweep s = turn_line(insert, c.a, c.b);
       double away = c.away + kBoundSlack;
       if (s.polygon.sides.empty()) {
-        s = turn_line(insert, c.a, c.b + Vec2{kShortest, 0});
-        away += kShortest;
+        s = turn_line(insert, c.a, c.b + Vec2{kPointSide, 0});
+        away += kPointSide;
       }
       made.own[k] = std::move(s.polygon);
       made.polygons[k] = &made.own[k];

@@ -81,9 +81,9 @@ class ExactField {
     Descent(const Descent&) = delete;
     Descent& operator=(const Descent&) = delete;
     virtual ~Descent() = default;
-    /// As restrict_to, narrowing what level - 1 has left. Requires: the
-    /// last region entered at level - 1 holds this one; level >= 1. What is left may stand for more
-    /// than it says, unless d is going to be asked of it (`last`).
+    /// As restrict_to, of the candidates that level - 1 has left. Requires: the last region entered
+    /// at level - 1 holds this one; level >= 1. The list that is left may still contain packs; with
+    /// `last`, when d is going to be asked, it holds single sweeps.
     virtual Region enter(std::size_t level, const Box3& box, double band, bool last) = 0;
     /// The same for a region without parts: what is left goes to `out`, ascending. Requires: the
     /// last region was entered at level - 1 as one that is going to be asked.
@@ -147,12 +147,12 @@ class ExactField {
   /// patch_distance. Costs four to ten values of it.
   virtual FaceRange patch_range(const Corners3&, const FieldSample&) const { return {}; }
 
-  /// What stands for this owner's sweep alone in a list of candidates. Requires: not the stock.
+  /// The number that means this owner's sweep, and no other, in a list of candidates. Requires: not
+  /// the stock.
   virtual std::uint32_t candidate(std::int32_t owner) const = 0;
 
-  /// `candidates` with each sweep by itself, where some stand for many, less those of these that
-  /// can not decide d within `band` mm of the surface in the box. False where they are too many to
-  /// be of use.
+  /// Replaces packs among the candidates by their sweeps and drops sweeps that can not decide d
+  /// within `band` mm of the surface in the box. False where they are too many to be of use.
   virtual bool expand_packs(const Box3& box, double band, std::span<const std::uint32_t> candidates,
                             Candidates& out) const = 0;
 

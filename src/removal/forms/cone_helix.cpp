@@ -20,7 +20,7 @@
 namespace mrsim {
 namespace {
 
-constexpr double kSame = 1e-13;  // of the size: F and f are equal
+constexpr double kSameValue = 1e-13;  // of the size: F and f are equal
 
 class ConeHelix {
  public:
@@ -98,7 +98,7 @@ std::optional<PathSample> cone_helix_minimum(const Profile& tool, const ToolPath
   }
   if (!std::isfinite(best.f)) return std::nullopt;
   const double there = tool_distance(tool, best.at.rho, best.at.z);
-  if (there - best.f > kSame * (1 + std::fabs(there) + best.at.rho + std::fabs(best.at.z)))
+  if (there - best.f > kSameValue * (1 + std::fabs(there) + best.at.rho + std::fabs(best.at.z)))
     return std::nullopt;
   return PathSample{there, best.at.t};
 }

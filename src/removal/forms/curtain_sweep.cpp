@@ -21,7 +21,7 @@ bool on_arc(const Curtain& c, double x, double y) {
   return c.cos_half * (off < 0 ? -off : off) - c.sin_half * along <= 0;
 }
 
-Vec2 arc_end(const Curtain& c, double side) {
+Vec2 curtain_end(const Curtain& c, double side) {
   const double a = c.radius * c.cos_half, b = side * c.radius * c.sin_half;
   return {a * c.mid_x - b * c.mid_y, a * c.mid_y + b * c.mid_x};
 }
@@ -30,7 +30,7 @@ Vec2 nearest_on_arc(const Curtain& c, Vec2 q) {
   const double n = length(q);
   if (on_arc(c, q.x, q.y))
     return n > 0 ? (c.radius / n) * q : Vec2{c.radius * c.mid_x, c.radius * c.mid_y};
-  return arc_end(c, c.mid_x * q.y - c.mid_y * q.x < 0 ? -1 : 1);
+  return curtain_end(c, c.mid_x * q.y - c.mid_y * q.x < 0 ? -1 : 1);
 }
 
 bool is_above(const Curtain& c, Vec2 q) {
@@ -66,10 +66,10 @@ Curtain make_curtain(double radius, double from, double turn) {
   const SinCos mid = sincos(from + turn / 2), half = sincos(turn / 2);
   c.mid_x = mid.cos, c.mid_y = mid.sin;
   if (turn < kTwoPi) c.cos_half = half.cos, c.sin_half = half.sin;
-  const Vec2 first = arc_end(c, -1);
+  const Vec2 first = curtain_end(c, -1);
   c.left = c.right = first.x;
   add_hem(c, first);
-  add_hem(c, arc_end(c, 1));
+  add_hem(c, curtain_end(c, 1));
   if (on_arc(c, -radius, 0)) add_hem(c, {-radius, 0});
   if (on_arc(c, radius, 0)) add_hem(c, {radius, 0});
   return c;
@@ -77,7 +77,7 @@ Curtain make_curtain(double radius, double from, double turn) {
 
 bool overhangs(const Curtain& c) {
   for (double side : {-1.0, 1.0}) {
-    const Vec2 end = arc_end(c, side);
+    const Vec2 end = curtain_end(c, side);
     if (end.y < 0 && on_arc(c, end.x, -end.y)) return true;
   }
   return false;

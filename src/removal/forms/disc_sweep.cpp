@@ -16,7 +16,7 @@ namespace mrsim {
 namespace {
 
 // What faces p: the lower half of the disc, or the upper one upside down.
-struct Side {
+struct DiscSide {
   double core = 0, round = 0;
   double edge = 0;  ///< height of the flat core above the tip
   double up = 1;    ///< -1: upside down
@@ -35,7 +35,7 @@ class DiscPath {
 
   PathSample least(double begin, double end) const {
     const double passed = std::clamp((p_.z - middle_ - first_) / rise_, begin, end);
-    const Side &before = rise_ > 0 ? high_ : low_, &after = rise_ > 0 ? low_ : high_;
+    const DiscSide &before = rise_ > 0 ? high_ : low_, &after = rise_ > 0 ? low_ : high_;
     PathSample best;
     best.distance = std::numeric_limits<double>::infinity();
     // Towards the position where the tool passes p.
@@ -49,7 +49,7 @@ class DiscPath {
 
  private:
   // Of earlier turns each position has one below it in the last.
-  PathSample turn(const Side& side, double from, double to) const {
+  PathSample turn(const DiscSide& side, double from, double to) const {
     const double way = to > from ? 1 : -1;
     if (std::fabs(to - from) > kTwoPi) from = to - way * kTwoPi;
     const SinCos sc = sincos(from), angle = sincos(std::fabs(to - from));
@@ -68,7 +68,7 @@ class DiscPath {
 
   const ToolPath& path_;
   const Vec3 p_;
-  const Side low_, high_;
+  const DiscSide low_, high_;
   const double rise_;    // of the path, mm a radian
   const double first_;   // height of the tip at 0
   const double middle_;  // half the height of the disc

@@ -22,8 +22,8 @@
 namespace mrsim {
 namespace {
 
-constexpr double kNoTurn = 1e-12;  // radians: nearer to an end of the path is the end
-constexpr double kSame = 1e-12;    // mm
+constexpr double kNoTurn = 1e-12;           // radians: nearer to an end of the path is the end
+constexpr double kSamePlaceOfPath = 1e-12;  // mm
 constexpr int kMostNewton = 40;
 
 // A tip (point, ball, disc or bull nose) and the flank that joins it.
@@ -101,7 +101,7 @@ class FlankOnArc {
       if (holds(w) && off_in_plan(w) <= off_in_plan(nearest)) nearest = w;
     const double rho = std::sqrt(square(off_in_plan(nearest)) + beside2_);
     const double wall = rho - tool_.max_radius();
-    known_ = tool_.distance({rho, z_ - radius_ * nearest.y}) <= wall + kSame;
+    known_ = tool_.distance({rho, z_ - radius_ * nearest.y}) <= wall + kSamePlaceOfPath;
     best_ = wall, at_ = nearest;
   }
 
@@ -125,7 +125,7 @@ class FlankOnArc {
   // Within the tool its foot on tip and flank says nothing of the other faces, and a flat tip may
   // be deeper than the mill with the same one.
   bool is_nearest(double rho, double z, double f) const {
-    return core_ == 0 && std::fabs(tool_.distance({rho, z}) - f) <= kSame;
+    return core_ == 0 && std::fabs(tool_.distance({rho, z}) - f) <= kSamePlaceOfPath;
   }
 
   // Of G / R in x / R = u, with p mirrored to `x` >= 0: a lean + b times the path's slope.

@@ -15,7 +15,7 @@ HelixRecord helix_record(const Profile& tool, const ToolPath& path);
 LineRecord bore_record(const Profile& tool, const ToolPath& path);
 
 /// The least distance over all positions, up to 1e-12 mm. Requires: lowest_turn, a tool with
-/// is_rounded(). None to about five sines.
+/// is_rounded(). Cost: zero to five sines.
 PathSample helix_minimum(const Profile& tool, const ToolPath& path, const Vec3& p);
 /// The same over one quarter turn, counted from the start.
 PathSample helix_branch_minimum(const Profile& tool, const ToolPath& path, const Vec3& p,

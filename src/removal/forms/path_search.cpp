@@ -10,7 +10,7 @@
 // it never falls with it: only the rest of a turn is left to branch and bound. Where I >= 0 on both
 // sides of a local minimum (the tool is at the bottom of a trough), no place within half a turn is
 // nearer. Other tools are unions of convex ones (Profile::convex_pieces); where they are not, the
-// Lipschitz bound alone is left, which takes 1e4 values about a smooth minimum.
+// Lipschitz bound alone is left, which takes up to 1e5 values about a smooth minimum.
 #include "removal/forms/path_search.h"
 
 #include "core/trig.h"

@@ -23,7 +23,7 @@ namespace {
 
 using Side = ConvexPolygon::Side;
 
-constexpr double kTiny = 1e-12;         // mm
+constexpr double kNoLength = 1e-12;     // mm
 constexpr std::size_t kMostSides = 16;  // of an insert
 
 double arc_distance(const ArcPiece& a, Vec2 q) {
@@ -37,7 +37,7 @@ bool in_sector(const ArcPiece& a, Vec2 w) {
   return a.cos_half * (off < 0 ? -off : off) - a.sin_half * along <= 0;
 }
 
-Vec2 arc_end(const ArcPiece& a, double side) {
+Vec2 path_end(const ArcPiece& a, double side) {
   return a.radius * (a.cos_half * a.middle + side * a.sin_half * Vec2{-a.middle.y, a.middle.x});
 }
 
@@ -62,8 +62,8 @@ double deepest(const TurnSweep& s, Vec2 q) {
     const bool hopeless = from_center[side] - dot(right_of(sides[side].direction), w) >= best;
     if (!hopeless && in_sector(s.path, w)) probe(w);
   };
-  probe(arc_end(s.path, 1));
-  probe(arc_end(s.path, -1));
+  probe(path_end(s.path, 1));
+  probe(path_end(s.path, -1));
   for (std::size_t i = 0; i < sides.size(); ++i)
     probe_within(s.path.radius * right_of(sides[i].direction), i);
   for (const SidePair& pair : s.pairs) {
@@ -120,7 +120,7 @@ Vec2 piece_gradient(const TurnSweep& s, std::int32_t index, Vec2 q) {
     const Side& e = s.sides[index - arcs];
     const Vec2 off = q - foot_on(e, q);
     const double n = length(off);
-    return is_round(s, e, q) && n > kTiny ? (1 / n) * off : right_of(e.direction);
+    return is_round(s, e, q) && n > kNoLength ? (1 / n) * off : right_of(e.direction);
   }
   const ArcPiece& a = s.arcs[index];
   const Vec2 w = q - a.center;
@@ -128,10 +128,10 @@ Vec2 piece_gradient(const TurnSweep& s, std::int32_t index, Vec2 q) {
   const Vec2 radial = n > 0 ? (1 / n) * w : Vec2{1, 0};
   if (a.way != 0 && (s.round == 0 || in_sector(a, w))) return static_cast<double>(a.way) * radial;
   if (in_sector(a, w)) return n > a.radius ? radial : -1.0 * radial;
-  const Vec2 to_high = w - arc_end(a, 1), to_low = w - arc_end(a, -1);
+  const Vec2 to_high = w - path_end(a, 1), to_low = w - path_end(a, -1);
   const Vec2 off = dot(to_high, to_high) < dot(to_low, to_low) ? to_high : to_low;
   const double m = length(off);
-  return m > kTiny ? (1 / m) * off : radial;
+  return m > kNoLength ? (1 / m) * off : radial;
 }
 
 // The distance and the face that decides it.
@@ -166,7 +166,7 @@ void add_corner(TurnSweep& s, Vec2 corner, double from, double turn, double cone
   for (int k = -2; k <= 2; ++k) {
     const double lo = std::max(from, cone + k * kTwoPi);
     const double hi = std::min(from + turn, cone + opening + k * kTwoPi);
-    if (hi - lo < kTiny) continue;  // one point, which a side ends in
+    if (hi - lo < kNoLength) continue;  // one point, which a side ends in
     s.arcs.push_back(make_arc(s.path.center + corner, s.path.radius, lo, hi - lo));
     s.arcs.back().way = way;
   }
@@ -209,7 +209,7 @@ void prepare_depth(TurnSweep& s) {
     const Vec2 n = right_of(sides[i].direction);
     s.reach.push_back(in_sector(s.path, n)
                           ? s.path.radius
-                          : std::max(dot(n, arc_end(s.path, 1)), dot(n, arc_end(s.path, -1))));
+                          : std::max(dot(n, path_end(s.path, 1)), dot(n, path_end(s.path, -1))));
     for (std::size_t j = 0; j < i; ++j) {
       const Vec2 m = n - right_of(sides[j].direction);
       const double mm = dot(m, m);
@@ -260,16 +260,16 @@ TurnSweep turn_arc(const InsertOutline& insert, Vec2 start, Vec2 center, double 
       s.hi = {std::max(s.hi.x, q.x + s.round), std::max(s.hi.y, q.y + s.round)};
     }
   };
-  reach(arc_end(s.path, 1));
-  reach(arc_end(s.path, -1));
+  reach(path_end(s.path, 1));
+  reach(path_end(s.path, -1));
   const double r = s.path.radius;
   for (Vec2 w : {Vec2{r, 0}, Vec2{0, r}, Vec2{-r, 0}, Vec2{0, -r}})
     if (in_sector(s.path, w)) reach(w);
   s.one_sided = s.inside || s.lo.x >= 0;
   const bool flat =
       s.path.cos_half >= 0;  // at most half a turn: the sagitta; else all of the circle
-  s.start = flat ? center + arc_end(s.path, -1) : center;
-  s.end = flat ? center + arc_end(s.path, 1) : center;
+  s.start = flat ? center + path_end(s.path, -1) : center;
+  s.end = flat ? center + path_end(s.path, 1) : center;
   s.bulge = flat ? r - r * s.path.cos_half : r;
   return s;
 }

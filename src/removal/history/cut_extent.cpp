@@ -11,8 +11,8 @@ namespace mrsim {
 namespace {
 
 constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
-constexpr double kUpright = 1e-6;  // sine: a feed along the tool
-constexpr double kLying = 0.7;     // cosine: arcs about an axis that lies across the tool
+constexpr double kUprightFeed = 1e-6;  // sine: a feed along the tool
+constexpr double kLying = 0.7;         // cosine: arcs about an axis that lies across the tool
 
 double arcsine(double x) {
   const double sine = std::clamp(x, -1.0, 1.0);
@@ -34,7 +34,7 @@ double radius_at(const Underside& tool, double height) {
 
 bool is_along_axis(const Motion& line) {
   const Vec3 way = line.end - line.start;
-  return length(cross(line.tool_axis, way)) <= kUpright * length(way);
+  return length(cross(line.tool_axis, way)) <= kUprightFeed * length(way);
 }
 
 CutFrame::CutFrame(const Motion& motion, const Tool& tool)

@@ -17,7 +17,7 @@ constexpr int kCell = 8;   // voxels of a cell that is handed on, each way
 constexpr int kBlock = 4;  // columns of a block that is cut at once, each way
 // Of the depth of cut: where heights differ by more, columns halve; in a file sooner, as the middle
 // of a column says little of the sharp valleys of V tools. Balls leave none.
-constexpr double kSteep = 0.5, kSteepInFile = 0.125;
+constexpr double kSteepTip = 0.5, kSteepInFile = 0.125;
 constexpr std::size_t kWorthRun = 3;   // sweeps that are worth a bound of all
 constexpr std::size_t kFewSweeps = 6;  // whose walls are worth finer columns
 
@@ -78,8 +78,9 @@ std::array<std::int32_t, 2> HeightGrid::origin(std::size_t tile) const {
 
 Vec2 HeightGrid::corner(std::size_t tile) const {
   const auto wide = static_cast<std::size_t>(tiles_[0]);
-  return low_ + Vec2{static_cast<double>(tile % wide) * kTile * column_.x,
-                     static_cast<double>(tile / wide) * kTile * column_.y};
+  const std::size_t x = tile % wide, y = tile / wide;
+  return low_ + Vec2{static_cast<double>(x) * kTile * column_.x,
+                     static_cast<double>(y) * kTile * column_.y};
 }
 
 std::vector<std::vector<std::uint32_t>> HeightGrid::sweeps_of_tiles(
@@ -188,7 +189,7 @@ bool HeightWalker::narrow(const Square& square, std::size_t level, bool& is_even
         heights_.bounds(place, square.center.x, square.center.y, r, most);
     if (!(bottom.lower < most)) continue;
     left.push_back(place);
-    const double step = std::min(kSteep * (high_ - bottom.lower), 2 * r);
+    const double step = std::min(kSteepTip * (high_ - bottom.lower), 2 * r);
     if (!frames_.empty() && std::min(bottom.upper, most) - bottom.lower > step) has_wall = true;
     least = std::min(least, bottom.lower), most = std::min(most, bottom.upper);
   }
@@ -201,7 +202,7 @@ bool HeightWalker::narrow(const Square& square, std::size_t level, bool& is_even
 bool HeightWalker::is_even(double least, double most) const {
   least = std::max(least, low_), most = std::max(most, low_);
   const bool is_fine = !frames_.empty() && heights_.balls().empty();
-  const double steep = is_fine ? kSteepInFile : kSteep;
+  const double steep = is_fine ? kSteepInFile : kSteepTip;
   return most - least <= steep * (high_ - least);
 }
 

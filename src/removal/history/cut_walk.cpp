@@ -13,8 +13,6 @@ namespace {
 // Of a voxel: what a pass along a finished surface removes by rounding is not part of its extent.
 constexpr double kLeastGone = 0.01;
 
-double within_one(double x) { return std::min(std::max(x, 0.0), 1.0); }
-
 }  // namespace
 
 CutWalker::CutWalker(const PartField& field, const CutLattice& lattice,
@@ -162,7 +160,7 @@ void CutWalker::evaluate(const CutCell& cell, const List& list, bool in_stock) {
     double stock[PointColumns::kMost];
     field_.solid().distances(points_.count, points_.x, points_.y, points_.z, stock);
     for (std::size_t k = 0; k < points_.count; ++k) {
-      left_[k] = within_one(0.5 - share_ * stock[k]);
+      left_[k] = std::clamp(0.5 - share_ * stock[k], 0.0, 1.0);
       if (stock[k] >= 0) cut_[k] = kNeverThere;
     }
   }
@@ -179,7 +177,7 @@ bool CutWalker::take(std::uint32_t place) {
   double gone = 0, rest = 0;
   for (std::size_t k = 0; k < points_.count; ++k) {
     const double d = points_.least[k];
-    const double left = std::min(left_[k], within_one(0.5 + share_ * d));
+    const double left = std::min(left_[k], std::clamp(0.5 + share_ * d, 0.0, 1.0));
     gone += (left_[k] - left) * volume_[k];
     if (!frames_.empty() && left_[k] - left > kLeastGone)
       extend(place, {points_.x[k], points_.y[k], points_.z[k]}, left_[k] - left);

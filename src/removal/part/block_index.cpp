@@ -16,7 +16,7 @@ namespace mrsim {
 namespace {
 
 // Enough parts for the cores of a workstation, each worth a thread.
-constexpr std::size_t kParts = 16, kPartSweeps = 4096;
+constexpr std::size_t kIndexParts = 16, kPartSweeps = 4096;
 
 }  // namespace
 
@@ -80,7 +80,7 @@ void BlockIndex::fill(const SweepTable& sweeps, std::span<const std::uint32_t> i
                       int threads) {
   const std::size_t blocks = start_.size() - 1;
   const bool few = ids.size() < kPartSweeps || blocks > ids.size();
-  const std::size_t parts = few ? 1 : kParts;
+  const std::size_t parts = few ? 1 : kIndexParts;
   const auto first_of = [&](std::size_t part) { return ids.size() * part / parts; };
   std::vector<Range> ranges;
   reserve_large(ranges, ids.size());

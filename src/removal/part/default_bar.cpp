@@ -15,8 +15,6 @@
 namespace mrsim {
 namespace {
 
-constexpr double kNoHeight = -std::numeric_limits<double>::infinity();
-
 // What the cuts of a lathe tell of its bar, in radius and Z.
 struct TurnedCuts {
   double along = 0;               // largest radius at which a tool cuts towards the chuck

@@ -16,8 +16,6 @@
 namespace mrsim {
 namespace {
 
-constexpr double kNoHeight = -std::numeric_limits<double>::infinity();
-
 // The heights of a program's cuts, infinite where there is none of a kind.
 struct Heights {
   double first = kNoHeight;       // where the first cut begins

@@ -3,6 +3,7 @@
 #include "core/parallel.h"
 #include "core/rounding.h"
 #include "core/vec.h"
+#include "removal/columns/sweep_columns.h"
 #include "removal/field/face_range.h"
 #include "removal/prune/list_candidates.h"
 #include "removal/prune/prune.h"
@@ -16,12 +17,11 @@ namespace mrsim {
 namespace {
 
 constexpr double kNearlyCube = 1.01;  ///< ratio of the radii of a cube about a box and of the box
-constexpr std::size_t kTogether = 3;  ///< points that are worth columns
-constexpr std::size_t kShort = 64;    ///< sweeps in closed form that are cheaper asked than pruned
+constexpr std::size_t kPointsTogether = 3;  ///< points that are worth columns
+constexpr std::size_t kShortList =
+    64;  ///< sweeps in closed form that are cheaper asked than pruned
 constexpr std::size_t kShortCostly = 16;  ///< other milling sweeps, likewise
 constexpr std::size_t kShortTurned = 16;  ///< turning sweeps, likewise
-
-constexpr std::size_t kPart = 1 << 16;  ///< sweeps that are worth a thread
 
 // The first of the points, as many as there is room for.
 void fill(PointColumns& columns, std::span<const Vec3> points) {
@@ -86,7 +86,7 @@ class CandidateDescent final : public ExactField::Descent {
   }
   bool is_short(std::size_t level) const override {
     const CandidateList& left = levels_[level].left;
-    if (left.closed) return left.size() <= kShort;
+    if (left.closed) return left.size() <= kShortList;
     if (left.size() > kShortCostly) return false;
     static thread_local Candidates opened;
     return left.size() <= 1 || list(levels_[level], opened);
@@ -121,10 +121,10 @@ PartField::PartField(StockSolid solid, SweepTable sweeps, int threads)
   if (count == 0) return;
   sweep_of_.resize(static_cast<std::size_t>(sweeps_.motion(count - 1)) + 1);
   // The last sweep of each motion.
-  parallel_for((count + kPart - 1) / kPart, threads, [&](std::size_t part) {
-    const std::size_t end = std::min((part + 1) * kPart, count);
-    std::int32_t own = sweeps_.motion(part * kPart);
-    for (std::size_t i = part * kPart; i < end; ++i) {
+  parallel_for((count + kSweepsOfThread - 1) / kSweepsOfThread, threads, [&](std::size_t part) {
+    const std::size_t end = std::min((part + 1) * kSweepsOfThread, count);
+    std::int32_t own = sweeps_.motion(part * kSweepsOfThread);
+    for (std::size_t i = part * kSweepsOfThread; i < end; ++i) {
       const std::int32_t next = i + 1 < count ? sweeps_.motion(i + 1) : -1;
       if (next != own) sweep_of_[static_cast<std::size_t>(own)] = static_cast<std::uint32_t>(i);
       own = next;
@@ -241,7 +241,7 @@ bool PartField::is_on_surface(const Vec3& p, std::span<const std::uint32_t> cand
 void PartField::samples(std::span<const Vec3> points, std::span<const std::uint32_t> candidates,
                         FieldSample* out) const {
   PointColumns columns;
-  if (points.size() < kTogether) return ExactField::samples(points, candidates, out);
+  if (points.size() < kPointsTogether) return ExactField::samples(points, candidates, out);
   for (; !points.empty(); points = points.subspan(columns.count), out += columns.count) {
     fill(columns, points);
     sweeps_.least(candidates, columns);

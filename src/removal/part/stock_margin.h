@@ -3,13 +3,15 @@
 
 #include <mrsim/types.h>
 
+#include <limits>
 #include <span>
 #include <vector>
 
 namespace mrsim {
 
-constexpr double kLeastMargin = 1;    // mm
-constexpr double kSameHeight = 1e-6;  // mm: heights nearer than this are one
+inline constexpr double kLeastMargin = 1;    ///< mm
+inline constexpr double kSameHeight = 1e-6;  ///< mm: heights nearer than this are one
+inline constexpr double kNoHeight = -std::numeric_limits<double>::infinity();
 
 /// Between the cuts and the sides of the stock.
 double margin_of(const Box3& cuts);

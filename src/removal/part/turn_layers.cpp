@@ -17,7 +17,7 @@ constexpr double kSplit = 5000;
 // A few registers of voxels are as cheap as one.
 constexpr double kFewVoxels = 32;
 
-constexpr double kNarrowest = 1e-6;  // mm
+constexpr double kThinnestRing = 1e-6;  // mm
 
 }  // namespace
 
@@ -49,7 +49,7 @@ class TurnLayers::Builder {
       tree_.members(region, best, reach, slack, left, members_);
       const auto count = static_cast<double>(members_.size());
       const double voxels = std::max(kFewVoxels, 2 * kTwoPi * rho * half / (voxel_ * voxel_));
-      if (count <= 1 || count * voxels <= kSplit || half < kNarrowest) {
+      if (count <= 1 || count * voxels <= kSplit || half < kThinnestRing) {
         return add_mixed(from, to, in_stock);
       }
     }

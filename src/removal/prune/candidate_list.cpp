@@ -12,7 +12,7 @@ void CandidateList::reset(std::size_t slots, const Vec3& about) {
   if (lines * kPad <= stride_) return;
   stride_ = lines * kPad;
   numbers_.clear();  // nothing of it is copied
-  numbers_.resize(stride_ * kNearColumns);
+  numbers_.resize(stride_ * kCandidateColumns);
 }
 
 std::size_t CandidateList::begin_run(std::uint32_t of, std::size_t numbers) {

@@ -75,7 +75,7 @@ class CandidateList {
   static constexpr std::size_t kPad = 16;
 
  private:
-  AlignedVector<float> numbers_ = AlignedVector<float>(kNearColumns * kPad);
+  AlignedVector<float> numbers_ = AlignedVector<float>(kCandidateColumns * kPad);
   std::size_t stride_ = kPad, size_ = 0;
   std::vector<Run> runs_;
 };

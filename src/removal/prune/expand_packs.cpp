@@ -10,7 +10,7 @@ namespace {
 
 void copy_run(const CandidateList& in, const CandidateList::Run& run, CandidateList& out) {
   const std::size_t first = out.begin_run(run.of, run.numbers);
-  for (std::size_t i = 0; i < kNearColumns; ++i)
+  for (std::size_t i = 0; i < kCandidateColumns; ++i)
     std::copy_n(in.column(i) + run.first, run.count, out.column(i) + first);
   out.close_run(run.count);
 }
@@ -22,7 +22,7 @@ void copy_some(const CandidateList& in, const CandidateList::Run& run, Candidate
   std::size_t count = 0;
   for (std::size_t k = 0; k < run.count; ++k) {
     if (!wanted(k)) continue;
-    for (std::size_t i = 0; i < kNearColumns; ++i)
+    for (std::size_t i = 0; i < kCandidateColumns; ++i)
       out.column(i)[first + count] = in.column(i)[run.first + k];
     ++count;
   }

@@ -6,13 +6,11 @@
 namespace mrsim {
 namespace {
 
-constexpr float kFloatInfinity = std::numeric_limits<float>::infinity();
-
 // Shorter lists of costly sweeps are not worth the nearest points of their skeletons.
 constexpr std::size_t kFewOthers = 6;
 constexpr double kRoom = 1e-3;  // mm: far above the slack of rounding
 
-constexpr std::size_t kTogether = 512;  // a multiple of any register
+constexpr std::size_t kMeasuredTogether = 512;  // a multiple of any register
 constexpr std::size_t kLongRun = 512, kProbes = 16;
 
 using Kernel = decltype(CandidateKernels::strip);
@@ -140,8 +138,8 @@ LeastDistance MeasuredList::measure_packs(const CandidateList::Run& run) {
   return {static_cast<float>(scratch_.turned.distance), kFloatInfinity, kFloatInfinity};
 }
 
-// A few sweeps here and there in a long run tell most regions that are deep in one, which is no
-// farther away than the tool is wide.
+// Asks a few sweeps of a long run first: in most regions that lie deep in a sweep one of them shows
+// it, as no point of such a region is farther from a sweep than the tool is wide.
 void MeasuredList::probe_run(std::size_t i) {
   const CandidateList::Run& run = in_.runs()[i];
   if (run.count < kLongRun || type(i).form > SweepClass::Form::arc) return;
@@ -174,9 +172,9 @@ void MeasuredList::measure_run(std::size_t i) {
   }
   const Kernel kernel = kernel_of(kernels_, type(i).form);
   least = {kFloatInfinity, kFloatInfinity, kFloatInfinity};
-  for (std::size_t k = 0; k < run.count && !is_swept(); k += kTogether) {
+  for (std::size_t k = 0; k < run.count && !is_swept(); k += kMeasuredTogether) {
     const LeastDistance some =
-        kernel(in_.columns(run.first + k), std::min(run.count - k, kTogether), at_,
+        kernel(in_.columns(run.first + k), std::min(run.count - k, kMeasuredTogether), at_,
                scratch_.rows.at(run.first + k));
     least.distance = std::min(least.distance, some.distance);
     least.squared = std::min(least.squared, some.squared);

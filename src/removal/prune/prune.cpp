@@ -12,7 +12,6 @@
 namespace mrsim {
 namespace {
 
-constexpr float kFloatInfinity = std::numeric_limits<float>::infinity();
 constexpr std::size_t kFewUndercuts = 4;  // their points are asked sooner than the region
 
 // A run of horizontal moves: a point below the tool's tip is at least (tip.z - z) away from each.
@@ -40,8 +39,8 @@ class Keeper {
         reach_(reach),
         at_(measured.at()) {}
 
-  /// Copies what is not beaten within the limit (mm) to `out`; nothing where the region comes near
-  /// none of it. False where the region turns out to be deep in one sweep.
+  /// Copies the candidates within `limit` mm that no other one beats to `out`; none where the
+  /// region comes near no candidate. False where the region turns out to be deep in one sweep.
   bool keep(double limit, double band, CandidateList& out) {
     if (measured_.has_packs()) {
       columns_.turn_tree.narrow(turn_region(region_), measured_.nearest_pack(), limit, slack_,

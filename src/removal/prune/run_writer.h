@@ -14,8 +14,8 @@
 
 namespace mrsim {
 
-/// What a list is to hold. Runs ascend by class, and by sweep where they can: what is asked for
-/// points must, or has to be sorted again.
+/// An entry that a list is to hold. Lists ascend by class and, where they can, by sweep; one that
+/// is asked for points must ascend by sweep, or is sorted again.
 struct RunEntry {
   std::uint32_t of = 0;  ///< class
   std::uint32_t number = 0;
@@ -23,9 +23,9 @@ struct RunEntry {
   bool children = false;    ///< those of the pack, not itself
 };
 using RunEntries = std::vector<RunEntry>;
-/// Sorts by merging stretches that ascend: those of the runs that the entries came from.
+/// Sorts by merging: each run that the entries came from ascends already.
 void sort_by_class(RunEntries& entries);
-/// The same where entries ascend but for their classes.
+/// The same for entries that already ascend within each class.
 void sort_by_class(RunEntries& entries, std::size_t classes);
 
 inline constexpr std::size_t kEntriesAhead = 8;  ///< entries, to ask for memory in time

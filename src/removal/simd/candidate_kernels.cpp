@@ -20,7 +20,6 @@
 
 namespace mrsim {
 namespace {
-constexpr float kFloatInfinity = std::numeric_limits<float>::infinity();
 constexpr float kLaneNumbers[] = {0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15};
 }  // namespace
 

@@ -9,12 +9,14 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 
 namespace mrsim {
 
 enum class SimdLevel;
 
-inline constexpr std::size_t kNearColumns = 10, kIdColumn = 9, kPackColumn = 8;
+inline constexpr std::size_t kCandidateColumns = 10, kIdColumn = 9, kPackColumn = 8;
+inline constexpr float kFloatInfinity = std::numeric_limits<float>::infinity();
 
 struct CandidateColumns {
   const float* base = nullptr;
@@ -49,7 +51,7 @@ struct HeightArgs {
   float wide = 0;      ///< radius in plan of what the bounds are for
   float top = 0;       ///< height above which a bound need not hold
   float error = 0;     ///< of a bound
-  float stray = 1;     ///< how much of what a path leaves its piece by it may do in plan
+  float stray = 1;     ///< share of a path's deviation from its piece that may lie in plan
   HeightTool tool;
 };
 

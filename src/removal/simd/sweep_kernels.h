@@ -96,11 +96,12 @@ struct SweepKernels {
   /// Brings `points`, seen as (x, z) or (-x, z), up to date with a polygon less `round`.
   void (*polygon_least)(const ConvexPolygon::Side* sides, std::size_t count, double round,
                         bool mirrored, std::uint32_t id, PointColumns& points);
-  /// Heights to which a ball's straight move (ball_height_lanes.inl) reaches down above places in
-  /// plan. A bit for each that is below the place's lowest so far, which is left as it is.
+  /// out[k]: the lowest height of a ball's straight move (ball_height_lanes.inl) above place k in
+  /// plan. Returns a bit for each place where that is below the place's lowest so far, which is not
+  /// changed.
   std::uint32_t (*ball_heights)(const LineRecord& move, const PlanPlaces& places, double* out);
-  /// Bounds of them within r of each place: brings `least` up to date with the lower, `low` with
-  /// the upper one. A bit for each place where the lower one is below its `low` before.
+  /// Bounds of these heights within r of each place: lowers `least` to the lower bound and `low` to
+  /// the upper one. Returns a bit for each place where the lower bound is below its `low` before.
   std::uint32_t (*ball_bounds)(const LineRecord& move, double r, PlanPlaces& places, double* least);
 };
 

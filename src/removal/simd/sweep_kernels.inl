@@ -79,8 +79,6 @@ static void helix_least_of(const HelixRecord& record, std::uint32_t id, std::uin
   }
 }
 
-constexpr double kBoundError = 1e-8;  // mm: rounding of bounds, with room
-
 static void slant_bounds(const SlantRecord* records, const std::uint32_t* rows, std::size_t n,
                          const Vec3& p, double* out) {
   const V x = splat(p.x), y = splat(p.y), z = splat(p.z);

@@ -215,7 +215,7 @@ struct UprightLeast {
 };
 /// Where that is above `limit`, any distance that is.
 static inline UprightLeast upright_least(const V* c, V px, V py, V pz, V limit, M wanted) {
-  limit = limit + splat(1e-8);  // mm: rounding of bounds, with room
+  limit = limit + splat(kBoundError);
   const UprightStretch stretch(c, px, py, pz, limit);
   const V round = c[UprightColumn::round];
   const V bound = lower_bound(stretch.first(), stretch.last(), round);

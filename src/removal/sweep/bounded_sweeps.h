@@ -15,7 +15,6 @@
 namespace mrsim {
 
 inline constexpr std::size_t kListChunk = 128;  ///< sweeps of a list that are asked together
-inline constexpr double kBoundError = 1e-8;     ///< mm: rounding of bounds, with room
 
 /// The sweeps of one form in a chunk of a list: their rows, and where their results go.
 struct ListPart {

@@ -14,8 +14,8 @@
 namespace mrsim {
 namespace {
 
-constexpr double kShort = 1e-9;   // mm in plan: an upright move
-constexpr double kFound = 1e-10;  // mm: to which a height is searched
+constexpr double kUprightInPlan = 1e-9;  // mm in plan: an upright move
+constexpr double kFound = 1e-10;         // mm: to which a height is searched
 constexpr int kMostSteps = 80;
 
 constexpr double kSlack = 1e-6;  // mm: above the error of distances
@@ -154,7 +154,7 @@ void SweepHeights::set_slant(Row& row, const Vec3& start, const Vec3& end) const
   const double dx = high.x - low.x, dy = high.y - low.y, plan = std::sqrt(dx * dx + dy * dy);
   row.form = Form::slant;
   row.x = low.x, row.y = low.y, row.z = low.z;
-  if (plan < kShort) return;
+  if (plan < kUprightInPlan) return;
   row.ux = dx / plan, row.uy = dy / plan;
   row.length = plan, row.slope = (high.z - low.z) / plan;
 }

@@ -11,7 +11,7 @@
 namespace mrsim {
 namespace {
 
-constexpr double kUpright = 1e-12;    // sine: rounding of a wall's normal
+constexpr double kUprightNormal = 1e-12;  // sine: rounding of a wall's normal
 constexpr double kMostAcross = 2e-5;  // mm: rounding of corners, and the sagitta of small chords
 
 std::array<double, 3> heights(const Corners3& t, double z) {
@@ -182,7 +182,7 @@ class RangeOf {
     const Vec3 at = weighted(smallest_circle(t_), t_);
     Vec3 n = sweep_gradient(columns_, i_, at, sweep_sample(columns_, i_, at).patch);
     if (ref_.frame > 0) n = columns_.frames[ref_.frame - 1].in(n);
-    if (std::fabs(n.z) < kUpright) n.z = 0;
+    if (std::fabs(n.z) < kUprightNormal) n.z = 0;
     const double ahead = std::max(0.0, dot(n, path.travel));
     const double body =
         dot(n, path.start) + ahead + tool.support({std::sqrt(n.x * n.x + n.y * n.y), n.z});

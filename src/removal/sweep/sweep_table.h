@@ -1,5 +1,5 @@
 // What a tool sweeps along one motion, as a signed distance in double: negative where the tool has
-// been, zero set exact, 1-Lipschitz, exact outside wherever a closed form exists (docs/removal.md
+// been, zero set exact, 1-Lipschitz, exact outside wherever a closed form exists (docs/sweeps.md
 // lists the forms and the error bound of the others).
 //
 // A motion is never chopped: one cutting motion, one sweep. Sweeps are kept by columns so that one

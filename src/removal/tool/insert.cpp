@@ -22,13 +22,13 @@ constexpr double kDefaultAngle = 35;  // degrees: a finishing insert
 constexpr double kDefaultLead = 93;   // degrees
 constexpr double kDefaultGroove = 3;  // mm: width of a blade
 
-struct Side {
+struct InsertSide {
   double x = 0, z = 0;  // theoretical tip as seen from the nose centre, -1, 0 or 1
 };
 
-Side tip_side(int orientation) {
-  static constexpr Side kSides[] = {{0, 0}, {1, 1}, {1, -1}, {-1, -1}, {-1, 1},
-                                    {0, 1}, {1, 0}, {0, -1}, {-1, 0},  {0, 0}};
+InsertSide tip_side(int orientation) {
+  static constexpr InsertSide kSides[] = {{0, 0}, {1, 1}, {1, -1}, {-1, -1}, {-1, 1},
+                                          {0, 1}, {1, 0}, {0, -1}, {-1, 0},  {0, 0}};
   return kSides[orientation];
 }
 
@@ -129,13 +129,14 @@ std::vector<Vec2> rotated(std::vector<Vec2> p, double angle) {
 }
 
 // Direction in which the body of a neutral insert lies.
-double angle_away(const Side& side) {
+double angle_away(const InsertSide& side) {
   if (side.x != 0) return side.x < 0 ? 0 : kPi;
   return side.z < 0 ? kPi / 2 : -kPi / 2;
 }
 
 // One tooth of a threading insert, as wide as the tool, its nose centre at the origin.
-std::vector<Vec2> thread_tooth(const Tool& tool, const Side& side, double round, double edge) {
+std::vector<Vec2> thread_tooth(const Tool& tool, const InsertSide& side, double round,
+                               double edge) {
   const double angle = tool.insert_angle > 0 ? tool.insert_angle : radians(60);
   const SinCos half = sincos(angle / 2);
   const double out = tool.width / 2, flank = out * half.cos / half.sin;
@@ -148,7 +149,7 @@ std::vector<Vec2> thread_tooth(const Tool& tool, const Side& side, double round,
 }
 
 // Points of an insert with its nose centre (or sharp corner) at the origin.
-std::vector<Vec2> oriented_insert(const Tool& tool, const Side& side, double round) {
+std::vector<Vec2> oriented_insert(const Tool& tool, const InsertSide& side, double round) {
   const char letter = shape_letter(tool);
   const double angle = tool.type == ToolType::threading && tool.insert_angle <= 0
                            ? radians(60)
@@ -173,7 +174,7 @@ std::vector<Vec2> oriented_insert(const Tool& tool, const Side& side, double rou
 }
 
 // A rectangular blade, its working end at the tip.
-std::vector<Vec2> blade(const Tool& tool, const Side& side, double round) {
+std::vector<Vec2> blade(const Tool& tool, const InsertSide& side, double round) {
   const double w = (tool.width > 0 ? tool.width : kDefaultGroove) - 2 * round;
   const double l = (tool.edge_length > 0 ? tool.edge_length : kDefaultEdge) - 2 * round;
   require(w >= 0 && l > 0, tool, "the corner radius is too large for the blade");
@@ -197,7 +198,7 @@ InsertOutline make_insert(const Tool& tool) {
                        tool.insert_angle, tool.diameter})
     require(std::isfinite(value) && value >= 0, tool, "a size is negative or not a number");
   InsertOutline out;
-  const Side side = tip_side(orientation_of(tool));
+  const InsertSide side = tip_side(orientation_of(tool));
   out.inside = side.x > 0;
   out.round = tool.nose_radius;
   if (tool.type == ToolType::grooving) {

@@ -9,20 +9,20 @@ namespace {
 
 using Side = ConvexPolygon::Side;
 
-constexpr double kTiny = 1e-12;  // mm
+constexpr double kNoWidth = 1e-12;  // mm
 
 // Convex hull, counter-clockwise (Andrew's monotone chain), points on its sides left out.
 std::vector<Vec2> hull(std::vector<Vec2> p) {
   std::sort(p.begin(), p.end(),
             [](Vec2 a, Vec2 b) { return a.x < b.x || (a.x == b.x && a.y < b.y); });
-  p.erase(std::unique(p.begin(), p.end(), [](Vec2 a, Vec2 b) { return length(b - a) < kTiny; }),
+  p.erase(std::unique(p.begin(), p.end(), [](Vec2 a, Vec2 b) { return length(b - a) < kNoWidth; }),
           p.end());
   if (p.size() < 3) return p;
   std::vector<Vec2> h;
   const auto add = [&h](Vec2 q, std::size_t keep) {
     while (h.size() > keep) {
       const Vec2 in = h.back() - h[h.size() - 2], on = q - h.back();
-      if (cross(in, on) > kTiny * (length(in) + length(on))) break;
+      if (cross(in, on) > kNoWidth * (length(in) + length(on))) break;
       h.pop_back();
     }
     h.push_back(q);
@@ -82,7 +82,7 @@ Vec2 polygon_gradient(const ConvexPolygon& polygon, Vec2 q) {
     return n > 0 ? (1 / n) * off : Vec2{1, 0};
   }
   Vec2 g = right_of(polygon.sides[static_cast<std::size_t>(polygon_side(polygon, q))].direction);
-  if (polygon_distance(polygon, q) <= kTiny) return g;
+  if (polygon_distance(polygon, q) <= kNoWidth) return g;
   double least = kInfinity;
   for (const Side& e : polygon.sides) {
     if (side_of(e, q) <= 0) continue;

@@ -11,13 +11,11 @@ namespace {
 
 constexpr double kSmooth = 1e-9;  // sine of the turn below which two edges join smoothly
 
-bool is_arc(const ProfileEdge& e) { return e.radius > 0; }
-
 Vec2 left_of(Vec2 d) { return {-d.y, d.x}; }
 
 // Direction of travel at a point of the edge (on the arc: perpendicular to the radius).
 Vec2 tangent_at(const ProfileEdge& e, Vec2 at) {
-  if (!is_arc(e)) return e.direction;
+  if (!e.is_arc()) return e.direction;
   const Vec2 t = (1 / e.radius) * left_of(at - e.center);
   return e.convex ? t : -1.0 * t;
 }
@@ -33,13 +31,13 @@ bool in_sector(const ProfileEdge& e, Vec2 w) {
 
 // Signed distance to the edge continued beyond its ends.
 double side(const ProfileEdge& e, Vec2 q) {
-  if (!is_arc(e)) return -cross(e.direction, q - e.a);
+  if (!e.is_arc()) return -cross(e.direction, q - e.a);
   const double d = length(q - e.center) - e.radius;
   return e.convex ? d : -d;
 }
 
 Vec2 outward(const ProfileEdge& e, Vec2 q) {
-  if (!is_arc(e)) return {e.direction.y, -e.direction.x};
+  if (!e.is_arc()) return {e.direction.y, -e.direction.x};
   const Vec2 w = q - e.center;
   const double n = length(w);
   if (n == 0) return {e.convex ? 1.0 : -1.0, 0};
@@ -57,7 +55,7 @@ struct Profile::Foot {
 Profile::Profile(std::vector<ProfileEdge> edges) : edges_(std::move(edges)) {
   MRSIM_ASSERT(!edges_.empty());
   for (ProfileEdge& e : edges_) {
-    if (is_arc(e)) continue;
+    if (e.is_arc()) continue;
     const bool ray = std::isinf(e.b.y);
     e.length = ray ? e.b.y : mrsim::length(e.b - e.a);
     e.direction = ray ? Vec2{0, 1} : (1 / e.length) * (e.b - e.a);
@@ -96,7 +94,7 @@ double Profile::max_radius_below(double z) const {
     if (e.a.y > z) break;  // edges never go down
     most = std::max(most, e.a.x);
     const double top = std::min(z, e.b.y);
-    if (is_arc(e)) {
+    if (e.is_arc()) {
       const double dy =
           std::clamp(e.convex ? 0.0 : top - e.center.y, e.a.y - e.center.y, top - e.center.y);
       const double dx = std::sqrt(std::max(0.0, e.radius * e.radius - dy * dy));
@@ -123,13 +121,13 @@ void Profile::find_flags() {
   double previous = 0;
   bool falling = false;
   for (const ProfileEdge& e : edges_) {
-    const Vec2 from = tangent_at(e, e.a), to = is_arc(e) ? tangent_at(e, e.b) : from;
-    if (is_arc(e) && !e.convex) is_convex_ = false;
+    const Vec2 from = tangent_at(e, e.a), to = e.is_arc() ? tangent_at(e, e.b) : from;
+    if (e.is_arc() && !e.convex) is_convex_ = false;
     // An arc that bulges out passes its widest point where its tangent turns from out to in.
-    const bool over = is_arc(e) && e.convex && from.x > kSmooth && to.x < -kSmooth;
+    const bool over = e.is_arc() && e.convex && from.x > kSmooth && to.x < -kSmooth;
     const double reach = over ? e.center.x + e.radius : std::isinf(e.b.y) ? e.a.x : e.b.x;
     const double at = over ? e.center.y : std::isinf(e.b.y) ? e.a.y : e.b.y;
-    const bool dips = is_arc(e) && !e.convex && from.x < 0 && to.x > 0;
+    const bool dips = e.is_arc() && !e.convex && from.x < 0 && to.x > 0;
     if (reach > previous && falling) unimodal_ = false;
     if (dips) unimodal_ = false;
     if (e.a.x > max_radius_) max_radius_ = e.a.x, widest_ = e.a.y;
@@ -150,10 +148,10 @@ void Profile::find_slab() {
   const std::size_t lid = open_top_ ? 0 : 1, n = edges_.size() - lid;
   if (bottom_ != 0 || n < 2 || n > 3) return;
   const ProfileEdge &low = edges_[n - 2], &wall = edges_[n - 1], &first = edges_.front();
-  if (is_arc(wall) || wall.direction.x != 0) return;
-  if (lid == 1 && (is_arc(edges_.back()) || edges_.back().direction.y != 0)) return;
-  const bool disc = !is_arc(first) && first.direction.y == 0;
-  const bool quarter = is_arc(low) && low.convex && low.center.y == low.b.y &&
+  if (wall.is_arc() || wall.direction.x != 0) return;
+  if (lid == 1 && (edges_.back().is_arc() || edges_.back().direction.y != 0)) return;
+  const bool disc = !first.is_arc() && first.direction.y == 0;
+  const bool quarter = low.is_arc() && low.convex && low.center.y == low.b.y &&
                        low.center.x == low.a.x && low.center.x + low.radius == low.b.x;
   if (n == 2 && disc) {
     is_rounded_ = true, core_ = max_radius_, round_ = 0;
@@ -169,10 +167,10 @@ void Profile::find_disc() {
   const auto same = [this](Vec2 a, Vec2 b) { return length(a - b) <= 1e-12 * max_radius_; };
   std::size_t k = 0;
   const auto is_line = [&](Vec2 across) {
-    return k < edges_.size() && !is_arc(edges_[k]) && dot(edges_[k].direction, across) == 0;
+    return k < edges_.size() && !edges_[k].is_arc() && dot(edges_[k].direction, across) == 0;
   };
   const auto is_quarter = [&](Vec2 from, Vec2 to) {
-    if (k == edges_.size() || !is_arc(edges_[k]) || !edges_[k].convex) return false;
+    if (k == edges_.size() || !edges_[k].is_arc() || !edges_[k].convex) return false;
     const ProfileEdge& e = edges_[k];
     return same(e.a, e.center + e.radius * from) && same(e.b, e.center + e.radius * to);
   };
@@ -192,7 +190,7 @@ Profile::Foot Profile::nearest(Vec2 q) const {
   for (std::size_t i = 0; i < edges_.size(); ++i) {
     const ProfileEdge& e = edges_[i];
     Foot foot{0, i, -1};
-    if (is_arc(e)) {
+    if (e.is_arc()) {
       if (in_sector(e, q - e.center)) {
         const double d = side(e, q);
         foot.distance = d < 0 ? -d : d;
@@ -244,7 +242,7 @@ const ProfileEdge* Profile::nearest_edge(Vec2 q, std::int32_t patch) const {
   for (const ProfileEdge& e : edges_) {
     if (e.patch != patch) continue;
     double d;
-    if (is_arc(e)) {
+    if (e.is_arc()) {
       const double to_a = length(q - e.a), to_b = length(q - e.b), s = side(e, q);
       d = in_sector(e, q - e.center) ? (s < 0 ? -s : s) : to_a < to_b ? to_a : to_b;
     } else {
@@ -275,7 +273,7 @@ Profile Profile::drawn_out(double travel) const {
     out.push_back(e);
   };
   for (const ProfileEdge& e : edges_) {
-    if (!above && e.a.x == max_radius_ && e.a.y == widest_ && !is_arc(e) && e.direction.x == 0) {
+    if (!above && e.a.x == max_radius_ && e.a.y == widest_ && !e.is_arc() && e.direction.x == 0) {
       out.push_back({.a = e.a, .b = {e.b.x, e.b.y + travel}});
       above = true;
       continue;
@@ -283,7 +281,7 @@ Profile Profile::drawn_out(double travel) const {
     if (!above && e.a.x == max_radius_ && e.a.y == widest_) {
       out.push_back({.a = e.a, .b = {e.a.x, e.a.y + travel}});
       above = true;
-    } else if (!above && is_arc(e) && e.a.y < widest_ && widest_ < e.b.y) {
+    } else if (!above && e.is_arc() && e.a.y < widest_ && widest_ < e.b.y) {
       // The arc passes the widest place: it is cut there.
       ProfileEdge low = e, high = e;
       low.b = high.a = {max_radius_, widest_};
@@ -302,10 +300,10 @@ Profile Profile::extended_up() const {
   std::vector<ProfileEdge> out;
   for (const ProfileEdge& e : edges_)
     out.push_back({.a = e.a, .b = e.b, .center = e.center, .radius = e.radius, .convex = e.convex});
-  const bool has_lid = !is_arc(edges_.back()) && edges_.back().direction.y == 0;
+  const bool has_lid = !edges_.back().is_arc() && edges_.back().direction.y == 0;
   if (has_lid) out.pop_back();
   const ProfileEdge* last = out.empty() ? nullptr : &edges_[out.size() - 1];
-  if (last != nullptr && !is_arc(*last) && last->direction.x == 0)
+  if (last != nullptr && !last->is_arc() && last->direction.x == 0)
     out.back().b.y = std::numeric_limits<double>::infinity();
   else if (const Vec2 end = edges_.back().a; last != nullptr)
     out.push_back({.a = end, .b = {end.x, std::numeric_limits<double>::infinity()}});

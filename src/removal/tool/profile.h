@@ -28,6 +28,7 @@ struct ProfileEdge {
   double radius = 0;       ///< arc: mm, 0 = line
   bool convex = true;      ///< arc: counter-clockwise, bulging out of the solid
   std::int32_t patch = 0;  ///< smooth chain of edges, from 0 at the tip
+  bool is_arc() const { return radius > 0; }
 };
 
 struct ProfileSample {

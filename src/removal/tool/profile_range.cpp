@@ -9,10 +9,8 @@
 namespace mrsim {
 namespace {
 
-bool is_arc(const ProfileEdge& e) { return e.radius > 0; }
-
 FaceRange edge_range(const ProfileEdge& e, const Section& s) {
-  if (!is_arc(e)) {
+  if (!e.is_arc()) {
     const auto side = [&e](Vec2 q) { return -cross(e.direction, q - e.a); };
     return widened(range_of({side(s.at[0]), side(s.at[1]), side(s.at[2])}), s,
                    {e.direction.y, e.direction.y});
@@ -27,12 +25,12 @@ FaceRange edge_range(const ProfileEdge& e, const Section& s) {
 }
 
 bool same_circle(const ProfileEdge& e, const ProfileEdge& f) {
-  return is_arc(e) && e.center == f.center && e.radius == f.radius && e.convex == f.convex;
+  return e.is_arc() && e.center == f.center && e.radius == f.radius && e.convex == f.convex;
 }
 
 // Direction of travel at the ends of an edge that is a line or bulges out.
 Vec2 along(const ProfileEdge& e, Vec2 at) {
-  return is_arc(e) ? (1 / e.radius) * Vec2{e.center.y - at.y, at.x - e.center.x} : e.direction;
+  return e.is_arc() ? (1 / e.radius) * Vec2{e.center.y - at.y, at.x - e.center.x} : e.direction;
 }
 Vec2 start_of(const ProfileEdge& e) { return along(e, e.a); }
 Vec2 end_of(const ProfileEdge& e) { return along(e, e.b); }
@@ -53,8 +51,8 @@ FaceRange Profile::face_range(const Section& s, std::int32_t patch) const {
     return edge_range(*first, s);
   double least_radius = std::numeric_limits<double>::infinity();
   for (auto e = first; e <= last; ++e) {
-    if (is_arc(*e) && !e->convex) return {};
-    if (is_arc(*e)) least_radius = std::min(least_radius, e->radius);
+    if (e->is_arc() && !e->convex) return {};
+    if (e->is_arc()) least_radius = std::min(least_radius, e->radius);
   }
   const bool from_axis = first->a.x == 0 && start_of(*first).y == 0;
   for (const Vec2& q : s.hull) {
@@ -74,7 +72,7 @@ double Profile::support(Vec2 n) const {
   for (const ProfileEdge& e : edges_) {
     most = std::max(most, dot(n, e.a));
     if (!std::isinf(e.b.y)) most = std::max(most, dot(n, e.b));
-    if (!is_arc(e) || !e.convex || size == 0) continue;
+    if (!e.is_arc() || !e.convex || size == 0) continue;
     // A value of the whole circle counts only where its point in this direction lies on the arc.
     const Vec2 far = e.center + (e.radius / size) * n;
     if (far.y >= e.a.y && far.y <= e.b.y) most = std::max(most, dot(n, far));

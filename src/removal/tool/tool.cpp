@@ -79,22 +79,23 @@ Outline rounded_tip(double tip, double round, double lean) {
   return o;
 }
 
-void require(bool ok, const Tool& tool, const char* why) {
+void require_shape(bool ok, const Tool& tool, const char* why) {
   if (!ok) invalid_tool(tool, why);
 }
 
 Profile straight_mill(const Tool& tool, double round) {
   const double r = tool.diameter / 2;
-  require(round >= 0 && round <= r * (1 + 1e-12), tool,
-          "the corner radius is larger than half the diameter");
+  require_shape(round >= 0 && round <= r * (1 + 1e-12), tool,
+                "the corner radius is larger than half the diameter");
   return finish(rounded_tip(r, std::min(round, r), 0), tool.flute_length);
 }
 
 // A cone from `tip` radius up to the diameter.
 Profile pointed_mill(const Tool& tool, double half_angle, double tip) {
-  require(half_angle > 0 && half_angle < kPi / 2, tool, "the tip angle is not between 0 and 180°");
+  require_shape(half_angle > 0 && half_angle < kPi / 2, tool,
+                "the tip angle is not between 0 and 180°");
   const double r = tool.diameter / 2;
-  require(tip >= 0 && tip < r, tool, "the tip diameter is not smaller than the diameter");
+  require_shape(tip >= 0 && tip < r, tool, "the tip diameter is not smaller than the diameter");
   const SinCos sc = sincos(half_angle);
   Outline o = rounded_tip(tip, tool.corner_radius, half_angle);
   if (tool.corner_radius > 0 && tip == 0) {  // a rounded point: the arc starts on the axis
@@ -102,18 +103,18 @@ Profile pointed_mill(const Tool& tool, double half_angle, double tip) {
     o.arc({tool.corner_radius * sc.cos, tool.corner_radius * (1 - sc.sin)}, {0, tool.corner_radius},
           tool.corner_radius, true);
   }
-  require(o.at().x < r, tool, "the rounding of the tip is larger than the diameter");
+  require_shape(o.at().x < r, tool, "the rounding of the tip is larger than the diameter");
   o.line({r, o.at().y + (r - o.at().x) * sc.cos / sc.sin});
   return finish(std::move(o), tool.flute_length);
 }
 
 Profile taper_mill(const Tool& tool) {
   const double r = tool.diameter / 2, lean = tool.taper_angle;
-  require(lean > 0 && lean < kPi / 2, tool, "a taper needs a taper angle between 0 and 90°");
+  require_shape(lean > 0 && lean < kPi / 2, tool, "a taper needs a taper angle between 0 and 90°");
   const bool to_diameter = tool.tip_diameter > 0;
   const double tip = to_diameter ? tool.tip_diameter / 2 : r;
-  require(to_diameter ? tip < r : tool.flute_length > 0, tool,
-          "a taper needs a flute length, or a tip diameter below the diameter");
+  require_shape(to_diameter ? tip < r : tool.flute_length > 0, tool,
+                "a taper needs a flute length, or a tip diameter below the diameter");
   const SinCos sc = sincos(lean);
   Outline o = rounded_tip(tip, tool.corner_radius, lean);
   if (tool.corner_radius >= tip * (1 - 1e-9)) {  // ball-nosed
@@ -123,7 +124,7 @@ Profile taper_mill(const Tool& tool) {
   }
   const Vec2 from = o.at();
   const double rise = to_diameter ? (r - from.x) * sc.cos / sc.sin : tool.flute_length - from.y;
-  require(rise > 0, tool, "the rounding of the tip leaves no flank");
+  require_shape(rise > 0, tool, "the rounding of the tip leaves no flank");
   o.line({to_diameter ? r : from.x + rise * sc.sin / sc.cos, from.y + rise});
   return finish(std::move(o), tool.flute_length);
 }
@@ -131,11 +132,12 @@ Profile taper_mill(const Tool& tool) {
 Profile tslot_mill(const Tool& tool) {
   const double r = tool.diameter / 2, c = tool.corner_radius;
   const double h = tool.width > 0 ? tool.width : tool.flute_length;
-  require(h > 0, tool, "a T-slot cutter needs a width (the height of its head) or a flute length");
-  require(tool.neck_diameter < tool.diameter, tool, "the neck is not thinner than the head");
-  require(tool.flute_length <= 0 || h <= tool.flute_length, tool,
-          "the width of the head is larger than the flute length");
-  require(c >= 0 && c <= r && 2 * c <= h, tool, "the corner radius does not fit the head");
+  require_shape(h > 0, tool,
+                "a T-slot cutter needs a width (the height of its head) or a flute length");
+  require_shape(tool.neck_diameter < tool.diameter, tool, "the neck is not thinner than the head");
+  require_shape(tool.flute_length <= 0 || h <= tool.flute_length, tool,
+                "the width of the head is larger than the flute length");
+  require_shape(c >= 0 && c <= r && 2 * c <= h, tool, "the corner radius does not fit the head");
   Outline o({0, 0});
   o.line({r - c, 0});
   if (c > 0) o.arc({r, c}, {r - c, c}, c, true);
@@ -148,7 +150,7 @@ Profile tslot_mill(const Tool& tool) {
 // The ball up to its neck; only the ball cuts.
 Profile lollipop_mill(const Tool& tool) {
   const double r = tool.diameter / 2, n = tool.neck_diameter / 2;
-  require(n >= 0 && n < r, tool, "the neck is not thinner than the ball");
+  require_shape(n >= 0 && n < r, tool, "the neck is not thinner than the ball");
   Outline o({0, 0});
   const double top = r + std::sqrt(r * r - n * n);
   o.arc({r, r}, {0, r}, r, true);
@@ -166,9 +168,10 @@ Profile lollipop_mill(const Tool& tool) {
 Profile barrel_mill(const Tool& tool) {
   const double r = tool.diameter / 2, flank = tool.profile_radius, c = tool.corner_radius;
   const double tip = tool.tip_diameter / 2;
-  require(flank > r && flank > c, tool, "a barrel needs a profile radius above its own radius");
+  require_shape(flank > r && flank > c, tool,
+                "a barrel needs a profile radius above its own radius");
   const double span = (flank - c) * (flank - c) - (flank - r + tip) * (flank - r + tip);
-  require(span > 0 && c < r, tool, "tip and flank of the barrel do not meet");
+  require_shape(span > 0 && c < r, tool, "tip and flank of the barrel do not meet");
   const Vec2 center{r - flank, c + std::sqrt(span)};
   Outline o({0, 0});
   o.line({tip, 0});
@@ -180,9 +183,9 @@ Profile barrel_mill(const Tool& tool) {
   o.arc({r, center.y}, center, flank, true);
   if (tool.flute_length > center.y) {  // the flank falls back towards the shank
     const double over = tool.flute_length - center.y;
-    require(over < flank, tool, "the flute length is beyond the end of the flank");
+    require_shape(over < flank, tool, "the flute length is beyond the end of the flank");
     const double top = center.x + std::sqrt(flank * flank - over * over);
-    require(top > 0, tool, "the flute length is beyond the end of the flank");
+    require_shape(top > 0, tool, "the flute length is beyond the end of the flank");
     o.arc({top, tool.flute_length}, center, flank, true);
   }
   return finish(std::move(o), tool.flute_length);
@@ -195,33 +198,35 @@ void form_arc(const Tool& tool, Outline& o, Vec2 b, double bulge) {
   const double radius = length(a - center);
   // Going down starts or ends where the tangent points down.
   const double way = bulge > 0 ? 1 : -1;
-  require(way * (a.x - center.x) >= -kRounding && way * (b.x - center.x) >= -kRounding, tool,
-          "the profile goes down (an arc beyond its lowest or highest point)");
+  require_shape(way * (a.x - center.x) >= -kRounding && way * (b.x - center.x) >= -kRounding, tool,
+                "the profile goes down (an arc beyond its lowest or highest point)");
   o.arc(b, center, radius, bulge > 0);
 }
 
 Profile form_mill(const Tool& tool) {
-  require(tool.profile.size() >= 2, tool, "a form tool needs a profile of two points or more");
-  require(tool.profile.front().r == 0, tool, "the profile does not start on the axis (r = 0)");
+  require_shape(tool.profile.size() >= 2, tool,
+                "a form tool needs a profile of two points or more");
+  require_shape(tool.profile.front().r == 0, tool,
+                "the profile does not start on the axis (r = 0)");
   Outline o({0, tool.profile.front().z});
   for (std::size_t i = 1; i < tool.profile.size(); ++i) {
     const ProfilePoint &from = tool.profile[i - 1], &to = tool.profile[i];
-    require(std::isfinite(to.r) && std::isfinite(to.z) && std::isfinite(from.bulge), tool,
-            "the profile holds a number that is not finite");
-    require(to.r >= 0, tool, "the profile crosses the axis");
-    require(to.z >= from.z, tool, "the profile goes down");
-    require(to.r > 0 || i + 1 == tool.profile.size(), tool,
-            "the profile touches the axis before its end");
+    require_shape(std::isfinite(to.r) && std::isfinite(to.z) && std::isfinite(from.bulge), tool,
+                  "the profile holds a number that is not finite");
+    require_shape(to.r >= 0, tool, "the profile crosses the axis");
+    require_shape(to.z >= from.z, tool, "the profile goes down");
+    require_shape(to.r > 0 || i + 1 == tool.profile.size(), tool,
+                  "the profile touches the axis before its end");
     const double back = i > 1 ? (to.r - from.r) * (from.r - tool.profile[i - 2].r) : 0;
-    require(i < 2 || to.z > from.z || from.z > tool.profile[i - 2].z || back >= 0, tool,
-            "the profile runs back along itself");
-    require(from.bulge > -1.0001 && from.bulge < 1.0001, tool, "an arc beyond half a turn");
+    require_shape(i < 2 || to.z > from.z || from.z > tool.profile[i - 2].z || back >= 0, tool,
+                  "the profile runs back along itself");
+    require_shape(from.bulge > -1.0001 && from.bulge < 1.0001, tool, "an arc beyond half a turn");
     if (from.bulge == 0)
       o.line({to.r, to.z});
     else
       form_arc(tool, o, {to.r, to.z}, from.bulge);
   }
-  require(o.at().y > tool.profile.front().z, tool, "the profile has no height");
+  require_shape(o.at().y > tool.profile.front().z, tool, "the profile has no height");
   return finish(std::move(o), tool.flute_length);
 }
 
@@ -229,8 +234,8 @@ Profile form_mill(const Tool& tool) {
 std::vector<Profile> stack(const Tool& tool, const std::vector<ToolSegment>& segments, double z) {
   std::vector<Profile> pieces;
   for (const ToolSegment& s : segments) {
-    require(s.diameter_low > 0 && s.diameter_high > 0 && s.length > 0, tool,
-            "a piece of shank or holder has no diameter or length");
+    require_shape(s.diameter_low > 0 && s.diameter_high > 0 && s.length > 0, tool,
+                  "a piece of shank or holder has no diameter or length");
     Outline o({0, z});
     o.line({s.diameter_low / 2, z});
     o.line({s.diameter_high / 2, z + s.length});
@@ -253,8 +258,8 @@ Profile make_cutter(const Tool& tool) {
                        tool.tip_angle,      tool.tip_diameter,  tool.neck_diameter,
                        tool.profile_radius, tool.flute_length,  tool.width};
   for (double value : finite)
-    require(std::isfinite(value) && value >= 0, tool, "a size is negative or not a number");
-  require(tool.diameter > 0 || tool.type == ToolType::form, tool, "the diameter is missing");
+    require_shape(std::isfinite(value) && value >= 0, tool, "a size is negative or not a number");
+  require_shape(tool.diameter > 0 || tool.type == ToolType::form, tool, "the diameter is missing");
   switch (tool.type) {
     case ToolType::endmill:
     case ToolType::bullmill:

@@ -22,7 +22,8 @@ using ReadLevelSet = void(const std::string& path, LevelSetSurface& found);
 /// find_rest_voxels into `found`.
 using FindRest = void(const RestTask& task, std::vector<RestVoxels>& found);
 
-/// Names under which the module shows them; the number changes with the border.
+/// Names under which the module shows them. The number is raised when a function or a class that it
+/// takes changes, so that a module of another version is refused.
 constexpr const char* kSampleVoxels = "mrsim_sample_voxels_2";
 constexpr const char* kReadLevelSet = "mrsim_read_level_set_1";
 constexpr const char* kFindRest = "mrsim_find_rest_1";
