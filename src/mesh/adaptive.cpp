@@ -7,14 +7,13 @@
 #include "mesh/cells/mesh_memory.h"
 #include "mesh/cells/step_timer.h"
 #include "mesh/cells/thin_features.h"
-#include "mesh/simplify/certify.h"
 #include "mesh/simplify/guilty_cells.h"
+#include "mesh/simplify/mesh_certifier.h"
 #include "mesh/simplify/owner_borders.h"
 #include "mesh/simplify/simplify_apart.h"
 #include "mesh/solid/self_intersection.h"
 #include "mesh/surface/piece_hash.h"
 #include "mesh/surface/surface.h"
-#include "mesh/tiles/mesh_distance.h"
 
 #include <algorithm>
 #include <cmath>
@@ -35,7 +34,6 @@ using detail::LabelledMesh;
 using detail::Lattice;
 using detail::PlaceHash;
 using detail::StepTimer;
-using detail::TriangleBound;
 
 constexpr double kBaseShare = 1.0;        ///< of the tolerance, for triangles before simplification
 constexpr double kBorderShare = 1.0 / 8;  ///< of the voxel, for borders between owners
@@ -55,6 +53,7 @@ class AdaptiveMesher {
         timer_(report, options.progress),
         tree_(field, lattice, options.tolerance, options.threads,
               {options.max_memory, options.most_nodes}),
+        certifier_(field, tree_, options.tolerance, options.threads),
         surface_(std::in_place, field, tree_,
                  DualSurface::Options{.shallow = options.tolerance / 8,
                                       .sharpen = true,
@@ -108,8 +107,10 @@ class AdaptiveMesher {
     mesh = detail::cut_owner_borders(field_, tree_, mesh, border_room(), options_.threads);
     timer_.step("borders");
     mesh = simplified(mesh);
-    report_bound(mesh);
-    report_.volume_excess = volume_excess(mesh);
+    const detail::MeshCertifier::Total total = certifier_.total(mesh);
+    report_.bound = total.bound;
+    report_.sampled = total.sampled;
+    report_.volume_excess = certifier_.volume_excess(mesh);
     timer_.step("certify");
     TriMesh out = detail::to_tri_mesh(mesh);
     report_.thin = detail::distinct(detail::lost_features(
@@ -146,31 +147,6 @@ class AdaptiveMesher {
       mesh.labels.push_back(static_cast<std::uint32_t>(id));
     }
     return mesh;
-  }
-
-  TriangleBound bound(const LabelledMesh& mesh, std::size_t t, double limit) const {
-    const auto& x = mesh.triangles[t];
-    const Vec3 &a = mesh.vertices[x[0]], &b = mesh.vertices[x[1]], &c = mesh.vertices[x[2]];
-    const FieldSample& label = mesh.faces[mesh.labels[t]];
-    TriangleBound found = detail::triangle_bound(field_, label, a, b, c, limit);
-    std::int32_t cell = 0;
-    if (found.distance <= limit)
-      found.distance = std::max(
-          found.distance, detail::largest_distance(field_, tree_, label, a, b, c, limit, cell));
-    if (found.distance <= options_.tolerance) return found;
-    const double part = detail::part_bound(field_, tree_, a, b, c, limit);
-    return part < found.distance ? TriangleBound{part, false} : found;
-  }
-
-  // The distance from the face of the part or, where that is less, from the nearest corner: corners
-  // lie on the part.
-  TriangleBound certified(const LabelledMesh& mesh, std::size_t t, double limit) const {
-    const auto& x = mesh.triangles[t];
-    const Vec3 &a = mesh.vertices[x[0]], &b = mesh.vertices[x[1]], &c = mesh.vertices[x[2]];
-    const double longest = std::max({distance(a, b), distance(b, c), distance(c, a)});
-    const TriangleBound found = bound(mesh, t, limit);
-    const double corner = detail::kNearestCorner * longest;
-    return corner <= found.distance ? TriangleBound{corner, true} : found;
   }
 
   // Makes triangles; cells with several pieces of surface whose triangles meet are split.
@@ -236,7 +212,7 @@ class AdaptiveMesher {
         [&](std::size_t t) {
           hashes[t] = triangle_hash(mesh, t);
           if (passed_.find(hashes[t]) >= 0) return;
-          const double bound = certified(mesh, t, limit).distance;
+          const double bound = certifier_.certified(mesh, t, limit).distance;
           if (bound <= limit) return;
           if (!misses_crease(mesh, t)) wanted[t] = detail_for(base, t, bound / limit);
           if (wanted[t] == Detail::flat)
@@ -335,46 +311,12 @@ class AdaptiveMesher {
     return std::move(small.mesh);
   }
 
-  // certified() stops at the first distance above its limit; with none it gives the true bound.
-  TriangleBound reached(const LabelledMesh& mesh, std::size_t t) const {
-    const TriangleBound found = certified(mesh, t, options_.tolerance);
-    return found.distance <= options_.tolerance
-               ? found
-               : certified(mesh, t, std::numeric_limits<double>::infinity());
-  }
-
-  void report_bound(const LabelledMesh& mesh) {
-    std::vector<TriangleBound> bounds(mesh.triangles.size());
-    parallel_for(
-        bounds.size(), options_.threads, [&](std::size_t t) { bounds[t] = reached(mesh, t); }, 64);
-    for (const TriangleBound& b : bounds) {
-      report_.bound = std::max(report_.bound, b.distance);
-      report_.sampled += !b.is_proven;
-    }
-  }
-
-  // The integral of d over the mesh.
-  double volume_excess(const LabelledMesh& mesh) const {
-    std::vector<double> parts(mesh.triangles.size());
-    parallel_for(
-        parts.size(), options_.threads,
-        [&](std::size_t t) {
-          const auto& x = mesh.triangles[t];
-          parts[t] =
-              detail::excess_over(field_, tree_, mesh.faces[mesh.labels[t]], mesh.vertices[x[0]],
-                                  mesh.vertices[x[1]], mesh.vertices[x[2]], options_.tolerance);
-        },
-        64);
-    double sum = 0;
-    for (const double part : parts) sum += part;
-    return sum;
-  }
-
   const ExactField& field_;
   const MeshPlan& options_;
   MeshReport& report_;
   StepTimer timer_;
   CellOctree tree_;
+  detail::MeshCertifier certifier_;
   std::size_t nodes_ = 0;               ///< of the tree, for which memory was asked
   double first_nodes_ = 0;              ///< of the tree as it was made, 0 after the first round
   std::optional<DualSurface> surface_;  ///< until its triangles are final

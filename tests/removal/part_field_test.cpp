@@ -12,21 +12,8 @@
 namespace mrsim {
 namespace {
 
+using testing::arc;
 using testing::line;
-
-Motion arc_about(Vec3 a, Vec3 center, Vec3 axis, double radius, double sweep, double rise) {
-  Motion m;
-  m.kind = MotionKind::arc;
-  m.start = a;
-  m.end = a;  // sweeps follow center, axis and sweep
-  m.center = center;
-  m.axis = axis;
-  m.radius = radius;
-  m.sweep = sweep;
-  m.rise = rise;
-  m.tool = 0;
-  return m;
-}
 
 bool is_face_at(const PartField& field, const Vec3& p, const FieldSample& face) {
   const FieldSample at = field.sample(p, field.all());
@@ -98,10 +85,10 @@ TEST(PartField, FacesOfMillingSweeps) {
     tool.diameter = 6;
     tool.type = type;
     const std::vector<Motion> motions{
-        line({-5, 10, 12}, {45, 14, 12}),                                     // level
-        line({5, 30, 18}, {35, 32, 8}),                                       // slanted
-        arc_about({30, 20, 10}, {22, 20, 10}, {0, 0, 1}, 8, kPi, 0),          // level arc
-        arc_about({12, 34, 16}, {8, 34, 16}, {0, 0, 1}, 4, -2 * kTwoPi, -6),  // helix
+        line({-5, 10, 12}, {45, 14, 12}),                            // level
+        line({5, 30, 18}, {35, 32, 8}),                              // slanted
+        arc({30, 20, 10}, {22, 20, 10}, {0, 0, 1}, kPi),             // level arc
+        arc({12, 34, 16}, {8, 34, 16}, {0, 0, 1}, -2 * kTwoPi, -6),  // helix
     };
     expect_faces_agree(PartField(StockSolid(shape), SweepTable(motions, std::span(&tool, 1))));
   }
@@ -115,7 +102,7 @@ TEST(PartField, WallAndFloorOfRampsGoOnByThemselves) {
   Tool tool;
   tool.diameter = 6;
   const std::vector<Motion> motions{line({5, 10, 18}, {35, 10, 15}),
-                                    arc_about({28, 26, 18}, {20, 26, 18}, {0, 0, 1}, 8, 5.0, -4)};
+                                    arc({28, 26, 18}, {20, 26, 18}, {0, 0, 1}, 5.0, -4)};
   for (const Motion& m : motions) {
     const PartField field(StockSolid(shape), SweepTable(std::span(&m, 1), std::span(&tool, 1)));
     const bool is_arc = m.kind == MotionKind::arc;
@@ -150,10 +137,8 @@ TEST(PartField, FacesOfTurningSweeps) {
   for (const double nose : {0.0, 0.4}) {
     tool.nose_radius = nose;
     const std::vector<Motion> motions{
-        line({-1, 0, 50}, {10, 0, 50}),
-        arc_about({10, 0, 50}, {10, 0, 45}, {0, 1, 0}, 5, kPi / 2, 0),
-        line({15, 0, 45}, {15, 0, 31}),
-        arc_about({15, 0, 31}, {21, 0, 31}, {0, 1, 0}, 6, -kPi / 2, 0),
+        line({-1, 0, 50}, {10, 0, 50}), arc({10, 0, 50}, {10, 0, 45}, {0, 1, 0}, kPi / 2),
+        line({15, 0, 45}, {15, 0, 31}), arc({15, 0, 31}, {21, 0, 31}, {0, 1, 0}, -kPi / 2),
         line({21, 0, 25}, {26, 0, 25})};
     expect_faces_agree(PartField(StockSolid(shape), SweepTable(motions, std::span(&tool, 1))));
   }
@@ -228,11 +213,10 @@ TEST(PartField, FacesOfArcsThatBeginAndEndInCorners) {
   tool.insert = "D";
   for (const double nose : {0.4, 0.8}) {
     tool.nose_radius = nose;
-    const std::vector<Motion> motions{
-        line({4, 0, 21}, {4.68, 0, 19.5}),
-        arc_about({4.68, 0, 19.5}, {4.68, 0, 17.5}, {0, 1, 0}, 2, kPi / 2, 0),
-        arc_about({6.68, 0, 17.5}, {6.68, 0, 14.5}, {0, 1, 0}, 3, kPi / 2, 0),
-        arc_about({9.68, 0, 13}, {12.68, 0, 13}, {0, 1, 0}, 3, -kPi / 2, 0)};
+    const std::vector<Motion> motions{line({4, 0, 21}, {4.68, 0, 19.5}),
+                                      arc({4.68, 0, 19.5}, {4.68, 0, 17.5}, {0, 1, 0}, kPi / 2),
+                                      arc({6.68, 0, 17.5}, {6.68, 0, 14.5}, {0, 1, 0}, kPi / 2),
+                                      arc({9.68, 0, 13}, {12.68, 0, 13}, {0, 1, 0}, -kPi / 2)};
     expect_faces_agree(PartField(StockSolid(shape), SweepTable(motions, std::span(&tool, 1))));
   }
 }
@@ -248,7 +232,7 @@ TEST(PartField, ListsHoldInTheWholeBox) {
       };
       motions.push_back(line(at(k), at(k + 1)));
     }
-  motions.push_back(arc_about({3, 0, -0.5}, {0, 0, -0.5}, {0, 0, 1}, 3, 5, 0));
+  motions.push_back(arc({3, 0, -0.5}, {0, 0, -0.5}, {0, 0, 1}, 5));
   Tool ball;
   ball.type = ToolType::ballmill;
   ball.diameter = 6;
@@ -299,7 +283,7 @@ TEST(PartField, KnowsWhatIsOnTheSurface) {
                            {6 * u(random), 6 * u(random), k % 3 == 0 ? 0 : u(random)}));
     motions.back().tool = k % 4;
   }
-  motions.push_back(arc_about({3, 0, -0.5}, {0, 0, -0.5}, {0, 0, 1}, 3, 5, 0));
+  motions.push_back(arc({3, 0, -0.5}, {0, 0, -0.5}, {0, 0, 1}, 5));
   StockShape shape;
   shape.box = {{-8, -8, -5}, {8, 8, 3}};
   const PartField field(StockSolid(shape), SweepTable(motions, tools));
@@ -371,8 +355,7 @@ TEST(PartField, FlutesThatReachAboveTheStockReachUp) {
   StockShape block;
   block.box = {{0, 0, -10}, {30, 20, 0}};
   std::vector<Motion> motions{line({5, 10, -8}, {25, 12, -3}), line({5, 10, -8}, {5, 10, -1})};
-  motions.push_back(
-      arc_about({18, 10, -2}, {15, 10, -2}, {0, 0, 1}, 3, 2 * kTwoPi, -4 / (2 * kTwoPi)));
+  motions.push_back(arc({18, 10, -2}, {15, 10, -2}, {0, 0, 1}, 2 * kTwoPi, -4 / (2 * kTwoPi)));
   for (Motion& m : motions) m.tool = 0;
   const auto part = [&](double flutes) {
     Tool mill;

@@ -32,27 +32,6 @@ class Random {
   std::uint64_t state_;
 };
 
-/// Rotation of v about a unit axis (Rodrigues), with libm.
-inline Vec3 turned(const Vec3& v, const Vec3& axis, double angle) {
-  return std::cos(angle) * v + std::sin(angle) * cross(axis, v) +
-         (1 - std::cos(angle)) * dot(axis, v) * axis;
-}
-
-inline Motion arc(Vec3 start, Vec3 center, Vec3 axis, double sweep, double rise = 0) {
-  Motion m;
-  m.kind = MotionKind::arc;
-  m.start = start;
-  m.center = center;
-  m.axis = axis;
-  m.sweep = sweep;
-  m.rise = rise;
-  m.radius = length(start - center);
-  m.end = center + turned(start - center, axis, sweep) + rise * axis;
-  m.tool = 0;
-  m.line = 1;
-  return m;
-}
-
 inline Vec3 at(const Motion& m, double t) {
   if (m.kind == MotionKind::line) return m.start + t * (m.end - m.start);
   return m.center + turned(m.start - m.center, m.axis, t * m.sweep) + (t * m.rise) * m.axis;

@@ -1,6 +1,7 @@
 #include "mesh/tiles/mesh_distance.h"
 
 #include "core/vec.h"
+#include "removal/field/face_range.h"
 
 #include <algorithm>
 #include <cmath>

@@ -14,9 +14,6 @@
 
 namespace mrsim::detail {
 
-/// Distance of a place in a triangle from its nearest corner, in longest sides, at most: sqrt(1/3).
-inline constexpr double kNearestCorner = 0.5773502691896258;
-
 class MeshDistance {
  public:
   /// A triangle about an edge of the cells, which lies on `face`.

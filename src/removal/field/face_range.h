@@ -16,6 +16,9 @@ namespace mrsim {
 
 using Corners2 = std::array<Vec2, 3>;
 
+/// Distance of a place in a triangle from its nearest corner, in longest sides, at most: sqrt(1/3).
+inline constexpr double kNearestCorner = 0.5773502691896258;
+
 /// Weights of the corners in the centre of the smallest circle about a triangle, and the square of
 /// its radius, from the squared sides opposite to the corners.
 struct SmallestCircle {

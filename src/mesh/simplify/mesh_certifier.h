@@ -1,0 +1,40 @@
+// Certifies the triangles of a mesh: how far they are from the exact part, each and all together
+// (docs/mesh.md, Tolerance).
+#pragma once
+
+#include "mesh/simplify/certify.h"
+#include "mesh/simplify/labelled_mesh.h"
+
+#include <cstddef>
+
+namespace mrsim::detail {
+
+class MeshCertifier {
+ public:
+  /// Tolerance in mm.
+  MeshCertifier(const ExactField& field, const CellOctree& tree, double tolerance, int threads)
+      : field_(field), tree_(tree), tolerance_(tolerance), threads_(threads) {}
+
+  /// Upper bound in mm of the distance of triangle t from the part: from the face that it is
+  /// measured by or, where that is less, from its nearest corner, as corners lie on the part. Above
+  /// `limit` it may be a distance that was found instead of a bound.
+  TriangleBound certified(const LabelledMesh& mesh, std::size_t t, double limit) const;
+
+  struct Total {
+    double bound = 0;         ///< mm: the largest of all triangles
+    std::size_t sampled = 0;  ///< triangles whose bound is not proven
+  };
+  Total total(const LabelledMesh& mesh) const;
+  /// The volume of the mesh less that of the part, mm^3: the integral of d over the mesh.
+  double volume_excess(const LabelledMesh& mesh) const;
+
+ private:
+  TriangleBound bound(const LabelledMesh& mesh, std::size_t t, double limit) const;
+
+  const ExactField& field_;
+  const CellOctree& tree_;
+  double tolerance_;
+  int threads_;
+};
+
+}  // namespace mrsim::detail

@@ -1,0 +1,148 @@
+// Custom macros of FANUC: variables, loops and calls with arguments.
+#include "interp/path_of.h"
+#include "interp/support.h"
+
+namespace mrsim {
+namespace {
+
+TEST(Macro, WhileLoopsEqualTheWrittenOutProgram) {
+  std::string plain = "G1 X0 Y0 F100\n";
+  for (int row = 0; row < 3; ++row)
+    for (int column = 0; column < 4; ++column)
+      plain += fmt::format("X{} Y{}\nZ-{}\nZ1\n", column * 10, row * 5 + 1, row + 1);
+  const std::string loops =
+      "G1 X0 Y0 F100\n#1=0\nWHILE[#1LT3]DO1\n#2=0\nWHILE[#2LE3]DO2\n"
+      "X[#2*10] Y[#1*5+1]\nZ-[#1+1]\nZ1\n#2=#2+1\nEND2\n#1=#1+1\nEND1\nM30\n";
+  EXPECT_EQ(run(Dialect::fanuc, loops), run(Dialect::fanuc, plain));
+  const std::string jumps =
+      "G1 X0 Y0 F100\n#1=0\nN10 #2=0\nN20 X[#2*10] Y[#1*5+1]\nZ-[#1+1]\nZ1\n#2=#2+1\n"
+      "IF [#2 LT 4] GOTO 20\n#1=#1+1\nIF [#1 LT 3] GOTO 10\nM30\n";
+  EXPECT_EQ(run(Dialect::fanuc, jumps), run(Dialect::fanuc, plain));
+}
+
+// One pocket by repeated calls, by a loop and by a macro with arguments.
+TEST(Macro, PocketByThreeRoads) {
+  const std::string turn = "G1 X10\nG2 I-10\nG1 X20\nG2 I-20\nG1 X0\n";
+  const std::string calls =
+      "G1 X0 Y0 Z0 F100\nM98 P20003\nM30\nO3\nG91 G1 Z-1\nG90\n" + turn + "M99\n";
+  const std::string old =
+      "G1 X0 Y0 Z0 F100\nM98 P3 L2\nM30\nO3\nG91 G1 Z-1\nG90\n" + turn + "M99\n";
+  const std::string loop =
+      "G1 X0 Y0 Z0 F100\n#5=1\nWHILE [#5 LE 2] DO1\nG1 Z-#5\n" + turn + "#5=#5+1\nEND1\nM30\n";
+  const std::string macro =
+      "G1 X0 Y0 Z0 F100\nG65 P9010 A2 R20\nM30\nO9010\n#30=0\nWHILE [#30 LT #1] DO1\n#30=#30+1\n"
+      "G1 Z-#30\nX[#18/2]\nG2 I-[#18/2]\nG1 X#18\nG2 I-#18\nG1 X0\nEND1\nM99\n";
+  const std::string first = run(Dialect::fanuc, calls);
+  EXPECT_EQ(run(Dialect::fanuc, old), first);
+  EXPECT_EQ(run(Dialect::fanuc, loop), first);
+  EXPECT_EQ(run(Dialect::fanuc, macro), first);
+  EXPECT_EQ(read_text(macro, at_origin(Dialect::fanuc)).motions.size(), 12U);
+}
+
+TEST(Macro, ArgumentListsAndLevels) {
+  EXPECT_EQ(run(Dialect::fanuc,
+                "#1=50\nG1 F100 X1\nG65 P7 A1 B2 C3 I4 J5 K6 I7 J8 K9\nX#1\nM30\n"
+                "O7\nX[#1*100+#2*10+#3] Y[#4*100+#5*10+#6] Z[#7*100+#8*10+#9]\nM99\n"),
+            "1,0,0 123,456,789 50,456,789 ");
+  EXPECT_EQ(run(Dialect::fanuc, "G1 F100 X1\nG65 P7 X5\nM30\nO7\nX#24 Y#25\nM99\n"), "1,0,0 5,0,0 ")
+      << "a vacant word counts as not written";
+  EXPECT_EQ(run(Dialect::fanuc,
+                "G1 F100 X1\nG65 P7 X5\nM30\nO7\nX-#24 Y-#25 Z- #26\nX#24 Y[-#25+1]\nM99\n"),
+            "1,0,0 -5,0,0 5,1,0 ");
+  EXPECT_EQ(
+      run(Dialect::fanuc, "G1 F100 X1\nG66 P7 Z2\nX2\nX3\nG67\nX4\nM30\nO7\nG1 Z-#26\nZ0\nM99\n"),
+      "1,0,0 2,0,0 2,0,-2 2,0,0 3,0,0 3,0,-2 3,0,0 4,0,0 ");
+  EXPECT_EQ(run(Dialect::fanuc,
+                "G1 F100 X1\nG66.1 P7\nX2 Y3\nX4 Y5\nG67\nX6\nM30\nO7\nG1 X[#24*10] Y#25\nM99\n"),
+            "1,0,0 20,3,0 40,5,0 6,5,0 ");
+}
+
+// The manual's example: G66 in G66; the last macro runs, a move in it calls the one before, and G67
+// ends the last one alone.
+TEST(Macro, ModalCallsInsideOneAnother) {
+  const std::string macros = "M30\nO7\nG91 Y1\nG90\nM99\nO8\nZ6\nZ7\nM99\nO9\nZ[#26]\nM99\n";
+  EXPECT_EQ(run(Dialect::fanuc, "G1 F100\nG66 P7\nX10\nG66 P8\nX15\nG67\nG67\nX-25\n" + macros),
+            "10,0,0 10,1,0 15,1,0 15,1,6 15,2,6 15,2,7 15,3,7 -25,3,7 ");
+  EXPECT_EQ(run(Dialect::fanuc, "G1 F100\nG66 P7\nG66 P9 Z2\nG67\nX1\nG67\nX2\n" + macros),
+            "1,0,0 1,1,0 2,1,0 ");
+}
+
+// A G66 of a macro itself holds for its moves; of the one before G65, no manual says.
+TEST(Macro, ModalCallsAndMacrosOfG65) {
+  const std::string macros = "M30\nO7\nZ-1\nZ0\nM99\nO8\nG66 P7\nX1\nG67\nX2\nM99\nO9\nX9\nM99\n";
+  EXPECT_EQ(run(Dialect::fanuc, "G1 F100\nG65 P8\nX3\n" + macros),
+            "1,0,0 1,0,-1 1,0,0 2,0,0 3,0,0 ");
+  EXPECT_EQ(run(Dialect::fanuc, "G1 F100\nG66 P7\nG65 P9\nG67\nX3\n" + macros),
+            "9,0,0 3,0,0 not-supported");
+  EXPECT_EQ(run(Dialect::fanuc, "G1 F100\nG66 P5\nX1\nG67\nX3\n" + macros + "O5\nG65 P7\nM99\n"),
+            "1,0,0 1,0,-1 1,0,0 3,0,0 ")
+      << "a macro in that of G66";
+}
+
+// Arguments are set once: the next run has what the last one left.
+TEST(Macro, RunsOfOneCommandShareTheirVariables) {
+  const std::string macro = "M30\nO7\n#1=#1+1\nX#1\nM99\n";
+  EXPECT_EQ(run(Dialect::fanuc, "G1 F100\nG65 P7 A2 L3\nG65 P7 A2\n" + macro),
+            "3,0,0 4,0,0 5,0,0 3,0,0 ");
+  EXPECT_EQ(run(Dialect::fanuc, "G1 F100\nG66 P7 A2\nY1\nY2\nG67\n" + macro),
+            "0,1,0 3,1,0 3,2,0 4,2,0 ");
+}
+
+// More common variables of the 30i; those of Mitsubishi's begin at #400.
+TEST(Macro, MoreCommonVariables) {
+  EXPECT_EQ(run(Dialect::fanuc,
+                "G1 F100\n#98000=1\n#98499=2\n#900000=3\n#907399=4\n#400=5\nM98 P2\n"
+                "X#98000 Y#98499\nX#900000 Y#[907399]\nX#400\nM30\nO2\n#98499=#98499+7\nM99\n"),
+            "1,9,0 3,4,0 5,4,0 ");
+  EXPECT_EQ(run(Dialect::fanuc, "G1 F100 X1\nX#98001\n"), "1,0,0 variable-unset");
+  EXPECT_EQ(run(Dialect::fanuc, "G1 F100 X1\nX#98500\n"), "1,0,0 variable-number");
+}
+
+TEST(Macro, ReturnsAndLocalCalls) {
+  EXPECT_EQ(run(Dialect::fanuc,
+                "G1 F100 X1\nM98 P7\nX99\nN50 X2\nM97 P900 L2\nX3\nM30\nN900 G91 Y1\nG90\nM99\n"
+                "O7\nX5\nM99 P50\n"),
+            "1,0,0 5,0,0 2,0,0 2,1,0 2,2,0 3,2,0 ");
+  for (const char* call : {"M98 H900 L2", "M98 Q900 L2"})
+    EXPECT_EQ(run(Dialect::fanuc,
+                  "G1 F100 X1\n" + std::string(call) + "\nX3\nM30\nN900 G91 Y1\nG90\nM99\n"),
+              "1,0,0 1,1,0 1,2,0 3,2,0 ")
+        << "a block of the same program (Mitsubishi)";
+  EXPECT_EQ(run(Dialect::fanuc,
+                "G1 F100 X1\nIF [1 EQ 1] THEN #1=4\nIF [1 EQ 2] THEN #1=5\n"
+                "X#1\nG#3 X5\n"),
+            "1,0,0 4,0,0 variable-unset");
+}
+
+TEST(Macro, FaultsAreToldWithTheirPlace) {
+  const Program unset = read_text("G1 X1 F1\nX[#5+1]\n", at_origin(Dialect::fanuc));
+  ASSERT_EQ(unset.diagnostics.size(), 1U);
+  EXPECT_EQ(unset.diagnostics[0].place.line, 2);
+  EXPECT_EQ(unset.diagnostics[0].place.column, 3);
+  EXPECT_NE(unset.diagnostics[0].text.find("--set '#5=1'"), std::string::npos);
+  EXPECT_EQ(run(Dialect::fanuc, "G1 X1 F1\nGOTO 7\n"), "1,0,0 jump-target");
+  EXPECT_EQ(run(Dialect::fanuc, "G1 X1 F1\nWHILE [1 EQ 1] DO1\nX2\n"), "1,0,0 structure");
+  EXPECT_EQ(run(Dialect::fanuc, "G1 X1 F1\nX[1/0]\n"), "1,0,0 expression");
+  const Program deep =
+      read_text("G1 X1 F1\nM98 P7\nM30\nO7\n#100=0\nX[4/#100]\nM99\n", at_origin(Dialect::fanuc));
+  ASSERT_EQ(deep.diagnostics.size(), 1U);
+  EXPECT_NE(deep.diagnostics[0].text.find("(#100 = 0)"), std::string::npos);
+  ASSERT_EQ(deep.diagnostics[0].called_from.size(), 1U);
+  EXPECT_EQ(deep.diagnostics[0].called_from[0].line, 2);
+}
+
+TEST(Macro, VariablesFromOutside) {
+  InterpOptions options = at_origin(Dialect::fanuc);
+  options.variables = {{"#100", "2.5"}, {"#1", "4"}};
+  EXPECT_EQ(path_of(read_text("G1 F1 X#100 Y#1\n", options)), "2.5,4,0 ");
+  options.variables = {{"R1", "5"}};
+  EXPECT_THROW(read_text("G1 X1 F1\n", options), Error);
+  options = at_origin(Dialect::sinumerik);
+  options.variables = {{"R1", "5"}, {"WIDTH", "7"}};
+  EXPECT_EQ(path_of(read_text("G1 F1 X=R1 Y=WIDTH\n", options)), "5,7,0 ");
+}
+
+// Bar feeders: the program begins again for the next part, and nothing in it ends that.
+
+}  // namespace
+}  // namespace mrsim
