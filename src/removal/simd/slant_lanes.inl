@@ -10,9 +10,11 @@
 /// its rim touches at the back. Of both pairs the directions are at right angles. `c` are the
 /// columns of SlantRecord.
 MRSIM_LANE V slant_bound(const V* c, V px, V py, V pz) {
-  const V ux = c[3], uy = c[4], length = c[5], plan = c[6], rise = c[7], core = c[8], round = c[9];
+  using C = SlantColumn;
+  const V ux = c[C::ux], uy = c[C::uy], length = c[C::length], plan = c[C::plan], rise = c[C::rise];
+  const V core = c[C::core], round = c[C::round];
   const V zero = splat(0.0);
-  const V dx = px - c[0], dy = py - c[1], below = c[2] - pz;
+  const V dx = px - c[C::x], dy = py - c[C::y], below = c[C::z] - pz;
   const V along = dx * ux + dy * uy, off = dx * uy - dy * ux;
   const V beyond = along - vmin(vmax(along, zero), length * plan);
   const V aside = vsqrt(off * off + beyond * beyond) - core, across = vabs(off) - core;

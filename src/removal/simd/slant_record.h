@@ -1,6 +1,8 @@
 // What the loops of slant_lanes.inl know of a slanted line and its tool.
 #pragma once
 
+#include <cstddef>
+
 namespace mrsim {
 
 /// A straight move of a tool with is_rounded() that reaches up, from its lower end.
@@ -11,6 +13,11 @@ struct alignas(32) SlantRecord {
   double plan = 1, rise = 0;   ///< in plan and upwards for each mm of the length, not negative
   double core = 0, round = 0;  ///< of the tool
   bool falls = false;          ///< the move ends at the lower end
+};
+
+/// Its numbers, in their order.
+struct SlantColumn {
+  enum : std::size_t { x, y, z, ux, uy, length, plan, rise, core, round, kCount };
 };
 
 }  // namespace mrsim

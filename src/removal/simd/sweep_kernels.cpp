@@ -121,9 +121,12 @@ MRSIM_LANE void load_line(const LineRecord* r, const std::uint32_t* rows, V* c) 
 MRSIM_LANE void load_arc(const ArcRecord* r, const std::uint32_t* rows, V* c) {
   load_columns(r, 0, rows, c);
   const double *p0 = r[rows[0]].c, *p1 = r[rows[1]].c, *p2 = r[rows[2]].c, *p3 = r[rows[3]].c;
-  c[8] = _mm256_set_pd(p3[8], p2[8], p1[8], p0[8]);
-  c[9] = _mm256_set_pd(p3[9], p2[9], p1[9], p0[9]);
-  c[10] = _mm256_set_pd(p3[10], p2[10], p1[10], p0[10]);
+  c[ArcSlot::core] =
+      _mm256_set_pd(p3[ArcSlot::core], p2[ArcSlot::core], p1[ArcSlot::core], p0[ArcSlot::core]);
+  c[ArcSlot::round] =
+      _mm256_set_pd(p3[ArcSlot::round], p2[ArcSlot::round], p1[ArcSlot::round], p0[ArcSlot::round]);
+  c[ArcSlot::top] =
+      _mm256_set_pd(p3[ArcSlot::top], p2[ArcSlot::top], p1[ArcSlot::top], p0[ArcSlot::top]);
 }
 MRSIM_LANE void store(double* out, V v) { _mm256_storeu_pd(out, v); }
 MRSIM_LANE void store_some(double* out, V v, std::size_t n) {
@@ -214,9 +217,9 @@ MRSIM_LANE V column(const ArcRecord* r, const std::uint32_t* rows, int i) {
 }
 MRSIM_LANE void load_arc(const ArcRecord* r, const std::uint32_t* rows, V* c) {
   load_columns(r, 0, rows, c);
-  c[8] = column(r, rows, 8);
-  c[9] = column(r, rows, 9);
-  c[10] = column(r, rows, 10);
+  c[ArcSlot::core] = column(r, rows, ArcSlot::core);
+  c[ArcSlot::round] = column(r, rows, ArcSlot::round);
+  c[ArcSlot::top] = column(r, rows, ArcSlot::top);
 }
 MRSIM_LANE void store(double* out, V v) { _mm512_storeu_pd(out, v); }
 MRSIM_LANE void store_some(double* out, V v, std::size_t n) {

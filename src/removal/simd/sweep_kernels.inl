@@ -167,8 +167,8 @@ static void slant_least_of(const SlantRecord& record, std::uint32_t id, PointCol
   const V round = splat(record.round), own = splat(static_cast<double>(id));
   const double numbers[] = {record.x,      record.y,    record.z,    record.ux,   record.uy,
                             record.length, record.plan, record.rise, record.core, record.round};
-  V c[10];
-  for (std::size_t j = 0; j < 10; ++j) c[j] = splat(numbers[j]);
+  V c[SlantColumn::kCount];
+  for (std::size_t j = 0; j < SlantColumn::kCount; ++j) c[j] = splat(numbers[j]);
   for (std::size_t k = 0; k < points.count; k += kLanes) {
     const V least = read(points.least + k), nearest = read(points.nearest + k);
     const V x = read(points.x + k), y = read(points.y + k), z = read(points.z + k);
