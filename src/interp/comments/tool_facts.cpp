@@ -339,10 +339,13 @@ void FactReader::read_rest() {
     facts_.left_hand |= view_.is_one(i, {"LEFT", "LH", "LINKS"});
     facts_.fusion |= view_.is(i, "CR") && view_.is(i + 1, "=");
     facts_.included |= view_.is_one(i, {"INCLUDED", "INCL"});
+    facts_.slot_mill |= view_.is(i, "KEYWAY");
     facts_.per_side |= view_.is(i, "SIDE") && i > 0 && view_.is_one(i - 1, {"PER", "/", "A"});
   }
-  facts_.fusion_slot = facts_.fusion && kind() && view_.is(kind()->first, "SLOT") &&
-                       view_.is(kind()->first + 1, "MILL");
+  const bool slot =
+      kind() && view_.is(kind()->first, "SLOT") && view_.is(kind()->first + 1, "MILL");
+  facts_.fusion_slot = facts_.fusion && slot;
+  facts_.slot_mill |= slot || (kind() && view_.is(kind()->first, "SLOTMILL"));
 }
 
 }  // namespace

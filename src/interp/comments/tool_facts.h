@@ -54,6 +54,7 @@ struct ToolFacts {
   bool left_hand = false;
   bool fusion = false;           ///< "CR=", which posts of Fusion write of every tool
   bool fusion_slot = false;      ///< its "slot mill", the disc on a neck of its lists
+  bool slot_mill = false;        ///< a "slot mill" or of keyways: with a width a disc, too
   bool inside = false;           ///< "ID", "INTERNAL", "BORE", and nothing of the outside
   bool turned_side = false;      ///< "OD", "ID", "TURN": a lathe's words
   bool bores = false;            ///< "BORE", "BORING" alone

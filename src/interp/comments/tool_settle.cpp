@@ -107,6 +107,11 @@ void Settler::settle_type() {
   } else if (!k && facts_.pair && !hint_.diameters.empty() && !facts_.insert) {
     hint_.type = ToolType::endmill;  // "D12R2"
   }
+  if (facts_.slot_mill && disc_data &&
+      hint_.type.value_or(ToolType::endmill) == ToolType::endmill) {
+    hint_.type = ToolType::tslot;
+    hint_.trade = ToolTrade::disc;
+  }
   // Its insert is what cuts, whatever the words call the work; mills hold such inserts, too.
   if (facts_.blade && !facts_.insert && (!hint_.type || is_turning(*hint_.type)) &&
       !(k && k->firm && !is_turning(k->type)))
