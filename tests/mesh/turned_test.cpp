@@ -13,6 +13,7 @@
 #include "support/field_distance.h"
 #include "support/moves.h"
 #include "support/shapes.h"
+#include "support/tools.h"
 
 #include <algorithm>
 #include <cmath>
@@ -24,6 +25,7 @@
 namespace mrsim {
 namespace {
 
+using testing::insert;
 using testing::line;
 
 StockShape bar(double radius, double z0, double z1, double bore = 0) {
@@ -32,15 +34,6 @@ StockShape bar(double radius, double z0, double z1, double bore = 0) {
 
 PartField cut(const StockShape& stock, const std::vector<Motion>& motions, const Tool& tool) {
   return {StockSolid(stock), SweepTable(motions, std::span(&tool, 1))};
-}
-
-Tool insert(const char* shape, double nose) {
-  Tool tool;
-  tool.type = ToolType::turning;
-  tool.insert.assign(shape);
-  tool.nose_radius = nose;
-  tool.edge_length = 12;
-  return tool;
 }
 
 MeshPlan within(double tolerance, int threads = 1) {
@@ -112,8 +105,9 @@ TEST(Turned, BoundHoldsBothWaysOnRandomParts) {
   const char* shapes[] = {"V", "C", "R", "D"};
   for (int round = 0; round < 24; ++round) {
     const double tolerance = round % 3 == 0 ? 0.05 : round % 3 == 1 ? 0.01 : 0.002;
-    const PartField field = cut(bar(15, 0, 24, round % 5 == 0 ? 4 : 0), random_moves(random),
-                                insert(shapes[round % 4], round % 4 == 2 ? 2 : 0.4 * (round % 2)));
+    const PartField field =
+        cut(bar(15, 0, 24, round % 5 == 0 ? 4 : 0), random_moves(random),
+            insert(shapes[round % 4], round % 4 == 2 ? 2 : 0.4 * (round % 2), 0, 12));
     MeshReport report;
     const TriMesh mesh = mesh_part(field, 0.25, within(tolerance), &report);
     const std::string what = "round " + std::to_string(round);
@@ -131,7 +125,7 @@ TEST(Turned, BoundHoldsBothWaysOnRandomParts) {
 
 TEST(Turned, SameBytesForAnyNumberOfThreads) {
   std::mt19937 random(9);
-  const PartField field = cut(bar(15, 0, 24), random_moves(random), insert("D", 0.8));
+  const PartField field = cut(bar(15, 0, 24), random_moves(random), insert("D", 0.8, 0, 12));
   const TriMesh one = mesh_part(field, 0.25, within(0.01, 1)),
                 seven = mesh_part(field, 0.25, within(0.01, 7));
   EXPECT_EQ(one.vertices, seven.vertices);
@@ -144,7 +138,7 @@ TEST(Turned, SameBytesForAnyNumberOfThreads) {
 TEST(Turned, ShoulderIsAsSharpAndAsLargeAsThePart) {
   const PartField field =
       cut(bar(20, 0, 50), {line({12, 0, 60}, {12, 0, 30}), line({12, 0, 30}, {30, 0, 30})},
-          insert("", 0));
+          insert("", 0, 0, 12));
   MeshReport report;
   const TriMesh mesh = mesh_part(field, 0.5, within(0.01), &report);
   std::array<float, 3> lo = mesh.vertices[0], hi = lo;
@@ -167,7 +161,7 @@ TEST(Turned, ShoulderIsAsSharpAndAsLargeAsThePart) {
 TEST(Turned, OwnersAreThoseOfTheCuts) {
   const PartField field =
       cut(bar(20, 0, 50), {line({12, 0, 60}, {12, 0, 30}), line({12, 0, 30}, {30, 0, 30})},
-          insert("", 0));
+          insert("", 0, 0, 12));
   const TriMesh mesh = mesh_part(field, 0.5, within(0.01));
   for (std::size_t k = 0; k < mesh.triangles.size(); ++k) {
     const auto& t = mesh.triangles[k];
@@ -181,7 +175,7 @@ TEST(Turned, OwnersAreThoseOfTheCuts) {
 
 // A wall of a twelfth of the voxel, between two grooves.
 TEST(Turned, ThinWallsAreDrawnNotReported) {
-  Tool tool = insert("", 0);
+  Tool tool = insert("", 0, 0, 12);
   tool.type = ToolType::grooving;
   tool.width = 2;
   const PartField field = cut(
@@ -198,7 +192,7 @@ TEST(Turned, ThinWallsAreDrawnNotReported) {
 // Chords of an arc are alike, and no fewer would do.
 TEST(Turned, ChordsOfAnArcAreEven) {
   const PartField field =
-      cut(bar(20, 0, 50), {arc_about_y({10, 0, 50}, {10, 0, 40}, kPi / 2)}, insert("", 0));
+      cut(bar(20, 0, 50), {arc_about_y({10, 0, 50}, {10, 0, 40}, kPi / 2)}, insert("", 0, 0, 12));
   const detail::TurnedSection section = detail::turned_section(field, 0.5, 1e-4, 1e-3, 1);
   ASSERT_EQ(section.outlines.size(), 1u);
   const detail::Outline line =

@@ -6,8 +6,8 @@
 #include "mesh/mesh_part.h"
 #include "mesh/solid/check.h"
 #include "oracle/exact_region.h"
-#include "oracle/random.h"
 #include "removal/part/part_field.h"
+#include "support/random.h"
 #include "support/rounds.h"
 
 #include <algorithm>

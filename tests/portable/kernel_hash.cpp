@@ -12,6 +12,7 @@
 #include "removal/prune/prune.h"
 #include "removal/simd/sweep_kernels.h"
 #include "removal/sweep/sweep_table.h"
+#include "support/random.h"
 #include <mrsim/mrsim.h>
 
 #include <bit>
@@ -23,6 +24,8 @@
 
 namespace mrsim {
 namespace {
+
+using testing::Random;
 
 class Bits {
  public:
@@ -38,23 +41,6 @@ class Bits {
 
  private:
   std::uint64_t state_ = 0x243f6a8885a308d3u;
-};
-
-// Only + - * / of exact numbers: the same on every machine.
-class Random {
- public:
-  explicit Random(std::uint64_t seed) : state_(seed * 2654435769u + 88172645463325252u) {}
-  std::uint64_t next() {
-    state_ ^= state_ << 13, state_ ^= state_ >> 7, state_ ^= state_ << 17;
-    return state_;
-  }
-  double operator()(double lo, double hi) {
-    return lo + (hi - lo) * (static_cast<double>(next() >> 11) * 0x1p-53);
-  }
-  int pick(int n) { return static_cast<int>(next() % static_cast<std::uint64_t>(n)); }
-
- private:
-  std::uint64_t state_;
 };
 
 class Collector : public MotionSink {

@@ -102,6 +102,21 @@ TEST_P(Chains, EqualTheSearchAndDenseSamples) {
   EXPECT_GT(outside, rounds(240));
 }
 
+// Where the path is steeper than the cone, the path of the point lies within the tool.
+TEST(Chains, ThePathOfAPointIsWithinASteepSweep) {
+  const Profile cutter = make_cutter(convex_tools()[1]);
+  const ChainTool tool = chain_tool(cutter);
+  ToolPath path;
+  path.travel = {1.5, 0, 4.5};
+  path.speed = length(path.travel);
+  const ChainLine line = chain_line(tool, path);
+  for (const double t : {0.6, 0.75, 0.9}) {
+    const PathSample got = chain_minimum(tool, line, t * path.travel);
+    EXPECT_LT(got.distance, -0.1) << t;
+    EXPECT_NEAR(got.distance, path_distance(cutter, path, t * path.travel).distance, 1e-11) << t;
+  }
+}
+
 INSTANTIATE_TEST_SUITE_P(All, Chains, ::testing::Range(0, static_cast<int>(convex_tools().size())));
 
 // Where the contact is on a cone, the planes of the flanks are the distance itself.
@@ -183,6 +198,10 @@ TEST(Chains, FacesWithoutASearchAreThoseOfTheSweep) {
       const Vec2 seen{std::sqrt(q.x * q.x + q.y * q.y), q.z};
       if (at.distance < 0.01 || cutter.foot_is_corner(seen)) continue;
       const std::int32_t patch = cutter.sample(seen).patch;
+      // On steep moves the nearest place is a corner that a search comes near only.
+      const Vec2 foot = seen - at.distance * cutter.gradient(seen, patch);
+      const int corner = cutter.nearest_corner(foot);
+      if (corner >= 0 && length(cutter.corner_point(corner) - foot) < 1e-5) continue;
       if (std::fabs(cutter.face_distance(seen, patch) - at.distance) > 1e-12) continue;  // the tip
       const auto face = chain_face(tool, line, p, patch);
       if (!face) continue;

@@ -7,6 +7,7 @@
 #include "removal/sweep/sweep_table.h"
 #include "removal/tool/tool.h"
 #include "support/moves.h"
+#include "support/random.h"
 #include "support/tools.h"
 
 #include <algorithm>
@@ -16,21 +17,6 @@
 #include <vector>
 
 namespace mrsim::testing {
-
-class Random {
- public:
-  explicit Random(std::uint64_t seed) : state_(seed * 2654435769u + 88172645463325252u) {}
-  double operator()(double lo, double hi) {
-    state_ ^= state_ << 13;
-    state_ ^= state_ >> 7;
-    state_ ^= state_ << 17;
-    return lo + (hi - lo) * (static_cast<double>(state_ >> 11) * 0x1p-53);
-  }
-  int pick(int n) { return std::min(n - 1, static_cast<int>((*this)(0, n))); }
-
- private:
-  std::uint64_t state_;
-};
 
 inline Vec3 at(const Motion& m, double t) {
   if (m.kind == MotionKind::line) return m.start + t * (m.end - m.start);

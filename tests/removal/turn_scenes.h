@@ -8,21 +8,15 @@
 
 namespace mrsim::testing {
 
-inline Tool insert(ToolType type, const char* shape, double nose, int tip = 0) {
-  Tool t;
-  t.id.assign(1, '2');  // GCC 12 warns of overlap on = "2"
-  t.type = type;
-  t.insert = shape;
-  t.nose_radius = nose;
-  t.tip = tip;
-  t.edge_length = 5;
+inline Tool blade(double nose) {
+  Tool t = insert("", nose, 0, 5);
+  t.type = ToolType::grooving;
   return t;
 }
 
 inline std::vector<Tool> inserts() {
-  return {insert(ToolType::turning, "V", 0.4), insert(ToolType::turning, "D", 0),
-          insert(ToolType::turning, "R", 1.5), insert(ToolType::grooving, "", 0.2),
-          insert(ToolType::turning, "C", 0.8, 2)};
+  return {insert("V", 0.4, 0, 5), insert("D", 0, 0, 5), insert("R", 1.5, 0, 5), blade(0.2),
+          insert("C", 0.8, 2, 5)};
 }
 
 /// Moves of one to three of `inserts()` about `radius` from the axis, z from 0 to `length`.

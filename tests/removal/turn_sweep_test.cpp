@@ -9,16 +9,6 @@ namespace {
 
 using namespace testing;
 
-Tool insert(const char* shape, double nose, int tip = 0) {
-  Tool t;
-  t.id.assign(1, '2');  // GCC 12 warns of overlap on = "2"
-  t.type = ToolType::turning;
-  t.insert = shape;
-  t.nose_radius = nose;
-  t.tip = tip;
-  return t;
-}
-
 // Signed distance to a convex polygon from its corners: brute over points of its sides.
 double polygon(const std::vector<Vec2>& c, Vec2 q) {
   if (c.size() == 1) return std::hypot(q.x - c[0].x, q.y - c[0].y);

@@ -164,7 +164,8 @@ class Keeper {
     const float above = top() - lowest_tip;
     const float inside = tool.flat - slack - std::clamp(above, 0.0f, static_cast<float>(band));
     const bool covers = band > 0 && tool.rising && inside > 0;
-    const float beyond = tool.flat + slack;
+    // A closed top is as far from all sweeps of one height that lie under it, too.
+    const float beyond = (tool.rising ? tool.flat : tool.core + tool.round) + slack;
     args.beyond = tool.flat > 0 ? beyond * beyond : kFloatInfinity;
     Beater &nearest = args.beater[0], &lowest = args.beater[1];
     nearest.squared = kFloatInfinity, lowest.z = kFloatInfinity, args.cover.z = kFloatInfinity;

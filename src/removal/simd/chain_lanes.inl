@@ -203,8 +203,10 @@ struct ChainObjective {
     if (tool.tipped && tool.core == 0) {
       const V along = at.u - x.t * splat(line.plan), up = h - x.t * splat(line.rise);
       const V square = along * along + at.v * at.v, rho = vsqrt(square);
-      x.f = vsqrt(square + up * up) - splat(tool.ball);
-      x.holds = both(less_equal(zero, x.f),
+      const V off = vsqrt(square + up * up);
+      x.f = off - splat(tool.ball);
+      // On the path of a point there is no direction to it.
+      x.holds = both(both(less_equal(zero, x.f), less(splat(kRounding), off)),
                      less_equal(up * splat(tool.last.x), rho * splat(tool.last.y)));
     }
     for (std::size_t i = 0; i < tool.flank_count; ++i) add_flank(i, x);
@@ -219,7 +221,8 @@ struct ChainObjective {
     const V way = stretch.height_way(x.t) * splat(std::sqrt(line.per_way));
     const V share = vmin(vmax(way, zero), splat(1.0));
     const M tip = less_equal((zero - x.dz) * splat(tool.last.x), x.dr * splat(tool.last.y));
-    return {line.rise < 0 ? splat(1.0) - share : share, f, both(tip, less(zero, f))};
+    const M clear = less(splat(kRounding), f + splat(tool.ball));
+    return {line.rise < 0 ? splat(1.0) - share : share, f, both(tip, both(clear, less(zero, f)))};
   }
 
   /// The same within a tool with a flat sharp tip, where its floor and the flank above it are what
