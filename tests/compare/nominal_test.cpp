@@ -2,6 +2,7 @@
 
 #include "core/vec.h"
 #include "support/mesh_asserts.h"
+#include "support/random.h"
 #include "support/shapes.h"
 
 #include <cmath>
@@ -13,7 +14,7 @@ namespace mrsim {
 namespace {
 
 std::vector<Vec3> random_points(std::size_t n, double lo, double hi) {
-  std::mt19937_64 random(7);
+  std::mt19937_64 random(testing::salted(7));
   std::uniform_real_distribution<double> u(lo, hi);
   std::vector<Vec3> out(n);
   for (Vec3& p : out) p = {u(random), u(random), u(random)};

@@ -2,6 +2,7 @@
 
 #include "core/units.h"
 #include "core/vec.h"
+#include "support/random.h"
 #include "support/shapes.h"
 
 #include <algorithm>
@@ -23,7 +24,7 @@ double box_distance(const Box3& b, const Vec3& p) {
 TEST(TriangleTree, IsExactForABox) {
   const Box3 box{{-1, -2, -3}, {4, 5, 6}};
   const TriangleTree tree(testing::box_mesh(box.lo, box.hi));
-  std::mt19937_64 random(1);
+  std::mt19937_64 random(testing::salted(1));
   std::uniform_real_distribution<double> u(-8, 10);
   for (int i = 0; i < 20000; ++i) {
     const Vec3 p{u(random), u(random), u(random)};
@@ -34,7 +35,7 @@ TEST(TriangleTree, IsExactForABox) {
 // Needles and points are their sides: of every order of the corners, and where two or three of
 // these are equal.
 TEST(TriangleTree, TrianglesWithoutAreaHaveDistances) {
-  std::mt19937_64 random(3);
+  std::mt19937_64 random(testing::salted(3));
   std::uniform_real_distribution<double> u(-5, 5);
   for (int i = 0; i < 2000; ++i) {
     const Vec3 a{u(random), u(random), u(random)}, way{u(random), u(random), u(random)};
@@ -52,7 +53,7 @@ TEST(TriangleTree, TrianglesWithoutAreaHaveDistances) {
 TEST(TriangleTree, FindsTheNearestOfAll) {
   const TriMesh mesh = testing::sphere_mesh(40, 5, {1, 2, 3});
   const TriangleTree tree(mesh);
-  std::mt19937_64 random(2);
+  std::mt19937_64 random(testing::salted(2));
   std::uniform_real_distribution<double> u(-6, 9);
   std::uint32_t hint = 0;
   for (int i = 0; i < 300; ++i) {
@@ -81,7 +82,7 @@ TEST(TriangleTree, FindsTheNearestOfAll) {
 }
 
 TEST(NearestOnTriangle, AgreesWithDenseSampling) {
-  std::mt19937_64 random(3);
+  std::mt19937_64 random(testing::salted(3));
   std::uniform_real_distribution<double> u(-1, 1);
   const auto point = [&] { return Vec3{u(random), u(random), u(random)}; };
   for (int i = 0; i < 200; ++i) {

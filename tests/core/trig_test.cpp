@@ -1,6 +1,7 @@
 #include "core/trig.h"
 
 #include "core/units.h"
+#include "support/random.h"
 
 #include <cmath>
 #include <random>
@@ -13,7 +14,7 @@ namespace {
 constexpr double kUlp = 2.3e-16;
 
 TEST(Trig, SinCosAgreeWithLongDouble) {
-  std::mt19937_64 random(1);
+  std::mt19937_64 random(testing::salted(1));
   std::uniform_real_distribution<double> angle(-1000, 1000);
   for (int i = 0; i < 100000; ++i) {
     const double a = angle(random);
@@ -32,7 +33,7 @@ TEST(Trig, DegreesAreExactAtRightAngles) {
 }
 
 TEST(Trig, Atan2AgreesWithLongDouble) {
-  std::mt19937_64 random(2);
+  std::mt19937_64 random(testing::salted(2));
   std::uniform_real_distribution<double> coordinate(-1, 1);
   for (int i = 0; i < 100000; ++i) {
     const double x = coordinate(random), y = coordinate(random);

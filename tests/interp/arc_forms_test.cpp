@@ -1,6 +1,7 @@
 // Every way of programming an arc, in every plane, both directions, all dialects: the expectation
 // is built from centre, radius and angles, never from the code under test.
 #include "interp/support.h"
+#include "support/random.h"
 
 #include <cmath>
 #include <functional>
@@ -181,7 +182,7 @@ TEST(ArcForms, EveryPlaneAndDirection) {
 }
 
 TEST(ArcForms, RandomArcsAgreeInAllForms) {
-  std::mt19937_64 random(7);
+  std::mt19937_64 random(testing::salted(7));
   const auto uniform = [&](double lo, double hi) {
     return std::uniform_real_distribution<double>(lo, hi)(random);
   };
@@ -201,7 +202,7 @@ TEST(ArcForms, RandomArcsAgreeInAllForms) {
 }
 
 TEST(ArcForms, ReversedArcIsTheSameCircle) {
-  std::mt19937_64 random(8);
+  std::mt19937_64 random(testing::salted(8));
   std::uniform_real_distribution<double> angle(20, 340);
   for (int i = 0; i < 15; ++i) {
     const Arc there{i % 3, 3, 4, 15, angle(random), angle(random), 0, 0};

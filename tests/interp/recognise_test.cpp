@@ -1,5 +1,6 @@
 #include "interp/recognise/recognise.h"
 
+#include "support/random.h"
 #include "support/temp_folder.h"
 
 #include <fstream>
@@ -44,7 +45,7 @@ std::string random_line(std::mt19937_64& random) {
 // An empty comment behind it says nothing, but a line that has one is not plain.
 TEST(Recognise, PlainLinesSayWhatTheyWouldInFull) {
   for (std::uint64_t seed = 1; seed <= 300; ++seed) {
-    std::mt19937_64 random(seed);
+    std::mt19937_64 random(testing::salted(seed));
     std::vector<std::string> lines(101, "X0");
     for (std::size_t i = 0; i < 5 + seed % 60; ++i) lines.push_back(random_line(random));
     EXPECT_EQ(recognised(lines, ""), recognised(lines, " ()")) << "seed " << seed;

@@ -1,6 +1,8 @@
 // Squares of cells cover a region as a quadtree does.
 #include "mesh/cells/flat_squares.h"
 
+#include "support/random.h"
+
 #include <algorithm>
 #include <random>
 
@@ -33,7 +35,7 @@ int at(const Sizes& sizes, int row, int column) {
 }
 
 TEST(FlatSquares, CoverARegion) {
-  std::mt19937_64 random(7);
+  std::mt19937_64 random(testing::salted(7));
   std::size_t large = 0;
   for (int round = 0; round < 400; ++round) {
     CellRows region{};

@@ -1,6 +1,7 @@
 #include "reference/grid_mesh.h"
 
 #include "support/mesh_asserts.h"
+#include "support/random.h"
 
 #include <algorithm>
 #include <cmath>
@@ -91,7 +92,7 @@ TEST(MeshGrid, IsTheSameForAnyNumberOfThreads) {
 
 TEST(MeshGrid, NoiseOfAnyTopologyBecomesAManifold) {
   for (unsigned seed = 0; seed < 20; ++seed) {
-    std::mt19937 random(seed);
+    std::mt19937 random(testing::salted(seed));
     const Distance noise = [&](const openvdb::Vec3d& p) {
       const double inside = double(random() % 1000) / 1000 - 0.4 - 0.01 * seed;
       return p.length() > 11 ? 1.0 : inside;

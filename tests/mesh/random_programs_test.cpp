@@ -8,6 +8,7 @@
 #include "mesh/solid/check.h"
 #include "removal/part/part_field.h"
 #include "support/cgal_mesh.h"
+#include "support/random.h"
 
 #include <algorithm>
 #include <array>
@@ -23,7 +24,7 @@ constexpr unsigned kPrograms = 600, kBatch = 50;
 
 class Generator {
  public:
-  explicit Generator(std::uint64_t seed) : random_(seed) {}
+  explicit Generator(std::uint64_t seed) : random_(testing::salted(seed)) {}
 
   PartField part() {
     StockShape stock;

@@ -7,6 +7,7 @@
 #include "removal/part/part_field.h"
 #include "support/field_distance.h"
 #include "support/moves.h"
+#include "support/random.h"
 #include "support/rounds.h"
 #include "support/tools.h"
 
@@ -80,7 +81,7 @@ Tool random_mill(std::mt19937_64& random) {
 }
 
 TEST(Tolerance, BoundHoldsOnRandomPrograms) {
-  std::mt19937_64 random(5);
+  std::mt19937_64 random(testing::salted(5));
   std::uniform_real_distribution<double> u(0, 1);
   for (unsigned k = 0; k < testing::rounds(10); ++k) {
     const Tool tool = random_mill(random);

@@ -12,6 +12,7 @@
 #include "support/cgal_mesh.h"
 #include "support/field_distance.h"
 #include "support/moves.h"
+#include "support/random.h"
 #include "support/shapes.h"
 #include "support/tools.h"
 
@@ -101,7 +102,7 @@ bool is_turned_outline(const MeshReport& report) {
 }
 
 TEST(Turned, BoundHoldsBothWaysOnRandomParts) {
-  std::mt19937 random(5);
+  std::mt19937 random(testing::salted(5));
   const char* shapes[] = {"V", "C", "R", "D"};
   for (int round = 0; round < 24; ++round) {
     const double tolerance = round % 3 == 0 ? 0.05 : round % 3 == 1 ? 0.01 : 0.002;
@@ -124,7 +125,7 @@ TEST(Turned, BoundHoldsBothWaysOnRandomParts) {
 }
 
 TEST(Turned, SameBytesForAnyNumberOfThreads) {
-  std::mt19937 random(9);
+  std::mt19937 random(testing::salted(9));
   const PartField field = cut(bar(15, 0, 24), random_moves(random), insert("D", 0.8, 0, 12));
   const TriMesh one = mesh_part(field, 0.25, within(0.01, 1)),
                 seven = mesh_part(field, 0.25, within(0.01, 7));

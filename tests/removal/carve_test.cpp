@@ -6,6 +6,7 @@
 #include "removal/part/stock.h"
 #include "removal/part/stock_grid.h"
 #include "support/moves.h"
+#include "support/random.h"
 #include "support/rounds.h"
 #include "support/shapes.h"
 #include "support/tools.h"
@@ -48,7 +49,7 @@ double counted_volume(const Stock& stock) {
 }
 
 std::vector<Motion> random_motions(std::uint64_t seed, int count) {
-  std::mt19937_64 random(seed);
+  std::mt19937_64 random(testing::salted(seed));
   std::uniform_int_distribution<int> x(0, 20), z(2, 9);
   std::vector<Motion> motions;
   Vec3 at{10, 10, 8};
@@ -77,7 +78,7 @@ TEST(Carve, EqualsTheReferenceToTheLastBit) {
 // Many short moves, as finishing rasters and adaptive clearing are made of: where dominance drops
 // most of every list. Some coincide.
 std::vector<Motion> short_moves(std::uint64_t seed, int count, bool level) {
-  std::mt19937_64 random(seed);
+  std::mt19937_64 random(testing::salted(seed));
   std::uniform_real_distribution<double> step(-0.6, 0.6);
   std::vector<Motion> motions;
   Vec3 at{10, 10, 5};
@@ -118,7 +119,7 @@ TEST(Carve, DominanceNeverChangesABit) {
 
 // Rows of short moves along smooth curves, some of them twice, which lists hold in packs.
 std::vector<Motion> smooth_rows(std::uint64_t seed, bool level) {
-  std::mt19937_64 random(seed);
+  std::mt19937_64 random(testing::salted(seed));
   std::uniform_real_distribution<double> bend(-0.3, 0.3);
   std::vector<Motion> motions;
   for (int row = 0; row < 16; ++row) {
@@ -171,7 +172,7 @@ TEST(Carve, HelicesAndUprightArcsEqualTheReference) {
   for (const ToolType type : {ToolType::endmill, ToolType::bullmill, ToolType::ballmill}) {
     Tool tool = mill(type, 3);
     tool.corner_radius = type == ToolType::bullmill ? 0.5 : 0;
-    std::mt19937_64 random(5);
+    std::mt19937_64 random(testing::salted(5));
     std::uniform_real_distribution<double> unit(0, 1);
     std::vector<Motion> motions;
     for (int i = 0; i < 14; ++i) {

@@ -3,6 +3,7 @@
 
 #include "core/units.h"
 #include "core/vec.h"
+#include "support/random.h"
 
 #include <algorithm>
 #include <memory>
@@ -100,7 +101,7 @@ TEST(CollisionProbe, FindsStepsBetweenRows) {
 
 TEST(CollisionProbe, TellsTheTruthWithAnyThreads) {
   using enum MotionKind;
-  std::mt19937 random(5);
+  std::mt19937 random(testing::salted(5));
   const auto pick = [&](double lo, double hi) {
     return lo + (hi - lo) * static_cast<double>(random() % 1000) / 999;
   };

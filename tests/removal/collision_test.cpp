@@ -3,6 +3,7 @@
 #include "collision_support.h"
 #include "core/units.h"
 #include "removal/sweep/sweep_table.h"
+#include "support/random.h"
 #include "support/rounds.h"
 
 #include <algorithm>
@@ -226,7 +227,7 @@ TEST(Collisions, OneLineOfManyMotionsIsOnePlace) {
 
 // Random moves in a block: threads do not matter, and a larger threshold finds no more.
 TEST(Collisions, ThreadsAndThresholds) {
-  std::mt19937 random(7);
+  std::mt19937 random(testing::salted(7));
   const auto pick = [&](double lo, double hi) {
     return lo + (hi - lo) * static_cast<double>(random() % 1000) / 999;
   };
@@ -260,7 +261,7 @@ TEST(Collisions, ThreadsAndThresholds) {
 
 // Against dense sampling: what points of a grid prove is found, and depths reach theirs.
 TEST(Collisions, AgreeWithDenseSampling) {
-  std::mt19937 random(11);
+  std::mt19937 random(testing::salted(11));
   const auto pick = [&](double lo, double hi) {
     return lo + (hi - lo) * static_cast<double>(random() % 1000) / 999;
   };

@@ -4,6 +4,7 @@
 #include "core/vec.h"
 #include "removal/part/stock.h"
 #include "support/moves.h"
+#include "support/random.h"
 
 #include <random>
 
@@ -37,7 +38,7 @@ void expect_same_surface(const PartField& field, Vec3 p, const FieldSample& at) 
 // At random points near the surface: gradient has unit length and is the numeric gradient of
 // patch_distance, and patch_distance is d where the face is the nearest one.
 void expect_faces_agree(const PartField& field) {
-  std::mt19937_64 random(11);
+  std::mt19937_64 random(testing::salted(11));
   std::uniform_real_distribution<double> u(0, 1);
   const Candidates all = field.all();
   const Vec3 lo = field.bounds().lo, size = field.bounds().hi - lo;
@@ -240,7 +241,7 @@ TEST(PartField, ListsHoldInTheWholeBox) {
   shape.box = {{-8, -8, -5}, {8, 8, 4}};
   const PartField field(StockSolid(shape), SweepTable(motions, {&ball, 1}));
   const Candidates all = field.all();
-  std::mt19937_64 random(5);
+  std::mt19937_64 random(testing::salted(5));
   std::uniform_real_distribution<double> u(-1, 1);
   std::size_t mixed = 0;
   for (int round = 0; round < 400; ++round) {
@@ -275,7 +276,7 @@ TEST(PartField, KnowsWhatIsOnTheSurface) {
   tools[2].type = ToolType::chamfer, tools[2].tip_angle = radians(60);
   tools[3].type = ToolType::bullmill, tools[3].corner_radius = 0.7;
   for (Tool& tool : tools) tool.diameter = 5;
-  std::mt19937_64 random(6);
+  std::mt19937_64 random(testing::salted(6));
   std::uniform_real_distribution<double> u(-1, 1);
   std::vector<Motion> motions;
   for (int k = 0; k < 60; ++k) {
@@ -311,7 +312,7 @@ TEST(PartField, KnowsWhatIsOnTheSurface) {
 // A cube is told from what the surface passes by its shape, not by the ball about it, and never
 // wrongly.
 TEST(PartField, CubesBesideTheSurfaceAreAirOrMaterial) {
-  std::mt19937_64 random(5);
+  std::mt19937_64 random(testing::salted(5));
   std::uniform_real_distribution<double> u(-1, 1);
   std::vector<Motion> motions;
   for (int row = 0; row < 9; ++row)
@@ -370,7 +371,7 @@ TEST(PartField, FlutesThatReachAboveTheStockReachUp) {
   const auto at = [](const Stock& stock, const Vec3& p) {
     return stock.field().sample(p, stock.field().all()).distance;
   };
-  std::mt19937_64 random(3);
+  std::mt19937_64 random(testing::salted(3));
   std::uniform_real_distribution<double> u(0, 1);
   int overhung = 0;
   for (int i = 0; i < 4000; ++i) {

@@ -4,6 +4,7 @@
 #include "removal/part/recipe_codec.h"
 #include "removal/part/stock_grid.h"
 #include "removal/vdb/level_set.h"
+#include "support/random.h"
 
 #include <random>
 #include <sstream>
@@ -221,7 +222,7 @@ TEST(StockFile, RefusesWhatIsDamaged) {
   const std::string bytes = saved(recipe_of_a_slot());
   for (std::size_t size = 0; size < bytes.size(); size += 97)
     EXPECT_NE(code_of(bytes.substr(0, size)), "") << size;
-  std::mt19937_64 random(1);
+  std::mt19937_64 random(testing::salted(1));
   for (int i = 0; i < 300; ++i) {
     std::string bad = bytes;
     bad[random() % bad.size()] ^= static_cast<char>(1 + random() % 255);
@@ -233,7 +234,7 @@ TEST(StockFile, RefusesWhatIsDamaged) {
 
 TEST(RecipeCodec, ChecksEveryCount) {
   const std::string bytes = encode_recipe(recipe_of_a_slot());
-  std::mt19937_64 random(2);
+  std::mt19937_64 random(testing::salted(2));
   for (int i = 0; i < 20000;
        ++i) {  // whatever the bytes: a recipe or an Error, never more memory than there are bytes
     std::string bad = bytes.substr(0, random() % 2 ? bytes.size() : random() % bytes.size());

@@ -1,5 +1,6 @@
 #include "removal/stock/stock_shape.h"
 
+#include "support/random.h"
 #include "support/shapes.h"
 
 #include <cmath>
@@ -17,7 +18,7 @@ ShapeKind kind_of(const TriMesh& m) { return recognise_stock(m).kind; }
 
 // Moves every coordinate by up to `ulps` float steps of the largest one.
 TriMesh shaken(TriMesh m, double ulps, double largest) {
-  std::mt19937 random(1);
+  std::mt19937 random(testing::salted(1));
   const double step = std::nextafter(float(largest), 1e9f) - float(largest);
   for (auto& v : m.vertices)
     for (float& x : v) x = float(x + ulps * step * (double(random() % 2001) / 1000 - 1));

@@ -2,6 +2,7 @@
 
 #include "core/units.h"
 #include "core/vec.h"
+#include "support/random.h"
 #include "support/shapes.h"
 
 #include <random>
@@ -14,7 +15,7 @@ namespace {
 // The defining properties, on random points: 1-Lipschitz, and gradient of the patch = the numeric
 // one where the patch is the nearest.
 void expect_distance_function(const StockSolid& solid) {
-  std::mt19937_64 random(7);
+  std::mt19937_64 random(testing::salted(7));
   std::uniform_real_distribution<double> u(-0.3, 1.3), small(-1e-3, 1e-3);
   const Vec3 lo = solid.bounds().lo, size = solid.bounds().hi - lo;
   for (int i = 0; i < 20000; ++i) {
@@ -64,7 +65,7 @@ TEST(StockSolid, MeshIsExact) {
   EXPECT_NEAR(mesh.volume(), 60000, 1e-9);
   EXPECT_NEAR(mesh.area(), exact.area(), 1e-9);
   expect_distance_function(mesh);
-  std::mt19937_64 random(3);
+  std::mt19937_64 random(testing::salted(3));
   std::uniform_real_distribution<double> u(-0.5, 1.5);
   for (int i = 0; i < 10000; ++i) {
     const Vec3 p{100 * u(random), -60 * u(random), 10 * u(random)};
