@@ -198,7 +198,7 @@ TEST(Profile, WidthIsTheHeightOfATSlotHead) {
 }
 
 // A thread mill with its neck, two of its teeth, a slot mill, a stepped drill, a groove with a
-// point.
+// point, a ball on its neck, and bulbs of one arc.
 TEST(Profile, ConvexPiecesTogetherAreTheSolid) {
   const std::vector<std::vector<ProfilePoint>> profiles = {
       {{0, 0, 0}, {4, 0, 0}, {5, 0.5, 0}, {4, 1, 0}, {4, 20, 0}},
@@ -206,7 +206,9 @@ TEST(Profile, ConvexPiecesTogetherAreTheSolid) {
       {{0, 0, 0}, {5, 0, 0}, {5, 3, 0}, {2, 3, 0}, {2, 20, 0}},
       {{0, 0, 0}, {2, 1, 0}, {2, 6, 0}, {4, 8, 0}, {4, 15, 0}},
       {{0, 0, 0}, {5, 1, 0}, {3, 4, 0}, {6, 8, 0}, {6, 15, 0}},
-      {{0, 0, 0}, {3, 3, std::tan(kPi / 8)}, {2, 4, 0}, {2, 8, 0}}};
+      {{0, 0, 0}, {3, 3, std::tan(kPi / 8)}, {2, 4, 0}, {2, 8, 0}},
+      {{0, 0, 0}, {1, 0, 0.6}, {2, 4, 0}, {2, 10, 0}},
+      {{0, 0, 0}, {2, 0, 0}, {2, 3, 0.6}, {1, 7, 0}, {1, 12, 0}}};
   for (const auto& points : profiles) {
     const Profile whole = make_cutter(form(points));
     ASSERT_FALSE(whole.is_convex());

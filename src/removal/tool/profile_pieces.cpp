@@ -16,12 +16,14 @@ double direction_at(const ProfileEdge& e, Vec2 at) {
   return (e.convex ? -1 : 1) * (at.y - e.center.y);
 }
 
-// The least height from which on a convex chain is at least r wide; arcs count from their ends.
+// The least height from which on a convex chain is at least r wide. An arc counts from its end, or
+// from its widest place, which is surely inside where the arc comes in again.
 double wide_from(const Chain& chain, double r) {
   for (const ProfileEdge& e : chain) {
     if (e.a.x >= r) return e.a.y;
     if (e.b.x < r) continue;
-    if (e.radius > 0 || e.b.y == e.a.y) return e.b.y;
+    if (e.radius > 0) return std::min(e.b.y, e.center.y);
+    if (e.b.y == e.a.y) return e.b.y;
     return e.a.y + (r - e.a.x) / (e.b.x - e.a.x) * (e.b.y - e.a.y);
   }
   return std::numeric_limits<double>::infinity();
@@ -33,7 +35,8 @@ double wide_up_to(const Chain& chain, double r) {
     if (std::isinf(e->b.y)) return e->a.x >= r ? e->b.y : e->a.y;
     if (e->b.x >= r) return e->b.y;
     if (e->a.x < r) continue;
-    if (e->radius > 0 || e->b.y == e->a.y) return e->a.y;
+    if (e->radius > 0) return std::max(e->a.y, e->center.y);
+    if (e->b.y == e->a.y) return e->a.y;
     return e->b.y - (r - e->b.x) / (e->a.x - e->b.x) * (e->b.y - e->a.y);
   }
   return -std::numeric_limits<double>::infinity();
