@@ -7,7 +7,8 @@
 // f'(t) = 0 is rho' = k with k = c z' / a. For a circle of radius R about an axis that p is D away
 // from, seen at the angle phi from the direction towards p, rho^2 = D^2 + R^2 - 2 D R x with
 // x = cos(phi) and rho' = D R sin(phi) / rho, so D^2 R^2 (1 - x^2) = k^2 rho^2: a quadratic
-// equation for x, whose larger root is the minimum.
+// equation for x, whose larger root is the minimum. Most edges need no root: some f of theirs, at
+// an end or where the path is nearest in plan, is no greater than the least f of another edge.
 #include "removal/forms/cone_helix.h"
 
 #include "core/trig.h"
@@ -29,7 +30,9 @@ class ConeHelix {
         away_(p - path.center),
         facing_{dot(away_, path.u) / path.radius, dot(away_, path.v) / path.radius},
         d_(std::sqrt(dot(facing_, facing_))),
-        ends_{end_at(begin), end_at(end)} {}
+        ends_{end_at(begin), end_at(end)} {
+    if (d_ > 0) nearest_ = inner((1 / d_) * facing_);
+  }
 
   // Seen from the tool's tip at t.
   struct Place {
@@ -40,26 +43,26 @@ class ConeHelix {
     Place at{};
   };
 
-  // The least f of the cone with the outward normal (a, c).
-  Least least(double a, double c, double offset) const {
+  // The least f of the cone with the outward normal (a, c), where it is above `wanted`: else some f
+  // that is not.
+  Least least(double a, double c, double offset, double wanted) const {
     const auto f = [&](const Place& x) { return a * x.rho + c * x.z - offset; };
     Least best{f(ends_[0]), ends_[0]};
     const auto take = [&](const Place& x) {
       if (const double value = f(x); value < best.f) best = {value, x};
     };
     take(ends_[1]);
+    if (nearest_) take(*nearest_);
+    if (!(best.f > wanted)) return best;
     const double r = path_.radius;
-    if (!(d_ > 0) || !(a > 0)) return best;
     const double k = c * path_.rise.z / a, kk = k * k;
+    if (!(d_ > 0) || !(a > 0) || k == 0) return best;
     const double left = (d_ * d_ - kk) * (r * r - kk);
     if (left < 0 || kk > d_ * d_) return best;
     const double x = std::min((kk + std::sqrt(left)) / (d_ * r), 1.0);
     const double y = (k < 0 ? -1 : 1) * std::sqrt(1 - x * x);
     const Vec2 w = (1 / d_) * Vec2{facing_.x * x - facing_.y * y, facing_.y * x + facing_.x * y};
-    double t = mrsim::atan2(w.y, w.x);
-    const double begin = ends_[0].t;
-    if (t < begin) t = std::max(t + kTwoPi * std::ceil((begin - t) / kTwoPi), begin);
-    if (t <= ends_[1].t) take(at(t, w));
+    if (const auto place = inner(w)) take(*place);
     return best;
   }
 
@@ -69,6 +72,14 @@ class ConeHelix {
     if (t == path_.sweep) return at(t, path_.last);
     const SinCos sc = sincos(t);
     return at(t, {sc.cos, sc.sin});
+  }
+  // The first position with the direction w between the ends.
+  std::optional<Place> inner(const Vec2& w) const {
+    double t = mrsim::atan2(w.y, w.x);
+    const double begin = ends_[0].t;
+    if (t < begin) t = std::max(t + kTwoPi * std::ceil((begin - t) / kTwoPi), begin);
+    if (t > ends_[1].t) return std::nullopt;
+    return at(t, w);
   }
   // The position with the direction w from the centre, in (u, v).
   Place at(double t, const Vec2& w) const {
@@ -82,6 +93,7 @@ class ConeHelix {
   const Vec2 facing_;  // the same in plan, in (u, v)
   const double d_;     // from the axis
   const Place ends_[2];
+  std::optional<Place> nearest_;  // in plan, but for the ends
 };
 
 }  // namespace
@@ -93,7 +105,7 @@ std::optional<PathSample> cone_helix_minimum(const Profile& tool, const ToolPath
   for (const ProfileEdge& e : tool.edges()) {
     const double a = e.direction.y, c = -e.direction.x;
     if (e.radius > 0 || a < 0) continue;
-    const ConeHelix::Least found = cones.least(a, c, a * e.a.x + c * e.a.y);
+    const ConeHelix::Least found = cones.least(a, c, a * e.a.x + c * e.a.y, best.f);
     if (found.f > best.f) best = found;
   }
   if (!std::isfinite(best.f)) return std::nullopt;

@@ -61,6 +61,11 @@ class Objective {
     return s.distance - (tool_.is_convex() ? slope : 1) * rise;
   }
 
+  /// The same over all from `begin` to `end`.
+  double range_bound(double begin, double end) const {
+    return horizontal_bound(0.5 * (begin + end), 0.5 * (end - begin), to_circle());
+  }
+
   /// On a horizontal path the lateral distance of p, sqrt(D^2 + R^2 - 2 D R cos(angle)), is convex
   /// up to this angle on both sides of the position that looks at p, and then has no minimum before
   /// that of the next turn.
@@ -176,8 +181,6 @@ PathSample ends(const Objective& F, double begin, double end) {
 // A convex tool on an arc or a helix about Z, over [begin, end], for something nearer than `best`.
 PathSample search_horizontal(const Objective& F, double begin, double end, PathSample best) {
   const double near = F.to_circle();
-  if (F.horizontal_bound(0.5 * (begin + end), 0.5 * (end - begin), near) >= best.distance)
-    return best;
   double first = F.towards();
   while (first < begin) first += kTwoPi;
   if (first <= end)
@@ -281,9 +284,7 @@ PathSample search_pieces(std::span<const Profile> pieces, const ToolPath& path, 
   if (path.horizontal) {
     double least = std::numeric_limits<double>::infinity();
     for (std::size_t k = 0; k < pieces.size(); ++k) {
-      const Objective F(pieces[k], path, p);
-      const double bound =
-          F.horizontal_bound(0.5 * (begin + end), 0.5 * (end - begin), F.to_circle());
+      const double bound = Objective(pieces[k], path, p).range_bound(begin, end);
       if (bound < least) least = bound, first = k;
     }
   }
@@ -297,8 +298,10 @@ PathSample search(const Profile& tool, const ToolPath& path, const Vec3& p, doub
                   double end, PathSample best) {
   if (const std::span<const Profile> pieces = tool.convex_pieces(); !pieces.empty())
     return search_pieces(pieces, path, p, begin, end, best);
-  if (const auto least = cone_minimum(tool, path, p, begin, end)) return nearer(best, *least);
   const Objective F(tool, path, p);
+  const bool may_lose = path.horizontal && std::isfinite(best.distance);
+  if (may_lose && F.range_bound(begin, end) >= best.distance) return best;
+  if (const auto least = cone_minimum(tool, path, p, begin, end)) return nearer(best, *least);
   if (!tool.is_convex()) return search_all(F, tool, path, begin, end, ends(F, begin, end));
   if (!path.arc) return descend(F, begin, end);
   return path.horizontal ? search_horizontal(F, begin, end, best)
