@@ -42,6 +42,23 @@ TEST(Collisions, PlungeWithABallIsAsDeepAsItsPole) {
   EXPECT_NEAR(report.lines[0].volume, kPi * (18 + 9), 0.8);  // half a ball, 1 mm of cylinder
 }
 
+// The place is one of that depth, also beside a sharp tip.
+TEST(Collisions, TheDeepestPlaceOfADrillIsItsTip) {
+  Tool tool = mill(6);
+  tool.type = ToolType::drill;
+  tool.tip_angle = radians(90);
+  std::mt19937 random(3);
+  const auto r = [&random](double lo, double hi) {
+    return lo + (hi - lo) * static_cast<double>(random() % 1000) / 999;
+  };
+  for (int k = 0; k < 40; ++k) {
+    const Vec3 from{r(20, 80), r(10, 50), r(0.1, 4)}, end{r(20, 80), r(10, 50), r(-6, -2)};
+    const CollisionReport report = check(block(), Moves(from).rapid(end).motions, tool);
+    expect_one(report, 0, ToolPart::cutter, -end.z, 2e-3);
+    EXPECT_LT(distance(report.lines[0].place, end), 5e-3);
+  }
+}
+
 TEST(Collisions, GrazingFacesIsNone) {
   const Moves m = Moves({-10, 30, 0})
                       .rapid({110, 30, 0})   // on the top

@@ -16,6 +16,7 @@ constexpr double kDepthShare = 1.0 / 32;  // of the depth: what the boxes may le
 constexpr double kFirstStep = 1.0 / 32;   // of the size of all: of the steps from the first hit
 constexpr double kLongestStep = 0.25;     // mm: of these, so that few cuts matter about a point
 constexpr double kLastStep = 1e-4;        // mm
+constexpr double kNearest = 1e-3;         // of the distance: by which a nearest point may be missed
 
 class DepthSearch {
  public:
@@ -40,6 +41,7 @@ class DepthSearch {
   };
 
   double material(const Vec3& p, std::span<const std::uint32_t> cuts);
+  Vec3 nearest_of_mover(const Vec3& p, double away) const;
   double provable(const Vec3& p, std::span<const std::uint32_t> cuts);
   bool make_node(const Box3& box, std::span<const std::uint32_t> cuts, Node& node);
   void push(Node node);
@@ -68,14 +70,28 @@ double DepthSearch::material(const Vec3& p, std::span<const std::uint32_t> cuts)
   return least;
 }
 
+// The point of the mover that is nearest to p, which is `away` from it. Beside a sharp tip the
+// normal of a flank does not lead there, but the slope of the distance does.
+Vec3 DepthSearch::nearest_of_mover(const Vec3& p, double away) const {
+  const SweepTable& sweeps = scene_.movers.sweeps;
+  const Vec3 drawn = drawn_onto(sweeps, mover_, p);
+  if (distance(drawn, p) <= away * (1 + kNearest) + kLastStep) return drawn;
+  const double step = kNearest * away;
+  const auto slope_along = [&](const Vec3& axis) {
+    return sweeps.distance(mover_, p + step * axis) - sweeps.distance(mover_, p - step * axis);
+  };
+  const Vec3 slope{slope_along({1, 0, 0}), slope_along({0, 1, 0}), slope_along({0, 0, 1})};
+  const double size = std::sqrt(dot(slope, slope));
+  return size > 0 ? p - (away / size) * slope : drawn;
+}
+
 // h at p; keeps the best point so far, drawn onto the mover.
 double DepthSearch::provable(const Vec3& p, std::span<const std::uint32_t> cuts) {
-  const SweepTable& sweeps = scene_.movers.sweeps;
   const double depth = material(p, cuts);
-  const double away = std::max(0.0, sweeps.distance(mover_, p));
+  const double away = std::max(0.0, scene_.movers.sweeps.distance(mover_, p));
   if (depth - away > best_) {
     best_ = depth - away;
-    place_ = drawn_onto(sweeps, mover_, p);
+    place_ = away > 0 ? nearest_of_mover(p, away) : p;
   }
   return depth;
 }
