@@ -1,5 +1,6 @@
 #include "mesh_choice.h"
 
+#include "core/units.h"
 #include "core/vec.h"
 #include "mesh/cells/cell_levels.h"
 #include "mesh/cells/survey.h"
@@ -117,6 +118,19 @@ bool may_suit_tolerance(const detail::SurfaceSurvey& survey, bool has_searched_h
 
 bool is_helix(const Motion& motion) { return motion.kind == MotionKind::arc && motion.rise != 0; }
 
+// A helix of several turns that leave crests between them: the survey counts them as one sweep.
+bool has_winding_helix(const CutList& cuts) {
+  std::vector<char> leaves_crests;
+  for (const Tool& tool : cuts.tools()) {
+    const Profile cutter = make_tool_shape(tool).cutter;
+    leaves_crests.push_back(!cutter.is_rounded() || !cutter.is_rising() || cutter.round() > 0);
+  }
+  return std::ranges::any_of(cuts.motions(), [&](const Motion& motion) {
+    return is_helix(motion) && std::abs(motion.sweep) > 1.5 * kTwoPi && motion.tool >= 0 &&
+           leaves_crests[static_cast<std::size_t>(motion.tool)];
+  });
+}
+
 // Whether a helix is cut by a tool whose distance has no closed form there, so that each one is
 // searched (helix_sweep.h).
 bool has_searched_helix(const CutList& cuts) {
@@ -194,6 +208,7 @@ MeshChoice choose_mesh(const Job& job, const StockShape& stock, const CutList& c
   choice.fits_voxel = true;
   choice.radius = smallest_radius(cuts, stock.box.hi.z);
   choice.searches_helix = has_searched_helix(cuts);
+  choice.has_winding_helix = has_winding_helix(cuts);
   const VoxelChoice voxel = default_voxel(stock, choice.radius);
   choice.voxel = voxel.voxel;
   choice.voxel_reason = voxel.reason;
@@ -222,7 +237,7 @@ void fit_mesh(const ExactField& field, int threads, MeshChoice& choice) {
   choice.cut_cells = survey.crossed_cells(choice.voxel);
   choice.block_sweeps = survey.sweeps;
   if (!choice.is_default) return;
-  if (!is_plain(survey)) choice.most_nodes = kMostNodes;
+  if (!is_plain(survey) || choice.has_winding_helix) choice.most_nodes = kMostNodes;
   choice.fallback_cells = survey.crossed_cells(choice.fallback_voxel);
 }
 

@@ -17,16 +17,17 @@ struct MeshChoice {
   std::string voxel_reason;
   double tolerance = 0;  ///< mm, 0 = the grid of the voxels
   std::string tolerance_reason;
-  double radius = 0;            ///< mm: the smallest with which a tool cuts, 0 = none has one
-  bool searches_helix = false;  ///< a cut is a helix that costs a search for each point
-  bool fits_voxel = false;      ///< it was not given: fit_mesh() may change it
-  bool is_default = false;      ///< nor was the tolerance: likewise
-  bool measure = false;         ///< MeshPlan::measure
-  std::size_t most_nodes = 0;   ///< MeshPlan::most_nodes: 0 where the tolerance is a wish
-  double fallback_voxel = 0;    ///< mm: of the grid where the tolerance is given up
-  double fallback_cells = 0;    ///< CarvePlan::cut_cells of that grid
-  double cut_cells = 0;         ///< CarvePlan::cut_cells
-  double block_sweeps = 0;      ///< CarvePlan::block_sweeps
+  double radius = 0;               ///< mm: the smallest with which a tool cuts, 0 = none has one
+  bool searches_helix = false;     ///< a cut is a helix that costs a search for each point
+  bool has_winding_helix = false;  ///< a cut of several turns leaves crests between them
+  bool fits_voxel = false;         ///< it was not given: fit_mesh() may change it
+  bool is_default = false;         ///< nor was the tolerance: likewise
+  bool measure = false;            ///< MeshPlan::measure
+  std::size_t most_nodes = 0;      ///< MeshPlan::most_nodes: 0 where the tolerance is a wish
+  double fallback_voxel = 0;       ///< mm: of the grid where the tolerance is given up
+  double fallback_cells = 0;       ///< CarvePlan::cut_cells of that grid
+  double cut_cells = 0;            ///< CarvePlan::cut_cells
+  double block_sweeps = 0;         ///< CarvePlan::block_sweeps
 };
 
 /// What was given; else what the size of stock and cutters suggests.

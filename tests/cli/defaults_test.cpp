@@ -115,6 +115,19 @@ TEST_F(Defaults, HelicalBoresAreMeshedWithinATolerance) {
   EXPECT_LT(j["mesh"]["triangles"], 20000);
 }
 
+// Crests between the turns of one motion are as many as between motions of one turn.
+TEST_F(Defaults, CrestsOfAWindingHelixAreNoPlainBore) {
+  write("wound.nc",
+        "%\nG21 G90 G17\nT1 M6\nS3000 M3\nG0 X19. Y15.\nZ1.\nG1 Z0.5 F300\n"
+        "G2 X19. Y15. Z-9. I-4. J0. P25 F600\nG1 X15.\nG0 Z9.\nM2\n%\n");
+  const Outcome o =
+      run("wound.nc --stock box:0,0,-15,30,30,0 --dialect ngc --tool 1=ballmill:d=4 -q -o part.stl "
+          "--json r.json");
+  EXPECT_EQ(o.code, 0) << o.err;
+  const Json memory = Json::parse(read("r.json"))["memory"];
+  EXPECT_GT(memory["expected"].get<double>(), 0.7 * memory["peak"].get<double>());
+}
+
 // Nor are the passes of deep slots.
 TEST_F(Defaults, SlotsInPassesAreMeshedWithinATolerance) {
   std::string program = "%\nO1\nG21 G90 G54\nT1 M6\nS9000 M3\nG0 X3. Y-3. Z2.\n";
