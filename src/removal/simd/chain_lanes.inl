@@ -215,14 +215,17 @@ struct ChainObjective {
 
   /// The same for a flat or bull-nosed tip: where a mill with the same tip is nearest.
   Closed at_flat_tip(M wanted) const {
-    const SlantStretch stretch(tip_record(), at.u, at.v, at.w);
+    const SlantRecord record = tip_record();
+    const SlantStretch stretch(record, at.u, at.v, at.w);
     const Place x = best_place(stretch, wanted);
     const V f = value_of(x, splat(tool.ball)), zero = splat(0.0);
-    const V way = stretch.height_way(x.t) * splat(std::sqrt(line.per_way));
-    const V share = vmin(vmax(way, zero), splat(1.0));
+    // The end itself, not a place beside it by rounding: faces are others there.
+    const V one = splat(1.0), way = stretch.height_way(x.t);
+    const V share = select(less_equal(splat(record.length * (1 - 1e-14)), way), one,
+                           vmin(vmax(way / splat(record.length), zero), one));
     const M tip = less_equal((zero - x.dz) * splat(tool.last.x), x.dr * splat(tool.last.y));
     const M clear = less(splat(kRounding), f + splat(tool.ball));
-    return {line.rise < 0 ? splat(1.0) - share : share, f, both(tip, both(clear, less(zero, f)))};
+    return {line.rise < 0 ? one - share : share, f, both(tip, both(clear, less(zero, f)))};
   }
 
   /// The same within a tool with a flat sharp tip, where its floor and the flank above it are what
