@@ -229,13 +229,17 @@ TEST(LinuxCncWords, CyclesReturnToRFirst) {
   EXPECT_EQ(codes(run_words("F9\nG0 Z10\nG99 G81 X1 Z-2 R3\nM2\n"), Severity::note), "");
 }
 
-// From R it goes aside at R or above, slanted; in G98 at the level before the first hole.
+// From R or below it goes aside to R, slanted; in G98 to the level before the first hole. From
+// above R it goes aside level. Under an R above that level it goes up or down to R first.
 TEST(LinuxCncWords, AHoleIsApproachedAtItsLevel) {
   const std::string first = "F9\nG0 Z10\nG99 G81 X1 Z-2 R3\n";
   const std::string hole = "r0,0,10 r1,0,10 r1,0,3 l1,0,-2 r1,0,3 ";
   EXPECT_EQ(path_of_words(first + "X2 R5\nM2\n"), hole + "r2,0,5 l2,0,-2 r2,0,5");
   EXPECT_EQ(path_of_words(first + "G98 X2\nM2\n"), hole + "r2,0,10 r2,0,3 l2,0,-2 r2,0,10");
   EXPECT_EQ(path_of_words(first + "X2 R12\nM2\n"), hole + "r1,0,12 r2,0,12 l2,0,-2 r2,0,12");
+  EXPECT_EQ(path_of_words(first + "G98 X2 R2\nM2\n"), hole + "r2,0,3 r2,0,2 l2,0,-2 r2,0,10");
+  EXPECT_EQ(path_of_words("F9\nG0 Z1\nG99 G81 X1 Z-2 R3\nX2 R2\nM2\n"),
+            "r0,0,1 r0,0,3 r1,0,3 l1,0,-2 r1,0,3 r1,0,2 r2,0,2 l2,0,-2 r2,0,2");
 }
 
 TEST(LinuxCncWords, G89FeedsOnToTheLevelOfG98) {

@@ -27,7 +27,7 @@ void HoleMaker::to_level(double level, MotionKind kind, double lead, double feed
   moves_.step(to, *where_, kind, lead, feed);
 }
 
-void HoleMaker::rise(double level, const Word& where) {
+void HoleMaker::move_to(double level, const Word& where) {
   where_ = &where;
   to_level(level, MotionKind::rapid, 0, 0);
 }

@@ -42,7 +42,7 @@ class HoleMaker : public ControlPart {
   /// Rapid in the plane to `point`, at the level of now.
   void approach(const Vec3& point, unsigned named, const Word& where);
   /// Rapid along the normal.
-  void rise(double level, const Word& where);
+  void move_to(double level, const Word& where);
   /// The hole at the position of now.
   void drill(const Hole& hole, const BlockPlace& place, const Word& where);
   double level() const;

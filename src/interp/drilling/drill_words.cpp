@@ -201,7 +201,7 @@ bool DrillWords::drill() {
   const Vec3 step = to.programmed - from;
   for (long i = 0; i < count; ++i) {
     unsigned named = to.named;
-    leave_low_level(hole, named, where);
+    meet_level(hole, named, where);
     Vec3 point = to.programmed;
     if (modal_.incremental && (modal_.polar || find(Address::ap)) &&
         i > 0) {  // the angle counts from the last one
@@ -218,18 +218,22 @@ bool DrillWords::drill() {
   return true;
 }
 
-// Where the tool goes aside to the next hole: LinuxCNC at R or above, in G98 where the first began.
+// Where the tool goes aside to the next hole. LinuxCNC: at R where R lies above the level before
+// the first cycle; from R or below at R, in G98 at that level; else where the tool is.
 double DrillWords::level_aside(const Hole& hole) const {
-  if (!is(Dialect::ngc)) return holes_.level();
-  const bool initial = modal_.hole_return == HoleReturn::initial;
-  return std::max(initial ? modal_.drill.initial : holes_.level(), hole.safe);
+  const double level = holes_.level();
+  if (!is(Dialect::ngc)) return level;
+  if (hole.safe > modal_.drill.initial) return hole.safe;
+  if (level > hole.safe + kRounding) return level;
+  return modal_.hole_return == HoleReturn::initial ? modal_.drill.initial : hole.safe;
 }
 
-// LinuxCNC, from below that level: straight up where R lies above the level before the first cycle,
-// else on the way to the hole, whose axes are `named`.
-void DrillWords::leave_low_level(const Hole& hole, unsigned& named, const Word& where) {
-  if (holes_.level() >= level_aside(hole)) return;
-  if (named == 0 || hole.safe > modal_.drill.initial) return holes_.rise(level_aside(hole), where);
+// LinuxCNC, to that level: straight where R lies above the level before the first cycle, else on
+// the way to the hole, whose axes are `named`.
+void DrillWords::meet_level(const Hole& hole, unsigned& named, const Word& where) {
+  const double level = level_aside(hole);
+  if (std::abs(holes_.level() - level) <= kRounding) return;
+  if (named == 0 || hole.safe > modal_.drill.initial) return holes_.move_to(level, where);
   const Vec3 normal = basis().w;
   for (int i = 0; i < 3; ++i)
     if (component(normal, i) != 0) named |= 1U << i;
