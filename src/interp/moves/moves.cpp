@@ -136,7 +136,7 @@ void Moves::unknown(unsigned axes, const Word& where) {
 bool Moves::line(const Target& to, const Frame& frame) {
   const Word* where = axes_.motion_word(to);
   const MotionKind kind = current_motion() == Code::rapid ? MotionKind::rapid : MotionKind::line;
-  Motion motion = motion_template(*where, kind);
+  Motion motion = motion_template(*where, kind, lead_in_force());
   commit(to, frame, motion);
   if (!compensation_.begin_move(motion, *where)) return false;
   out_.emit(motion);
@@ -251,8 +251,8 @@ bool Moves::hold_angle(const Word& ang) {
   take(angle_address());
   pending_angle_.active = true;
   pending_angle_.angle = ang.value;
-  pending_angle_.motion =
-      motion_template(block_.motion_code ? *block_.motion_code : ang, MotionKind::line);
+  pending_angle_.motion = motion_template(block_.motion_code ? *block_.motion_code : ang,
+                                          MotionKind::line, lead_in_force());
   pending_angle_.corner = out_.corner_spec();
   return true;
 }
@@ -278,7 +278,7 @@ bool Moves::two_angle_lines(const Target& to, const Vec3& from, const Frame& fra
   commit(middle, frame, first);
   if (!compensation_.begin_move(first, ang)) return false;
   out_.emit(first, pending_angle_.corner);
-  Motion second = motion_template(*axes_.motion_word(to), MotionKind::line);
+  Motion second = motion_template(*axes_.motion_word(to), MotionKind::line, lead_in_force());
   commit(to, frame, second);
   out_.emit(second);
   return true;
@@ -289,7 +289,7 @@ Motion Moves::motion_template(const Word& where, MotionKind kind, double lead, d
   if (kind == MotionKind::rapid)
     tools_.require(where, modal_.comp != Code::comp_off);  // its radius counts from here on
   else
-    begin_cut(where, feed > 0 || lead != 0 || is_thread(current_motion()));
+    begin_cut(where, feed > 0 || lead != 0);
   if (kind != MotionKind::rapid && retract_guessed_) {  // a cut begins where Z was
     position_.known |= 4U;
     retract_guessed_ = false;
@@ -305,7 +305,7 @@ Motion Moves::motion_template(const Word& where, MotionKind kind, double lead, d
   m.speed = modal_.surface_speed ? modal_.cutting_speed : modal_.speed;
   // FANUC and LinuxCNC limit what G96 computes, SINUMERIK every speed.
   if (modal_.surface_speed || is(Dialect::sinumerik)) m.speed_limit = modal_.speed_limit;
-  m.lead = lead == 0 && is_thread(current_motion()) ? modal_.lead : lead;
+  m.lead = lead;
   m.file = block_.file;
   m.line = block_.line_number;
   m.column = where.column + 1;

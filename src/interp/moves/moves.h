@@ -77,6 +77,8 @@ class Moves : public ControlPart {
   bool hold_angle(const Word& ang);
   bool two_angle_lines(const Target& to, const Vec3& from, const Frame& frame);
   bool thread_values(const Target& to, const Vec3& from);
+  /// Of a thread or a tap; else 0.
+  double lead_in_force() const { return is_thread(current_motion()) ? modal_.lead : 0; }
   Motion motion_template(const Word& where, MotionKind kind, double lead = 0, double feed = 0);
   void begin_cut(const Word& where, bool has_feed);
   void compare_origins(const Word& where);

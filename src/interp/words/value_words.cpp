@@ -144,14 +144,16 @@ bool ValueWords::feed() {
   if (const Word* tooth = take(Address::fz)) return feed_per_tooth(*tooth);
   const Word* word = block_.unused(letter('F')) ? take('F') : nullptr;  // G131 F is no feed
   if (!word) return true;
-  if (is_thread(current_motion()) && !is(Dialect::sinumerik)) return true;  // the lead, see below
-  if (modal_.turn.number == 92) return true;                                // the same
+  const bool cycle = modal_.drill.number != 0 || modal_.turn.number != 0 || block_.turn_cycle != 0;
+  const bool thread = is_thread(current_motion()) && !cycle;
+  if (thread && !is(Dialect::sinumerik)) return true;  // the lead, see below
+  if (modal_.turn.number == 92) return true;           // the same
   if (word->value < 0 || (word->value == 0 && is(Dialect::sinumerik)))
     return error("feed-range",
                  fmt::format("F{:g}: the feed must be above 0{}", word->value,
                              is(Dialect::sinumerik) ? " (alarm 14800)" : ""),
                  *word);
-  if (is_thread(current_motion()) && current_motion() != Code::tap_floating) return true;
+  if (thread && current_motion() != Code::tap_floating) return true;
   modal_.feed =
       modal_.feed_unit == FeedUnit::inverse_time ? word->value : word->value * feed_scale();
   return true;
