@@ -97,6 +97,18 @@ TEST(Frames, Points) {
   }
 }
 
+// G92 of FANUC and Haas ends G52 for its axes, G92.1 both, for the axes beside it.
+TEST(Frames, G92EndsG52AndG921ResetsItsAxes) {
+  const auto run = [](const std::string& text) {
+    return path_text(read_text("G90 G0 X10 Y10 Z0\n" + text, at_origin(Dialect::fanuc)));
+  };
+  EXPECT_EQ(run("G52 X4 Y2\nG92 X0\nG52 X0 Y0\nG1 X1 Y1 F9\n"), "r10,10,0 l11,1,0");
+  EXPECT_EQ(run("G52 X4 Y2\nG92 X0\nG1 X1 Y1 F9\n"), "r10,10,0 l11,3,0");
+  EXPECT_EQ(run("G92 X0 Y0\nG92.1 X0\nG1 X1 Y1 F9\n"), "r10,10,0 l1,11,0");
+  EXPECT_EQ(run("G92 X0 Y0\nG52 Y3\nG92.1 Y0\nG1 X1 Y1 F9\n"), "r10,10,0 l11,1,0");
+  EXPECT_EQ(run("G92 X0 Y0\nG52 Y3\nG92.1\nG1 X1 Y1 F9\n"), "r10,10,0 l1,1,0");
+}
+
 // G52 in force before G68 is one thing, between G68 and G69 the manuals forbid it.
 TEST(Frames, AShiftWithinARotationIsSaid) {
   const auto run = [](const char* text) {

@@ -137,6 +137,7 @@ bool OneShotWords::set_position() {
                      "G92 in G91 is read as the place where the tool is; newer controls add its "
                      "words to the position",
                      *word, "G92");
+    if (is(Dialect::fanuc)) end_local(i);
     if (position_.told_axes == 0) position_.shift_before = frames_.position_shift;
     position_.told_axes |= 1U << i;
     component(position_.told, i) = value;
@@ -191,16 +192,29 @@ bool OneShotWords::rapid_to() {
   return true;
 }
 
-// G92.1 forgets the shift of G92, G92.2 sets it aside, G92.3 takes it back.
+// G92 of FANUC ends G52 for its axes: the shift becomes part of its own.
+void OneShotWords::end_local(int axis) {
+  component(frames_.position_shift, axis) += component(frames_.local, axis);
+  component(frames_.local, axis) = 0;
+}
+
+// G92.1 forgets the shift of G92, of FANUC for the axes beside it, with that of G52; G92.2 sets it
+// aside, G92.3 takes it back.
 bool OneShotWords::suspend_position() {
+  unsigned axes = 0;
   if (is(Dialect::fanuc) || is(Dialect::iso))
-    for (const char c : {'X', 'Y', 'Z'}) take(c);  // the axes meant
+    for (int i = 0; i < 3; ++i)
+      if (take("XYZ"[i])) axes |= 1U << i;
   frame_words_.save();
-  if (block_.oneshot_code == Code::position_resume) {
+  const bool resets = block_.oneshot_code == Code::position_reset;
+  if (block_.oneshot_code == Code::position_resume)
     frames_.position_shift = frames_.position_memory;
-  } else {
-    if (block_.oneshot_code == Code::position_reset) frames_.position_memory = {};
-    frames_.position_shift = {};
+  for (int i = 0; i < 3; ++i) {
+    if (block_.oneshot_code == Code::position_resume) break;
+    if (axes != 0 && (axes >> i & 1U) == 0) continue;
+    if (resets) component(frames_.position_memory, i) = 0;
+    if (resets && is(Dialect::fanuc)) component(frames_.local, i) = 0;
+    component(frames_.position_shift, i) = 0;
   }
   frame_words_.rebuild();
   if (is(Dialect::ngc)) block_.oneshot = nullptr;  // axes beside it are those of a motion

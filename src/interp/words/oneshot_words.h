@@ -28,6 +28,7 @@ class OneShotWords : public ControlPart {
   unsigned bare_axes() const;
   bool reference_sinumerik();
   bool rapid_to();
+  void end_local(int axis);
   bool suspend_position();
   bool states_tip() const;
   void note_tip(const Word& word);
