@@ -149,6 +149,8 @@ TEST(ControlsDiffer, ARegisterMaySetItsRadiusAgain) {
                                  : std::pair{0.0, 0.0};
   };
   EXPECT_EQ(x(Dialect::fanuc, "G10 L12 P1 R5.", "G10 L12 P1 R3."), (std::pair{5.0, 7.0}));
+  // Controls with one offset a number (memory A) write no L.
+  EXPECT_EQ(x(Dialect::fanuc, "G10 P1 R5.", "G91 G10 P1 R-2.\nG90"), (std::pair{5.0, 7.0}));
   EXPECT_EQ(x(Dialect::sinumerik, "T1 M6\n$TC_DP1[1,1]=120 $TC_DP6[1,1]=5", "$TC_DP6[1,1]=3"),
             (std::pair{5.0, 7.0}));
 }

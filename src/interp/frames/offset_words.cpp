@@ -21,11 +21,13 @@ bool OffsetWords::run() {
   const Word* p = take('P');
   if (!l && p && lathe() && is(Dialect::fanuc))
     return p->value == 0 ? work_shift(where) : turned_offset(where);
-  if (!l) return error("value-missing", "G10 needs L, which says what is set", where);
+  const bool plain_offset = !l && p && peek('R') && is(Dialect::fanuc);
+  if (!l && !plain_offset)
+    return error("value-missing", "G10 needs L, which says what is set", where);
   const double number = p ? p->value : 0;
   if (number < 0 || number > 9999 || number != std::floor(number))
     return error("value-range", "P of G10 is a whole number", *p);
-  const int kind = static_cast<int>(l->value);
+  const int kind = plain_offset ? 12 : static_cast<int>(l->value);
   if (kind == 2 || kind == 20) return work(kind, static_cast<int>(number));
   if (kind == 1 || (kind >= 10 && kind <= 13))
     return tool_register(kind, static_cast<int>(number), where);
@@ -159,7 +161,9 @@ void OffsetWords::meet_unknown(const Frame& frame) {
 }
 
 // L12 and L13: radius and its wear. Lengths (L10, L11) are taken to be those of the real tools: the
-// program's positions are those of the tip. LinuxCNC: P is the tool, R its radius.
+// program's positions are those of the tip. P and R alone, of controls with one offset a number
+// for H and D (memory A): read as a radius, since as a length it has no effect. LinuxCNC: P is the
+// tool, R its radius.
 bool OffsetWords::tool_register(int l, int p, const Word& where) {
   const Word* r = take('R');
   const Word* z = take('Z');
