@@ -381,5 +381,22 @@ TEST(Policy, LexicalFaultsNameTheirAlarm) {
   }
 }
 
+// A lost end of line would make one slanted move of two: an alarm of SINUMERIK and LinuxCNC.
+TEST(Policy, ASecondBlockNumberTellsOfALostEndOfLine) {
+  const auto run = [](Dialect dialect, const std::string& line) {
+    return path_text(read_text("N10 F9 G90\n" + line + "\n", at_origin(dialect)));
+  };
+  const std::string two = "N20 G1 X10 N30 Y5";
+  EXPECT_EQ(run(Dialect::sinumerik, two), " | address-twice");
+  EXPECT_EQ(run(Dialect::ngc, two), " | address-twice");
+  EXPECT_EQ(run(Dialect::fanuc, two), "l10,5,0 | address-twice");
+  EXPECT_EQ(run(Dialect::iso, two), "l10,5,0 | address-twice");
+  EXPECT_EQ(run(Dialect::iso, "N20 G1 X10 N2"), "l10,0,0");
+  EXPECT_EQ(run(Dialect::codesys, two), "l10,0,0 l10,5,0 | blocks-on-one-line");
+  EXPECT_EQ(run(Dialect::fanuc, "N20 N25 G1 X10"), "l10,0,0");
+  EXPECT_EQ(run(Dialect::fanuc, "G1 N20 X10"), "l10,0,0");
+  EXPECT_EQ(run(Dialect::sinumerik, "N20 GOTOF N30\nN30 G1 X10"), "l10,0,0");
+}
+
 }  // namespace
 }  // namespace mrsim

@@ -23,6 +23,23 @@ void LineParser::fault(Block& block, const char* code, const std::string& text, 
   reporter_.add(Severity::error, code, text, static_cast<int>(from), static_cast<int>(to - from));
 }
 
+// N at the end repeats a place on Fagor's controls. FANUC lets N stand anywhere.
+void LineParser::block_number(Block& block, std::size_t from) {
+  const std::size_t end = p_;
+  skip_blanks();
+  const bool again = block.has_number && (dialect_ != Dialect::iso || is_letter(at(p_)));
+  p_ = end;
+  block.has_number = true;
+  if (!again) return;
+  const std::string text =
+      "N a second time in the block: is the end of a line lost here?" + alarm(nullptr, "12010");
+  if (dialect_ == Dialect::sinumerik || dialect_ == Dialect::ngc)
+    return fault(block, "address-twice", text, from, p_);
+  if (block.words.empty()) return;
+  reporter_.add(Severity::warning, "address-twice", text + " Its words are read as one block",
+                static_cast<int>(from), static_cast<int>(p_ - from));
+}
+
 // " (alarm 004)" on a control that numbers this fault.
 std::string LineParser::alarm(const char* fanuc, const char* sinumerik) const {
   const char* number = dialect_ == Dialect::fanuc       ? fanuc

@@ -112,10 +112,7 @@ void SinumerikWords::read(Block& block) {
     push(block, word, from);
     return;
   }
-  if (c == 'N') {
-    block.has_number = true;
-    return;
-  }
+  if (c == 'N') return block_number(block, from);
   push(block, word, from);
 }
 

@@ -29,6 +29,7 @@ void WordReader::plain_words(Block& block) {
     const char c = upper(*p);
     if (!is_letter(c) || c == 'M' || c == 'O' || c == 'V') return;
     if (c == 'G' && !block.contour.empty()) return;
+    if (c == 'N' && block.has_number) return;
     Word word;
     const char* const number_end = read_digits(p + 1, end, word);
     if (number_end == nullptr) return;
@@ -251,10 +252,7 @@ void WordReader::letter_word(Block& block) {
     if (c == 'S' && at(p_) == '=' && special_.spindle_speed(block, word))
       return push(block, word, from);
     if (glued_blanks_) strange_.check_inner_blanks(digits);
-    if (c == 'N') {
-      block.has_number = true;
-      return;
-    }
+    if (c == 'N') return block_number(block, from);
     push(block, word, from);
     if (c == 'G' && word.value == 84 && !block.contour.empty())
       return okuma_.skip_conditions(block);
