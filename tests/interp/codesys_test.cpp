@@ -51,9 +51,15 @@ TEST(CodesysLanguage, JumpsAndCountersEqualTheWrittenOutProgram) {
 }
 
 TEST(CodesysLanguage, LabelsForJumpsDown) {
+  // Comments may stand between the words.
+  EXPECT_EQ(codesys("N1 G36 (a) O (b) $n$ (c) D2 (d)\nN2 G91 G1 X1 F100\nN3 G37 (e) O$n$ D-1\n"
+                    "N4 G20 (f) L2 (g) K$n$ (h)\nN5 Y1\n"),
+            "l1,0,0 l2,0,0 l2,1,0");
   EXPECT_EQ(codesys("N1 G1 X1 F100\nN2 G20 L?4\nN3 X2\nN4 X3 L!14\nN5 X4 L!4\nN6 X5\n"),
             "l1,0,0 l4,0,0 l5,0,0");
   EXPECT_EQ(codesys("N1 G1 X1 F100 L!4\nN2 G20 L?4\nN3 X2\n"), "l1,0,0 | jump-target");
+  EXPECT_EQ(codesys("N1 G1 X1 F100\nN2 G20 L?4\nN3 X2\nN5 X4 (there) L!4\nN6 X5\n"),
+            "l1,0,0 l4,0,0 l5,0,0");
   EXPECT_EQ(codesys("N1 G1 X1 F100\nN2 G20 L7\nN3 X2\n"), "l1,0,0 | jump-target");
 }
 

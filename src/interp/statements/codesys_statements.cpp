@@ -67,6 +67,16 @@ bool starts_comment(std::string_view line, std::size_t p) {
   return p < line.size() && line[p] == '(';
 }
 
+// In capitals, with blanks for comments.
+std::string without_comments(std::string_view line) {
+  std::string out = upper_case(line);
+  for (std::size_t p = out.find('('); p != out.npos; p = out.find('(', p)) {
+    const std::size_t end = std::min(out.find(')', p), out.size() - 1);
+    out.replace(p, end + 1 - p, end + 1 - p, ' ');
+  }
+  return out;
+}
+
 }  // namespace
 
 CodesysStatements::CodesysStatements(Control& control, BlockReader& reader)
@@ -109,6 +119,16 @@ bool CodesysStatements::statement(std::size_t from) {
   return code == 20 ? jump(p) : write(code == 37, p);
 }
 
+// The next character that is neither blank nor in a comment; an open comment is left to the reader.
+std::size_t CodesysStatements::behind_comments(std::size_t p) const {
+  for (p = skip_blanks(p); starts_comment(block_.line, p);) {
+    const std::size_t end = block_.line.find(')', p);
+    if (end == block_.line.npos) break;
+    p = skip_blanks(end + 1);
+  }
+  return p;
+}
+
 // The statement is done: a comment may follow, or the N word of another block.
 bool CodesysStatements::end_statement(std::size_t p) {
   p = skip_blanks(p);
@@ -124,8 +144,7 @@ bool CodesysStatements::jump(std::size_t p) {
   const std::size_t from = p;
   double target = -1, condition = counter_;
   bool label = false;
-  for (p = skip_blanks(p); p < block_.line.size() && !starts_comment(block_.line, p);
-       p = skip_blanks(p)) {
+  for (p = behind_comments(p); p < block_.line.size(); p = behind_comments(p)) {
     const char c = upper(at(p));
     if (c != 'L' && c != 'K') break;
     ++p;
@@ -163,7 +182,7 @@ bool CodesysStatements::find_label(long index, Place& out) {
     for (std::uint64_t offset = source.next_offset(); !found && offset < end.offset;
          offset = source.next_offset()) {
       if (!source.next(line)) break;
-      const std::string code = upper_case(line.substr(0, line.find('(')));
+      const std::string code = without_comments(line);
       const std::size_t at = code.find(wanted);
       found = at != code.npos &&
               (at + wanted.size() >= code.size() || !is_digit(code[at + wanted.size()]));
@@ -180,8 +199,7 @@ bool CodesysStatements::write(bool adds, std::size_t p) {
   std::string target;
   Value value;
   bool given = false;
-  for (p = skip_blanks(p); p < block_.line.size() && !starts_comment(block_.line, p);
-       p = skip_blanks(p)) {
+  for (p = behind_comments(p); p < block_.line.size(); p = behind_comments(p)) {
     const char c = upper(at(p));
     if (c != 'O' && c != 'D') break;
     ++p;
@@ -190,7 +208,7 @@ bool CodesysStatements::write(bool adds, std::size_t p) {
       given = true;
       continue;
     }
-    p = skip_blanks(p);
+    p = behind_comments(p);
     const std::size_t begin = p;
     const bool global = at(p) == '$';
     if (!global && at(p) != '#') return fail("assignment", "O names a variable", p, p + 1);

@@ -38,6 +38,7 @@ class CodesysStatements : public Statements {
   bool call(const SubprogramName& name, const std::vector<Value>& given, const Word& where);
   bool formals(const SubprogramPlace& place, const Word& where, std::vector<Formal>& out);
   bool find_label(long index, Place& out);
+  std::size_t behind_comments(std::size_t p) const;
   bool end_statement(std::size_t p);
 
   double counter_ = -1;  ///< the decoder's own variable, of G20 G36 G37 without a name
