@@ -339,6 +339,17 @@ TEST(ArcForms, FanucPolarCoordinates) {
   expect_near(inc.motions[2].end, {-5 / std::sqrt(2.0), 10 + 5 / std::sqrt(2.0), 0});
 }
 
+TEST(ArcForms, FanucPolarCoordinatesBeginAnewWithG16) {
+  const auto run = [](const std::string& text) {
+    return path_text(read_text("G17 G90 F100\n" + text, at_origin(Dialect::fanuc)));
+  };
+  EXPECT_EQ(run("G16 G1 X10 Y0\nG15\nX20 Y0\nG16 Y90\n"), "l10,0,0 l20,0,0 l0,20,0");
+  EXPECT_EQ(run("G1 X10 Y10\nG16\nG91 X10 Y90\nX5 Y90\n"), "l10,10,0 l10,20,0 l5,20,0");
+  EXPECT_EQ(run("G1 X10 Y10\nG91 G16\nG90 X20 Y90\n"), "l10,10,0 l0,20,0 | polar-pole");
+  EXPECT_EQ(run("G1 X10 Y0\nG91 G16 Y90\n"), "l10,0,0 l0,10,0 | polar-pole");
+  EXPECT_EQ(run("G16 G1 X10 Y0\nG91 Y90\nG16 Y90\n"), "l10,0,0 l0,10,0 l-10,0,0");
+}
+
 // The chord is the diameter but for rounding: the centre lies on it.
 TEST(ArcForms, HalfCirclesByRadiusAreExact) {
   const Program p = read_text("G70 G0 X3 Y0\nG3 X1 CR=1 F1\n", at_origin(Dialect::sinumerik));

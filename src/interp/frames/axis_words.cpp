@@ -227,7 +227,8 @@ double AxisWords::last_polar_radius(const Basis& b) const {
   return length(in_plane(b, position_.programmed - position_.pole));
 }
 
-// G16: the plane's first axis is the radius, the second the angle. G91 counts from the position.
+// G16: the plane's first axis is the radius, the second the angle. A radius in G91 counts from the
+// position, the first angle beside it from the plane's first axis.
 bool AxisWords::fanuc_polar_target(Target& out, const Vec3& from) {
   const Basis b = basis();
   static constexpr int kFirst[] = {0, 2, 1, 0}, kSecond[] = {1, 0, 2, 1}, kNormal[] = {2, 1, 0, 2};
@@ -238,9 +239,11 @@ bool AxisWords::fanuc_polar_target(Target& out, const Vec3& from) {
   if (!radius && !angle) return true;
   const Word& where = radius ? *radius : *angle;
   Vec2 pole;
-  if (modal_.incremental && radius) pole = in_plane(b, from);
+  const bool from_tool = modal_.incremental && radius;
+  if (from_tool) pole = in_plane(b, from);
+  const bool adds = modal_.incremental && (!from_tool || position_.has_polar_angle);
   if (angle)
-    position_.polar_angle = angle->value + (modal_.incremental ? last_polar_angle(b) : 0);
+    position_.polar_angle = angle->value + (adds ? last_polar_angle(b) : 0);
   else if (!position_.has_polar_angle)
     position_.polar_angle = last_polar_angle(b);
   position_.has_polar_angle = true;

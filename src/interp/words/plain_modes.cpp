@@ -16,7 +16,7 @@ bool PlainModes::apply(Code code, const Word& word) {
     m.center_absolute = code == Code::center_absolute;
     m.center_told = true;
   } else if (code == Code::polar_on || code == Code::polar_off) {
-    m.polar = code == Code::polar_on;
+    turn_polar(code == Code::polar_on, word);
   } else if (code == Code::diameter_on || code == Code::diameter_off ||
              code == Code::diameter_absolute) {
     m.diameter = code;
@@ -37,6 +37,18 @@ bool PlainModes::apply(Code code, const Word& word) {
     return false;
   }
   return true;
+}
+
+// G16 and G15: what stood in the last polar block counts no more.
+void PlainModes::turn_polar(bool on, const Word& word) {
+  if (on == modal_.polar) return;
+  modal_.polar = on;
+  position_.has_polar_angle = position_.has_polar_radius = false;
+  if (on && modal_.incremental)
+    reporter_.once(Severity::warning, "polar-pole",
+                   "G16 in G91: a radius in G91 is read about the tool's place, all else about the "
+                   "zero; a control may keep the place of now as the pole, so write G16 in G90",
+                   word, "pole");
 }
 
 bool PlainModes::apply_feed(Code code, const Word& word) {

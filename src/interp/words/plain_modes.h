@@ -14,6 +14,9 @@ class PlainModes : public ControlPart {
   bool apply(Code code, const Word& word);
   /// What F and S mean. False: another word.
   bool apply_feed(Code code, const Word& word);
+
+ private:
+  void turn_polar(bool on, const Word& word);
 };
 
 }  // namespace mrsim
