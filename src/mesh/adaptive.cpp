@@ -83,9 +83,9 @@ class AdaptiveMesher {
     detail::require_mesh_memory(report_.memory, options_.max_memory, options_.tolerance);
     timer_.expect(kSecondsPerByte * report_.memory / resolve_threads(options_.threads));
     timer_.step("tree");
-    nodes_ = tree_.size();
+    tree_.mark_drawn();  // their surface is part of the expected memory
     detail::require_cells(detail::expected_nodes(report_.memory), options_.most_nodes);
-    first_nodes_ = static_cast<double>(nodes_);
+    first_nodes_ = static_cast<double>(tree_.size());
     find_topology();
     require_few(0);
     for (int k = 0; k < kCrowdedRounds && tree_.split(surface_->crowded()) > 0; ++k)
@@ -123,8 +123,8 @@ class AdaptiveMesher {
   void find_topology() {
     detail::CrossedGrid grid = detail::split_badly_crossed(tree_);
     timer_.step("tree");
-    const std::size_t more = tree_.size() - std::exchange(nodes_, tree_.size());
-    detail::require_room(detail::kSurfaceMemory * static_cast<double>(more));
+    detail::require_room(detail::kSurfaceMemory * static_cast<double>(tree_.undrawn()));
+    tree_.mark_drawn();
     surface_->find_loops(std::move(grid));
     ++report_.passes;
     timer_.step("loops");
@@ -317,7 +317,6 @@ class AdaptiveMesher {
   StepTimer timer_;
   CellOctree tree_;
   detail::MeshCertifier certifier_;
-  std::size_t nodes_ = 0;               ///< of the tree, for which memory was asked
   double first_nodes_ = 0;              ///< of the tree as it was made, 0 after the first round
   std::optional<DualSurface> surface_;  ///< until its triangles are final
   detail::FlatMap passed_;              ///< by hashes of triangles within the tolerance

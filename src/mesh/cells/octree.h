@@ -73,6 +73,9 @@ class CellOctree final : public SurfaceCells {
   bool can_split(std::int32_t node) const { return this->node(node).size >= 2; }
   /// Splits the given leaves; duplicates and what can not be split are skipped. Number split.
   std::size_t split(std::vector<std::int32_t> leaves);
+  /// Nodes since the surface was drawn last: split() leaves room for their surface.
+  std::size_t undrawn() const { return size() - drawn_; }
+  void mark_drawn() { drawn_ = size(); }
 
   /// All edges that no smaller cell divides and whose ends lie on different sides of the surface,
   /// in the order of the tree; of a part: in the order of their places.
@@ -117,6 +120,7 @@ class CellOctree final : public SurfaceCells {
   double tolerance_;
   int threads_;
   OctreeLimits limits_;
+  std::size_t drawn_ = 0;  ///< nodes over which the surface was drawn
   std::vector<OctreeNode> nodes_;
   std::vector<std::int32_t> new_leaves_;
   std::vector<Candidates> lists_;  ///< by node
