@@ -152,6 +152,10 @@ class AdaptiveMesher {
   // Makes triangles; cells with several pieces of surface whose triangles meet are split.
   void make_triangles() {
     for (;;) {
+      const std::size_t loops = surface_->loops().size();
+      const double more = static_cast<double>(loops) - static_cast<double>(drawn_loops_);
+      detail::require_room(detail::kLoopMemory * std::max(more, 0.0));
+      drawn_loops_ = loops;
       surface_->make_triangles();
       timer_.step("surface");
       const std::vector<std::int32_t> bad = crossed_cells();
@@ -317,6 +321,7 @@ class AdaptiveMesher {
   StepTimer timer_;
   CellOctree tree_;
   detail::MeshCertifier certifier_;
+  std::size_t drawn_loops_ = 0;         ///< of the surface whose triangles were made last
   double first_nodes_ = 0;              ///< of the tree as it was made, 0 after the first round
   std::optional<DualSurface> surface_;  ///< until its triangles are final
   detail::FlatMap passed_;              ///< by hashes of triangles within the tolerance

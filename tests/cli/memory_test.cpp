@@ -107,6 +107,20 @@ TEST_F(Memory, LimitsMeshesWhoseCellsAreSplitLate) {
   EXPECT_LT(number_after(outcome.out, "  memory "), 105) << outcome.out;  // MB; 227 before
 }
 
+// A wall of 0.05 mm askew to the grid, whose cells all have a surface once they are small.
+TEST_F(Memory, LimitsMeshesOfThinWalls) {
+  if (!kIsPlain) GTEST_SKIP();
+  write("wall.nc",
+        "G90 G21 G17 G94\nT1 M6\nS3000 M3\nG0 X34.0595 Y3.0767 Z5\nG1 Z-3.5573 F600\n"
+        "G1 X3.0767 Y34.0595\nG0 Z5\nG0 X36.9233 Y5.9405\nG1 Z-3.5573\nG1 X5.9405 Y36.9233\nG0 "
+        "Z5\nM30\n");
+  const Outcome outcome =
+      run("wall.nc --stock box:0,0,-12,40,40,0 --tool 1=bullmill:d=4,r=1 --threads 2 -v "
+          "--max-memory 300M -o part.stl");
+  ASSERT_EQ(outcome.code, 0) << outcome.err;
+  EXPECT_LT(number_after(outcome.out, "  memory "), 315) << outcome.out;  // MB; 390 before
+}
+
 // Steps of a flat end mill whose mesh is given up: the grid in its place is planned, done in slabs
 // or refused like any other, and what the mesh took is told too.
 TEST_F(Memory, LimitsTheGridInThePlaceOfAMesh) {

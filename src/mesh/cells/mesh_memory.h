@@ -24,6 +24,10 @@ inline constexpr double kTriedMemory = 1200;
 /// its split, less those that its neighbours add, too.
 inline constexpr double kNodesAFailure = 2.5;
 
+/// Bytes of a loop when its vertex and triangles are made: 600 on walls and floors, more where they
+/// are thin.
+inline constexpr double kLoopMemory = 900;
+
 /// Bytes of a triangle while a round is certified, and while ridges are tested for what meets.
 inline constexpr double kCertifyMemory = 260, kSharpenMemory = 130;
 
