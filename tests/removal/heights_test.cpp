@@ -108,7 +108,15 @@ double bottom(const Profile& tool, const ToolPath& path, double x, double y) {
   return least;
 }
 
-// At the upper bound every place of the square is in the sweep.
+// No position of the path that the pieces stand for lies deeper.
+double lowest_tip(const std::vector<LineRecord>& pieces) {
+  double least = std::numeric_limits<double>::infinity();
+  for (const LineRecord& piece : pieces)
+    least = std::min(least, piece.c[BallSlot::z] - piece.c[BallSlot::error]);
+  return least;
+}
+
+// At the upper bound every place of the square is in the sweep, as far as each position reaches up.
 TEST(Heights, OfPathsAreBoundsOverASquare) {
   Random r(91);
   int below = 0, above = 0;
@@ -128,11 +136,12 @@ TEST(Heights, OfPathsAreBoundsOverASquare) {
         columns.columns(), columns.count, square(center, wide, height_tool(tool)), lower.data());
     const float least =
         *std::min_element(lower.begin(), lower.begin() + static_cast<long>(columns.count));
+    const double top = lowest_tip(pieces) + height_tool(tool).top;
     for (int k = 0; k < 12; ++k) {
       const double turn = r(0, kTwoPi), away = k < 6 ? wide : r(0, wide);
       const double x = center.x + away * std::cos(turn), y = center.y + away * std::sin(turn);
       ASSERT_LE(least, bottom(tool, path, x, y)) << "round " << round;
-      if (upper < kNone) {
+      if (upper < top) {
         ASSERT_LE(path_distance(tool, path, {x, y, upper}).distance, kPathError)
             << "round " << round;
         ++above;
