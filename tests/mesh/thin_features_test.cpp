@@ -211,6 +211,30 @@ TEST_F(Lost, WallElsewhere) {
   EXPECT_GE(lost(wall(place(1, 0), kHalfWall + 2 * kTolerance)), shown());
 }
 
+// Rows of a ball that leave crests 3.75 um high, of which 1.75 um stand above a plane of the grid.
+std::vector<Cut> crests(double pitch) {
+  const Lattice lattice{kStock, kVoxel, 4};
+  const double plane = lattice.coordinate(2, 10 * lattice.per_voxel()), below = 0.002;
+  std::vector<Cut> cuts;
+  for (double off = -3; off <= 3; off += pitch) {
+    const Vec2 from{9 + off, 7 - off}, to{15 + off, 13 - off};
+    cuts.push_back(ball_line(from, to, kRadius, plane - below + kRadius));
+  }
+  return cuts;
+}
+const double kPitch = 0.3 / std::sqrt(2.0);
+
+class LostCrest : public Lost {
+ protected:
+  LostCrest() : Lost(crests(kPitch)) {}
+};
+
+// A mesh may cut off what is lower than the tolerance.
+TEST_F(LostCrest, IsNoWall) {
+  EXPECT_GT(shown(), 20u);
+  EXPECT_EQ(lost(crests(kPitch / 2)), 0u);
+}
+
 // Between this plane of the grid and the next, so that all edges that show the wall are held.
 TEST_F(Lost, WallThatEndsBesideAnEdge) {
   const Place at = place(1, 0);

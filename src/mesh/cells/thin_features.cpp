@@ -168,12 +168,11 @@ std::optional<ThinFeature> find_hidden(const ExactField& field, const SurfaceCel
 }
 
 // Looks for what a mesh has lost. A closed mesh has a point on the side that the pseudonormal at
-// its nearest point tells, so that no threshold is needed: a wall is held on an edge of the grid
-// where a point in it is in the mesh, and the two points in which the edge passes the wall's sides
-// are no farther than the tolerance from the mesh. Two pieces of surface of the mesh then pass the
-// edge where the part's do. That the tip of a wall is held on one edge does not say how much of it
-// is, so the same is asked on lines beside the edge, in all cells about it. There, near the end of
-// a tip, points of the part may be missing that are no farther than the tolerance from the mesh.
+// its nearest point tells. A wall is held on an edge of the grid where the two points in which the
+// edge passes the wall's sides are no farther than the tolerance from the mesh, and a point in it
+// is in the mesh, or no farther from it either: the crests between the rows of a raster are walls
+// that a mesh may cut off. That the tip of a wall is held on one edge does not say how much of it
+// is, so the same is asked on lines beside the edge, in all cells about it.
 class LostSearch {
  public:
   LostSearch(const ExactField& field, const SurfaceCells& cells, const TriMesh& mesh,
@@ -184,7 +183,7 @@ class LostSearch {
     const EdgeEnds ends = cells_.ends(e);
     const Vec3 low = ends.low, high = high_end(ends, e.axis);
     bool found = false;
-    std::optional<FoundThin> lost = on_line(e, e.cells[0], low, high, kOnSurface, found);
+    std::optional<FoundThin> lost = on_line(e, e.cells[0], low, high, found);
     const double step = (ends.high - mrsim::component(low, e.axis)) / kBeside;
     for (int i = 1 - kBeside; found && i < kBeside; ++i)
       for (int j = 1 - kBeside; !lost && j < kBeside; ++j) {
@@ -192,7 +191,7 @@ class LostSearch {
         mrsim::component(beside, (e.axis + 1) % 3) = i * step;
         mrsim::component(beside, (e.axis + 2) % 3) = j * step;
         const std::int32_t cell = e.cells[(i >= 0 ? 1 : 0) | (j >= 0 ? 2 : 0)];
-        lost = on_line(e, cell, low + beside, high + beside, -tolerance_, found);
+        lost = on_line(e, cell, low + beside, high + beside, found);
       }
     return lost ? lost : beside_edge(e);
   }
@@ -202,18 +201,18 @@ class LostSearch {
   std::optional<FoundThin> beside_edge(const MinimalEdge& e) const {
     const auto found = find_hidden(
         field_, cells_, e, tolerance_ / 2, [](auto) { return true; },
-        [&](const Vec3& p) { return !is_held(p, !e.low_inside, -tolerance_); });
+        [&](const Vec3& p) { return !is_held(p, !e.low_inside); });
     if (!found) return {};
     return FoundThin{*found, block_of(cells_, e)};
   }
 
   // `found`: set where the line passes something thin.
   std::optional<FoundThin> on_line(const MinimalEdge& e, std::int32_t cell, const Vec3& low,
-                                   const Vec3& high, double least, bool& found) const {
+                                   const Vec3& high, bool& found) const {
     const Probe probe{field_, cells_.candidates(cell), 0};
     const EdgeEnd a = sampled(probe, low), b = sampled(probe, high);
     if (is_inside(a.at.distance) != is_inside(b.at.distance)) return at_end(e, probe, a, b);
-    return between(e, probe, a, b, least, kMostPassages, found);
+    return between(e, probe, a, b, kMostPassages, found);
   }
 
   // Of a line with ends on different sides: one that the mesh has on the wrong side.
@@ -221,7 +220,7 @@ class LostSearch {
                                   const EdgeEnd& b) const {
     for (const EdgeEnd* end : {&a, &b}) {
       const bool is_wall = is_inside(end->at.distance);
-      if (is_held(end->position, is_wall, -tolerance_)) continue;
+      if (is_held(end->position, is_wall)) continue;
       const Vec3 &p = end->position, &q = end == &a ? b.position : a.position;
       const Vec3 from = is_wall ? find_crossing(probe, p, q) : find_crossing(probe, q, p);
       return feature_of(cells_, e, a, b, {from, p, p}, is_wall);
@@ -230,34 +229,34 @@ class LostSearch {
   }
 
   std::optional<FoundThin> between(const MinimalEdge& e, const Probe& probe, const EdgeEnd& a,
-                                   const EdgeEnd& b, double least, int most, bool& found) const {
+                                   const EdgeEnd& b, int most, bool& found) const {
     const bool ends_inside = is_inside(a.at.distance);
     const std::optional<Passage> passage = find_passage(probe, a, b, ends_inside);
     if (!passage) return {};
     found = true;
-    if (most == 0 || !is_held(probe, *passage, !ends_inside, least))
+    if (most == 0 || !is_held(probe, *passage, !ends_inside))
       return feature_of(cells_, e, a, b, *passage, !ends_inside);
     const auto rest = [&](const EdgeEnd& end, const Vec3& side) -> std::optional<FoundThin> {
       const double left = distance(side, end.position);
       if (left <= kSurfaceBand) return {};
       const EdgeEnd next = sampled(probe, lerp(side, end.position, kSurfaceBand / left));
       if (is_inside(next.at.distance) != ends_inside) return {};
-      return between(e, probe, end, next, least, most - 1, found);
+      return between(e, probe, end, next, most - 1, found);
     };
     const std::optional<FoundThin> lost = rest(a, passage->from);
     return lost ? lost : rest(b, passage->to);
   }
 
-  bool is_held(const Probe& probe, const Passage& passage, bool is_wall, double least) const {
+  bool is_held(const Probe& probe, const Passage& passage, bool is_wall) const {
     const Vec3 half = 0.5 * (passage.from + passage.to);
     const bool is_in = is_inside(probe.sample(half).distance) == is_wall;
     return is_near(passage.from) && is_near(passage.to) &&
-           is_held(is_in ? half : passage.middle, is_wall, least);
+           is_held(is_in ? half : passage.middle, is_wall);
   }
-  // The mesh has p on this side, by more than `least` (negative: it lies no farther off).
-  bool is_held(const Vec3& p, bool inside, double least) const {
+  // The mesh has p on this side, or lies no farther off than the tolerance.
+  bool is_held(const Vec3& p, bool inside) const {
     const double d = mesh_.signed_distance(p);
-    return (inside ? -d : d) > least;
+    return (inside ? -d : d) > -tolerance_;
   }
   bool is_near(const Vec3& p) const {
     return mesh_.nearest(p).distance2 <= tolerance_ * tolerance_;
