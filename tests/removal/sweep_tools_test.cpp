@@ -72,10 +72,10 @@ Motion move_of_kind(Random& r, int kind) {
       return arc(a, {a.x + r(-6, 6), a.y + r(-6, 6), a.z}, {0, 0, 1}, r(-20, 20), r(-9, 9));
     case 5:  // G18
       return arc(a, {b.x, a.y, b.z}, {0, 1, 0}, r(-6, 6));
-    default: {  // tilted plane, with some rise
+    default: {  // helix about a leaning axis
       const Vec3 n = normalized(Vec3{r(-1, 1), r(-1, 1), r(0.1, 1)});
       const Vec3 w = b - a;
-      return arc(a, a + (w - dot(w, n) * n), n, r(-6, 6), r(-3, 3));
+      return arc(a, a + (w - dot(w, n) * n), n, r(-6, 6), r(-12, 12));
     }
   }
 }

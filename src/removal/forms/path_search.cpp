@@ -1,15 +1,17 @@
 // F(t) = signed distance of the tool at rest from p - c(t); its minimum over t.
 //
 // Convex tool, straight path: F is convex, and the tangents at both ends of a bracket bound it from
-// below, so the search ends when the best value and the bound agree. Convex tool, arc of radius R:
-// the tangent plane with normal n at the nearest place of the tool bounds the distance from below,
-// so F(t + s) >= F(t) + F'(t) sin s + I (1 - cos s), where I, the dot product of n and c(t) -
-// centre, is at least -R; on helices F(t + s) >= F(t) + F'(t) s - R s^2 / 2. Branch and bound with
-// that, and with the Lipschitz bound speed * s, needs some tens of values. Two kinds of arcs need
-// fewer. About Z, F is convex wherever the lateral distance of p is (Objective::convex_reach), as
-// it never falls with it: only the rest of a turn is left to branch and bound. Where I >= 0 on both
-// sides of a local minimum (the tool is at the bottom of a trough), no place within half a turn is
-// nearer. Other tools are unions of convex ones (Profile::convex_pieces); where they are not, the
+// below, so the search ends when the best value and the bound agree. Convex tool, arc or helix: the
+// tangent plane with normal n at the nearest place of the tool bounds the distance from below. On a
+// helix of radius R with the rise h,
+//   F(t + s) >= F(t) - n (c(t + s) - c(t)) = F(t) + F'(t) sin s - n h (s - sin s) + I (1 - cos s),
+// where I, the dot product of n and c(t) - centre, is at least -R. Branch and bound with that
+// (0 <= s - sin s <= s^3 / 6), and with the Lipschitz bound speed * s, needs some tens of values.
+// Two kinds of arcs need fewer. About Z, F is convex wherever the lateral distance of p is
+// (Objective::convex_reach), as it never falls with it: only the rest of a turn is left to branch
+// and bound. About other axes a local minimum clears its neighbourhood (clear_reach), at the bottom
+// of a trough half a turn.
+// Other tools are unions of convex ones (Profile::convex_pieces); where they are not, the
 // Lipschitz bound alone is left, which takes up to 1e5 values about a smooth minimum.
 #include "removal/forms/path_search.h"
 
@@ -29,15 +31,17 @@
 namespace mrsim {
 namespace {
 
+constexpr double kTiny = 1e-300;  // in the place of a divisor that is 0
+
 struct Value {
   double f = 0, slope = 0;
-  double inward = 0;  ///< I above, -R on helices
+  double inward = 0, advance = 0;  ///< I and |n h| above
 };
 
 class Objective {
  public:
   Objective(const Profile& tool, const ToolPath& path, const Vec3& p)
-      : tool_(tool), path_(path), p_(p), is_circle_(path.arc && path.rise == Vec3{}) {}
+      : tool_(tool), path_(path), p_(p) {}
 
   Value operator()(double t) const {
     const PathPoint at = path_point(path_, t);
@@ -46,8 +50,8 @@ class Objective {
     const ProfileSample s = tool_sample(tool_, rho, q.z);
     const double lateral = rho > 0 ? s.gradient.x / rho : 0;
     const Vec3 n{lateral * q.x, lateral * q.y, s.gradient.y};
-    return {s.distance, -dot(n, d),
-            is_circle_ ? dot(n, at.position - path_.center) : -path_.radius};
+    const Vec3 out = at.position - path_.center - t * path_.rise;
+    return {s.distance, -dot(n, d), dot(n, out), std::fabs(dot(n, path_.rise))};
   }
 
   /// Lower bound over t +- half for a path about Z: no position there is nearer in plan than
@@ -107,7 +111,6 @@ class Objective {
   const Profile& tool_;
   const ToolPath& path_;
   const Vec3 p_;
-  const bool is_circle_;
 };
 
 double clamp(double t, double lo, double hi) { return t < lo ? lo : t > hi ? hi : t; }
@@ -118,8 +121,28 @@ struct Bracket {
   Value a, b;  ///< F there
 
   PathSample least() const { return a.f < b.f ? PathSample{a.f, lo} : PathSample{b.f, hi}; }
-  bool in_trough() const { return a.inward >= 0 && b.inward >= 0; }
 };
+
+// How far from t, on the side where F does not fall, F is at least F(t): less than half a turn. As
+// slope sin s >= 0 and s - sin s <= s / 2 (1 - cos s), where I is not negative to 2 I / |n h|; and
+// for s <= 1, where the slope makes up for the rest.
+double clear_reach(const Value& m) {
+  const double bend = std::fabs(m.slope) / (std::max(-m.inward, 0.0) + m.advance / 3 + kTiny);
+  const double trough = 2 * m.inward / (m.advance + kTiny);
+  return std::max(std::min(5.0 / 3 * bend, 1.0), std::min(trough, kPi));
+}
+
+// What the tangent plane at t says of how F bends within |s| <= half, per s^2 / 2;
+// 1 - cos s >= s^2 / 2 - s^4 / 24.
+double least_bend(const Value& m, double half) {
+  const double share = m.inward > 0 ? std::max(0.0, 1 - half * half / 12) : 1;
+  return m.inward * share - m.advance * half / 3;
+}
+
+// How far F may be below its tangent at t within `wide`, mm.
+double below_tangent(const Value& m, double wide) {
+  return std::max(0.0, -0.5 * least_bend(m, wide) * wide * wide);
+}
 
 // About the minimum of a convex F on [lo, hi], or the local one that F'(lo) < 0 < F'(hi) holds.
 Bracket bracket(const Objective& F, double lo, double hi) {
@@ -163,10 +186,9 @@ struct Interval {
   double lo, hi;
 };
 
-// Lower bound of F over |s| <= half by the tangent plane at s = 0; 1 - cos s >= s^2 / 2 - s^4 / 24.
+// Lower bound of F over |s| <= half by the tangent plane at s = 0.
 double plane_bound(const Value& m, double half) {
-  const double slope = std::abs(m.slope);
-  const double bend = m.inward > 0 ? m.inward * std::max(0.0, 1 - half * half / 12) : m.inward;
+  const double slope = std::abs(m.slope), bend = least_bend(m, half);
   const double s = bend * half > slope ? slope / bend : half;
   return m.f - slope * s + 0.5 * bend * s * s;
 }
@@ -264,8 +286,17 @@ PathSample search_steep(const Objective& F, const Profile& tool, const ToolPath&
     return nearer(a, search_steep(F, tool, path, mid, end));
   }
   const Bracket local = bracket(F, begin, end);
-  if (local.in_trough()) return local.least();
-  return search_all(F, tool, path, begin, end, nearer(local.least(), ends(F, begin, end)));
+  PathSample best = local.least();
+  const auto look = [&](double from, double to, double bound) {
+    if (from >= to) return;
+    best = search_all(F, tool, path, from, to, nearer(best, {F(bound).f, bound}));
+  };
+  look(begin, local.lo - clear_reach(local.a), begin);
+  const double wide = local.hi - local.lo;
+  if (std::max(below_tangent(local.a, wide), below_tangent(local.b, wide)) > kPathError)
+    look(local.lo, local.hi, local.lo);
+  look(local.hi + clear_reach(local.b), end, end);
+  return best;
 }
 
 std::optional<PathSample> cone_minimum(const Profile& tool, const ToolPath& path, const Vec3& p,
