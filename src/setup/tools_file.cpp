@@ -230,6 +230,8 @@ Tool Reader::read_tool(const toml::table& entry) const {
 
 void Reader::read_tools(const toml::node& node) {
   std::set<std::string> ids;
+  if (node.is_table())
+    fail_value("tool", node, "must be a list: begin each tool with [[tool]], its number is id");
   for (const toml::node& item : array("tool", node)) {
     Tool tool = read_tool(table("tool", item));
     if (!ids.insert(tool.id).second)

@@ -97,6 +97,7 @@ TEST(ToolsFile, RefusesWhatMakesNoTool) {
             std::string::npos);
   EXPECT_NE(fault("[[tool]]\ntype = \"mill\"\n").find("is unknown"), std::string::npos);
   EXPECT_NE(fault("tool = 3\n").find("must be a list"), std::string::npos);
+  EXPECT_NE(fault("[tool.1]\ntype = \"drill\"\n").find("[[tool]]"), std::string::npos);
   EXPECT_NE(fault("[[tool]]\ntype = \"drill\"\ndiameter = 1\nshank = [[1]]\n").find("2 numbers"),
             std::string::npos);
   EXPECT_NE(fault("[[tool]]\nid=1\ntype=\"drill\"\ndiameter=1\n[[tool]]\nid=1\ntype=\"drill\"\n"
