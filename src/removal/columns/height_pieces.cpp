@@ -90,8 +90,9 @@ HeightTool height_tool(const Profile& tool) {
     t = HeightTool{.core = t.radius, .radius = t.radius};
     t.lift = static_cast<float>(widest);
   }
-  for (const ProfileEdge& e : edges)
-    if (is_upright(e) && e.a.x >= tool.max_radius()) widest = std::max(widest, e.b.y);
+  for (const ProfileEdge& e : edges)  // upwards, as far as no gap between two teeth comes first
+    if (is_upright(e) && e.a.x >= tool.max_radius() && e.a.y <= widest)
+      widest = std::max(widest, e.b.y);
   t.top = static_cast<float>(widest);
   return t;
 }
