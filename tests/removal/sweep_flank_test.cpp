@@ -100,7 +100,7 @@ TEST(Flanks, OnHelicesEqualTheLeastDistanceOverAllPositions) {
       const Vec3 at = path_point(path, r(0, path.sweep)).position;
       Vec3 p = at + Vec3{r(-5, 5), r(-5, 5), r(-3, 6)};
       if (k == 0) p = path.center + Vec3{0, 0, r(-1, 4)};
-      const auto got = cone_helix_minimum(cutter, path, p, begin, end);
+      const auto got = ConeHelix(path, p, begin, end).minimum(cutter);
       ++asked;
       if (!got) continue;
       ++found;

@@ -23,90 +23,71 @@ namespace {
 
 constexpr double kSameValue = 1e-13;  // of the size: F and f are equal
 
-class ConeHelix {
- public:
-  ConeHelix(const ToolPath& path, const Vec3& p, double begin, double end)
-      : path_(path),
-        away_(p - path.center),
-        facing_{dot(away_, path.u) / path.radius, dot(away_, path.v) / path.radius},
-        d_(std::sqrt(dot(facing_, facing_))),
-        ends_{end_at(begin), end_at(end)} {
-    if (d_ > 0) nearest_ = inner((1 / d_) * facing_);
-  }
-
-  // Seen from the tool's tip at t.
-  struct Place {
-    double t, rho, z;
-  };
-  struct Least {
-    double f = -std::numeric_limits<double>::infinity();
-    Place at{};
-  };
-
-  // The least f of the cone with the outward normal (a, c), where it is above `wanted`: else some f
-  // that is not.
-  Least least(double a, double c, double offset, double wanted) const {
-    const auto f = [&](const Place& x) { return a * x.rho + c * x.z - offset; };
-    Least best{f(ends_[0]), ends_[0]};
-    const auto take = [&](const Place& x) {
-      if (const double value = f(x); value < best.f) best = {value, x};
-    };
-    take(ends_[1]);
-    if (nearest_) take(*nearest_);
-    if (!(best.f > wanted)) return best;
-    const double r = path_.radius;
-    const double k = c * path_.rise.z / a, kk = k * k;
-    if (!(d_ > 0) || !(a > 0) || k == 0) return best;
-    const double left = (d_ * d_ - kk) * (r * r - kk);
-    if (left < 0 || kk > d_ * d_) return best;
-    const double x = std::min((kk + std::sqrt(left)) / (d_ * r), 1.0);
-    const double y = (k < 0 ? -1 : 1) * std::sqrt(1 - x * x);
-    const Vec2 w = (1 / d_) * Vec2{facing_.x * x - facing_.y * y, facing_.y * x + facing_.x * y};
-    if (const auto place = inner(w)) take(*place);
-    return best;
-  }
-
- private:
-  Place end_at(double t) const {
-    if (t == 0) return at(t, {1, 0});
-    if (t == path_.sweep) return at(t, path_.last);
-    const SinCos sc = sincos(t);
-    return at(t, {sc.cos, sc.sin});
-  }
-  // The first position with the direction w between the ends.
-  std::optional<Place> inner(const Vec2& w) const {
-    double t = mrsim::atan2(w.y, w.x);
-    const double begin = ends_[0].t;
-    if (t < begin) t = std::max(t + kTwoPi * std::ceil((begin - t) / kTwoPi), begin);
-    if (t > ends_[1].t) return std::nullopt;
-    return at(t, w);
-  }
-  // The position with the direction w from the centre, in (u, v).
-  Place at(double t, const Vec2& w) const {
-    const double x = away_.x - w.x * path_.u.x - w.y * path_.v.x;
-    const double y = away_.y - w.x * path_.u.y - w.y * path_.v.y;
-    return {t, std::sqrt(x * x + y * y), away_.z - t * path_.rise.z};
-  }
-
-  const ToolPath& path_;
-  const Vec3 away_;    // p from the centre
-  const Vec2 facing_;  // the same in plan, in (u, v)
-  const double d_;     // from the axis
-  const Place ends_[2];
-  std::optional<Place> nearest_;  // in plan, but for the ends
-};
-
 }  // namespace
 
-std::optional<PathSample> cone_helix_minimum(const Profile& tool, const ToolPath& path,
-                                             const Vec3& p, double begin, double end) {
-  const ConeHelix cones(path, p, begin, end);
-  ConeHelix::Least best;
+ConeHelix::ConeHelix(const ToolPath& path, const Vec3& p, double begin, double end)
+    : path_(path),
+      away_(p - path.center),
+      facing_{dot(away_, path.u) / path.radius, dot(away_, path.v) / path.radius},
+      d_(std::sqrt(dot(facing_, facing_))),
+      ends_{end_at(begin), end_at(end)} {
+  if (d_ > 0) nearest_ = inner((1 / d_) * facing_);
+}
+
+// The least f of the cone with the outward normal (a, c), where it is above `wanted`: else some f
+// that is not.
+ConeHelix::Least ConeHelix::least(double a, double c, double offset, double wanted) const {
+  const auto f = [&](const Place& x) { return a * x.rho + c * x.z - offset; };
+  Least best{f(ends_[0]), ends_[0]};
+  const auto take = [&](const Place& x) {
+    if (const double value = f(x); value < best.f) best = {value, x};
+  };
+  take(ends_[1]);
+  if (nearest_) take(*nearest_);
+  if (!(best.f > wanted)) return best;
+  const double r = path_.radius;
+  const double k = c * path_.rise.z / a, kk = k * k;
+  if (!(d_ > 0) || !(a > 0) || k == 0) return best;
+  const double left = (d_ * d_ - kk) * (r * r - kk);
+  if (left < 0 || kk > d_ * d_) return best;
+  const double x = std::min((kk + std::sqrt(left)) / (d_ * r), 1.0);
+  const double y = (k < 0 ? -1 : 1) * std::sqrt(1 - x * x);
+  const Vec2 w = (1 / d_) * Vec2{facing_.x * x - facing_.y * y, facing_.y * x + facing_.x * y};
+  if (const auto place = inner(w)) take(*place);
+  return best;
+}
+
+ConeHelix::Place ConeHelix::end_at(double t) const {
+  if (t == 0) return at(t, {1, 0});
+  if (t == path_.sweep) return at(t, path_.last);
+  const SinCos sc = sincos(t);
+  return at(t, {sc.cos, sc.sin});
+}
+
+// The first position with the direction w between the ends.
+std::optional<ConeHelix::Place> ConeHelix::inner(const Vec2& w) const {
+  double t = mrsim::atan2(w.y, w.x);
+  const double begin = ends_[0].t;
+  if (t < begin) t = std::max(t + kTwoPi * std::ceil((begin - t) / kTwoPi), begin);
+  if (t > ends_[1].t) return std::nullopt;
+  return at(t, w);
+}
+
+// The position with the direction w from the centre, in (u, v).
+ConeHelix::Place ConeHelix::at(double t, const Vec2& w) const {
+  const double x = away_.x - w.x * path_.u.x - w.y * path_.v.x;
+  const double y = away_.y - w.x * path_.u.y - w.y * path_.v.y;
+  return {t, std::sqrt(x * x + y * y), away_.z - t * path_.rise.z};
+}
+
+std::optional<PathSample> ConeHelix::minimum(const Profile& tool, double limit) const {
+  Least best;
   for (const ProfileEdge& e : tool.edges()) {
     const double a = e.direction.y, c = -e.direction.x;
     if (e.radius > 0 || a < 0) continue;
-    const ConeHelix::Least found = cones.least(a, c, a * e.a.x + c * e.a.y, best.f);
+    const Least found = least(a, c, a * e.a.x + c * e.a.y, best.f);
     if (found.f > best.f) best = found;
+    if (best.f >= limit) return PathSample{best.f, best.at.t};
   }
   if (!std::isfinite(best.f)) return std::nullopt;
   const double there = tool_distance(tool, best.at.rho, best.at.z);

@@ -5,14 +5,43 @@
 
 #include "removal/forms/path_sweep.h"
 
+#include <limits>
 #include <optional>
 
 namespace mrsim {
 
-/// The least distance over the positions from `begin` to `end` of the path, up to 1e-12 of the
-/// size; none where a corner, a ball or a torus may be nearest. Requires: path.horizontal,
-/// tool.is_convex(), at most one turn from `begin` to `end`.
-std::optional<PathSample> cone_helix_minimum(const Profile& tool, const ToolPath& path,
-                                             const Vec3& p, double begin, double end);
+/// A helix about Z, or a horizontal arc, as a place sees it: the same for all tools on it.
+class ConeHelix {
+ public:
+  /// Requires: path.horizontal, at most one turn from `begin` to `end`; the path outlives this.
+  ConeHelix(const ToolPath& path, const Vec3& p, double begin, double end);
+
+  /// The least distance over the positions from `begin` to `end`, up to 1e-12 of the size; none
+  /// where a corner, a ball or a torus may be nearest. Where none is less than `limit`, a bound
+  /// of them that is not either. Requires: tool.is_convex().
+  std::optional<PathSample> minimum(const Profile& tool,
+                                    double limit = std::numeric_limits<double>::infinity()) const;
+
+ private:
+  // Seen from the tool's tip at t.
+  struct Place {
+    double t, rho, z;
+  };
+  struct Least {
+    double f = -std::numeric_limits<double>::infinity();
+    Place at{};
+  };
+  Least least(double a, double c, double offset, double wanted) const;
+  Place end_at(double t) const;
+  std::optional<Place> inner(const Vec2& w) const;
+  Place at(double t, const Vec2& w) const;
+
+  const ToolPath& path_;
+  const Vec3 away_;    // p from the centre
+  const Vec2 facing_;  // the same in plan, in (u, v)
+  const double d_;     // from the axis
+  const Place ends_[2];
+  std::optional<Place> nearest_;  // in plan, but for the ends
+};
 
 }  // namespace mrsim

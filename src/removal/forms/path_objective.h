@@ -1,0 +1,117 @@
+// The distance of a place from a tool at one position of its path, as a function of the position,
+// and what it is at least about a position (path_search.cpp says how).
+#pragma once
+
+#include "core/rounding.h"
+#include "core/trig.h"
+#include "core/units.h"
+#include "removal/forms/path_search.h"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+namespace mrsim {
+
+/// F, F', and what the tangent plane there tells of how F bends: I and |n h| of path_search.cpp.
+struct PathValue {
+  double f = 0, slope = 0;
+  double inward = 0, advance = 0;
+};
+
+class PathObjective {
+ public:
+  PathObjective(const Profile& tool, const ToolPath& path, const Vec3& p)
+      : tool_(tool), path_(path), p_(p) {}
+
+  PathValue operator()(double t) const {
+    const PathPoint at = path_point(path_, t);
+    const Vec3 q = p_ - at.position, d = at.direction;
+    const double rho = std::sqrt(q.x * q.x + q.y * q.y);
+    const ProfileSample s = tool_sample(tool_, rho, q.z);
+    const double lateral = rho > 0 ? s.gradient.x / rho : 0;
+    const Vec3 n{lateral * q.x, lateral * q.y, s.gradient.y};
+    const Vec3 out = at.position - path_.center - t * path_.rise;
+    return {s.distance, -dot(n, d), dot(n, out), std::fabs(dot(n, path_.rise))};
+  }
+
+  /// Lower bound over t +- half for a path about Z: no position there is nearer in plan than
+  /// `near`, and heights differ by at most the rise, against which a convex tool's distance is
+  /// convex. Ends the search among the turns of a helix early.
+  double horizontal_bound(double t, double half, double near) const {
+    const double z = p_.z - path_.center.z - t * path_.rise.z;
+    const double rise = (path_.rise.z < 0 ? -path_.rise.z : path_.rise.z) * half;
+    const ProfileSample s = tool_sample(tool_, near, z);
+    const double slope = s.gradient.y < 0 ? -s.gradient.y : s.gradient.y;
+    return s.distance - (tool_.is_convex() ? slope : 1) * rise;
+  }
+
+  /// The same over all from `begin` to `end`.
+  double range_bound(double begin, double end) const {
+    return horizontal_bound(0.5 * (begin + end), 0.5 * (end - begin), to_circle());
+  }
+
+  /// On a horizontal path the lateral distance of p, sqrt(D^2 + R^2 - 2 D R cos(angle)), is convex
+  /// up to this angle on both sides of the position that looks at p, and then has no minimum before
+  /// that of the next turn.
+  double convex_reach() const {
+    const double dx = p_.x - path_.center.x, dy = p_.y - path_.center.y;
+    const double d = std::sqrt(dx * dx + dy * dy);
+    const double least = std::min(d, path_.radius), most = std::max(d, path_.radius);
+    return mrsim::atan2(std::sqrt(most * most - least * least), least);
+  }
+
+  /// The distance of the position that looks at p, `near` in plan, where it is the least one: the
+  /// tool's wall is upright at all heights of the path.
+  std::optional<double> upright_wall(double near, double begin, double end) const {
+    const ProfileSample low = tool_sample(tool_, near, height(begin));
+    if (low.gradient.y != 0 || tool_sample(tool_, near, height(end)).gradient.y != 0) return {};
+    return low.distance;
+  }
+
+  double to_circle() const {
+    const double dx = p_.x - path_.center.x, dy = p_.y - path_.center.y;
+    const double off = std::sqrt(dx * dx + dy * dy) - path_.radius;
+    return off < 0 ? -off : off;
+  }
+  double height(double t) const { return p_.z - path_.center.z - t * path_.rise.z; }
+  double lateral(double t) const {
+    const Vec3 q = p_ - path_point(path_, t).position;
+    return std::sqrt(q.x * q.x + q.y * q.y);
+  }
+  double at_rest(double rho, double z) const { return tool_distance(tool_, rho, z); }
+
+  /// The best position on each turn lies, in plan, towards p.
+  double towards() const {
+    const Vec3 w = p_ - path_.center;
+    double a = mrsim::atan2(dot(w, path_.v), dot(w, path_.u));
+    return a < 0 ? a + kTwoPi : a;
+  }
+
+ private:
+  const Profile& tool_;
+  const ToolPath& path_;
+  const Vec3 p_;
+};
+
+/// Both sides of a local minimum; equal at an end of the range.
+struct Bracket {
+  double lo, hi;
+  PathValue a, b;  ///< F there
+
+  PathSample least() const { return a.f < b.f ? PathSample{a.f, lo} : PathSample{b.f, hi}; }
+};
+
+/// About the minimum of a convex F on [lo, hi], or the local one that F'(lo) < 0 < F'(hi) holds; of
+/// a convex F no longer than it may be below `limit`.
+Bracket bracket(const PathObjective& F, double lo, double hi, double limit = kInfinity);
+PathSample descend(const PathObjective& F, double lo, double hi, double limit = kInfinity);
+
+/// How far from t, on the side where F does not fall, F is at least F(t): less than half a turn.
+double clear_reach(const PathValue& at);
+/// How far F may be below its tangent at t within `wide`, mm.
+double below_tangent(const PathValue& at, double wide);
+/// Lower bound of F over t +- half by the tangent plane at t.
+double plane_bound(const PathValue& at, double half);
+
+}  // namespace mrsim
