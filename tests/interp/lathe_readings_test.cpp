@@ -83,6 +83,40 @@ TEST(LatheToolReadings, BladesInAnotherUnit) {
   });
 }
 
+// The point of a blade that a comment names; "LEFT CORNER" was read as a left-hand tool, whose
+// right corner is programmed.
+TEST(LatheReadings, CornerOfABlade) {
+  constexpr const char* kUnclear =
+      "? names a right side or corner, of the blade or of the groove: tip=4 says that the right "
+      "corner of the blade is programmed, tip=3 the left one";
+  expect_readings({
+      {lathe_mm, "PARTING TOOL 3MM LEFT CORNER", "grooving, width 3, orientation 3"},
+      {lathe_mm, "GROOVING TOOL 3MM RIGHT CORNER", "grooving, width 3, orientation 4"},
+      {lathe_mm, "GROOVING TOOL 3MM TIP RIGHT", "grooving, width 3, orientation 4"},
+      {lathe_mm, "STECHER 3MM RECHTE ECKE", "grooving, width 3, orientation 4"},
+      {lathe_mm, "GROOVING TOOL 3MM CENTER OF BLADE", "grooving, width 3, orientation 8"},
+      {lathe_mm, "ID GROOVING TOOL 3MM RIGHT EDGE", "grooving, width 3, orientation 1"},
+      {lathe_mm, "ID GROOVING TOOL 3MM LEFT EDGE", "grooving, width 3, orientation 2"},
+      {lathe_mm, "GROOVING TOOL 3MM RIGHT SIDE", kUnclear},
+      {lathe_mm, "GROOVING TOOL 3MM CHAMFER RIGHT CORNER", kUnclear},
+      {lathe_mm, "GROOVING TOOL 3MM CHAMFER LEFT CORNER", "grooving, width 3"},
+      {lathe_mm, "GROOVING TOOL 3MM RIGHT HAND", "grooving, width 3"},
+  });
+}
+
+TEST(LatheReadings, LeftIsNoHandBesideAPlace) {
+  const auto hand = [](const char* comment) {
+    Tool tool;
+    std::string why;
+    EXPECT_TRUE(fill_tool(read_tool_comment(comment), 1, true, tool, why)) << comment << why;
+    return tool.left_hand;
+  };
+  EXPECT_TRUE(hand("VNMG 160404 LEFT HAND"));
+  EXPECT_TRUE(hand("GROOVING TOOL 3MM LH"));
+  EXPECT_FALSE(hand("VNMG 160404 LEFT END OF PART"));
+  EXPECT_FALSE(hand("GROOVING TOOL 3MM LEFT CORNER"));
+}
+
 // Words for the inside of the work turn the point outwards.
 TEST(LatheToolReadings, Inside) {
   expect_readings({

@@ -51,6 +51,19 @@ TEST(ToolCommentDoubts, SizesOfTheWork) {
   });
 }
 
+// 1/8 inch in mm, in a program in inches.
+TEST(ToolCommentDoubts, InchSizesInMillimetres) {
+  expect_readings({
+      {inch, "3.175 BALL MILL",
+       "? gives the diameter 3.175 without a unit, in a program in inches"},
+      {inch, "T1 D=1.588 CR=0. FLAT END MILL",
+       "? gives the diameter 1.588 without a unit, in a program in inches"},
+      {inch, "3.175MM BALL MILL", "ballmill 3.175"},
+      {inch, "1.5 END MILL", "endmill 38.1"},
+      {mm, "3.175 BALL MILL", "ballmill 3.175"},
+  });
+}
+
 // A point left out, or a leading zero.
 TEST(ToolCommentDoubts, PaddedRadii) {
   expect_readings({

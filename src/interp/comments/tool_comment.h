@@ -9,6 +9,7 @@
 #include "interp/comments/tool_kind.h"
 #include <mrsim/types.h>
 
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -24,6 +25,15 @@ struct ToolLength {
   bool letter_point = false;  ///< "D.10": 0.10, or D. 10
   bool inch_style = false;    ///< ".1875": thousandths without a 0 before the point
   explicit operator bool() const { return value > 0; }
+};
+
+/// Which point of a grooving blade the comment calls the programmed one.
+enum class BladePoint : std::uint8_t {
+  untold,
+  left,
+  right,
+  middle,
+  unclear  ///< "RIGHT SIDE": of the blade, or of the groove
 };
 
 struct ToolHint {
@@ -49,6 +59,7 @@ struct ToolHint {
   double insert_angle = 0, lead_angle = 0;    ///< radians
   double edge_length = 0;                     ///< mm
   bool left_hand = false, inside = false, bores = false, face_groove = false;
+  BladePoint blade_point = BladePoint::untold;
   bool padded_radius = false;  ///< "R05", which may be R5 or R0.5
   bool bare_id = false;        ///< "TOOL NUMBER: 5" and nothing else
   bool bare_kind = false;      ///< nothing but the kind's name: "BAR STOP"

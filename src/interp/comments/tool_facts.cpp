@@ -336,7 +336,7 @@ void FactReader::read_rest() {
     if (view_.number(i) && view_[i].angle) facts_.angles.push_back(view_[i].value);
     facts_.helix |= view_.is_one(i, {"HELIX", "DRALL", "HELICE"});
     facts_.bare_angle |= facts_.names_tool && view_.may_be_angle(i);
-    facts_.left_hand |= view_.is_one(i, {"LEFT", "LH", "LINKS"});
+    facts_.left_hand |= is_left_hand(view_, i);
     facts_.fusion |= view_.is(i, "CR") && view_.is(i + 1, "=");
     facts_.included |= view_.is_one(i, {"INCLUDED", "INCL"});
     facts_.slot_mill |= view_.is(i, "KEYWAY");

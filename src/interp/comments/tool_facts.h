@@ -52,14 +52,15 @@ struct ToolFacts {
   bool helix = false;       ///< the angle may be that of the flutes
   bool bare_angle = false;  ///< a "90" that nothing explains, beside a tool's number
   bool left_hand = false;
-  bool fusion = false;           ///< "CR=", which posts of Fusion write of every tool
-  bool fusion_slot = false;      ///< its "slot mill", the disc on a neck of its lists
-  bool slot_mill = false;        ///< a "slot mill" or of keyways: with a width a disc, too
-  bool inside = false;           ///< "ID", "INTERNAL", "BORE", and nothing of the outside
-  bool turned_side = false;      ///< "OD", "ID", "TURN": a lathe's words
-  bool bores = false;            ///< "BORE", "BORING" alone
-  bool full_radius = false;      ///< "FULL RADIUS": the end of a blade is half a circle
-  bool face_groove = false;      ///< "FACE GROOVE": the blade stands along Z
+  bool fusion = false;       ///< "CR=", which posts of Fusion write of every tool
+  bool fusion_slot = false;  ///< its "slot mill", the disc on a neck of its lists
+  bool slot_mill = false;    ///< a "slot mill" or of keyways: with a width a disc, too
+  bool inside = false;       ///< "ID", "INTERNAL", "BORE", and nothing of the outside
+  bool turned_side = false;  ///< "OD", "ID", "TURN": a lathe's words
+  bool bores = false;        ///< "BORE", "BORING" alone
+  bool full_radius = false;  ///< "FULL RADIUS": the end of a blade is half a circle
+  bool face_groove = false;  ///< "FACE GROOVE": the blade stands along Z
+  BladePoint blade_point = BladePoint::untold;
   bool corner_line = false;      ///< "TIP RADIUS: 1.0" and nothing else
   bool diameter_line = false;    ///< "DIAMETER: 8.0" and nothing else
   bool bare_id = false;          ///< "TOOL NUMBER: 5" and nothing else

@@ -33,6 +33,13 @@ std::string as_written(const ToolLength& length) {
                                        : "");
 }
 
+// 3.175 of a program in inches: 1/8 inch told in mm.
+bool is_inch_size_in_mm(const ToolLength& length) {
+  const double sizes = length.value / kMmPerInch * 32;
+  const double whole = std::round(sizes);
+  return whole >= 2 && whole <= 32 && std::abs(sizes - whole) * kMmPerInch / 32 < 6e-4;
+}
+
 // The diameter in mm; 0 and a reason where the readings differ or the unit is in doubt.
 double agreed_diameter(const ToolHint& hint, double unit, std::string& why) {
   const ToolLength& first = hint.diameters.front();
@@ -48,7 +55,8 @@ double agreed_diameter(const ToolHint& hint, double unit, std::string& why) {
   }
   if (first.unit == 0 && !confirmed) {
     const bool metric_fraction = first.fraction && unit == 1 && !hint.type;
-    const bool huge = diameter > (unit > 1 ? kLargestWithoutUnit : kLargestMetric);
+    const bool converted = unit > 1 && !first.fraction && is_inch_size_in_mm(first);
+    const bool huge = converted || diameter > (unit > 1 ? kLargestWithoutUnit : kLargestMetric);
     if (first.letter_point && unit == 1) {
       why = fmt::format("can be read as diameter {0} or as D. and a number without a point",
                         as_written(first));
@@ -204,6 +212,25 @@ bool is_thread_tooth(const Tool& tool) {
   return tool.type == ToolType::threading && tool.lead_angle == 0 && tool.edge_length == 0;
 }
 
+// Orientation of a blade whose point the comment tells; 0: the usual one.
+int blade_tip(const ToolHint& hint) {
+  switch (hint.blade_point) {
+    case BladePoint::left:
+      return hint.inside ? 2 : 3;
+    case BladePoint::right:
+      return hint.inside ? 1 : 4;
+    case BladePoint::middle:
+      return hint.inside ? 6 : 8;
+    default:
+      return hint.inside ? 2 : 0;
+  }
+}
+
+const char* blade_point_name(const Tool& blade) {
+  const int tip = tip_orientation(blade);
+  return tip == 6 || tip == 8 ? "middle" : tip == 1 || tip == 4 ? "right corner" : "left corner";
+}
+
 void fill_turning(const ToolHint& hint, double unit, Tool& out) {
   out.insert = hint.insert;
   out.insert_angle = hint.insert_angle;
@@ -211,7 +238,7 @@ void fill_turning(const ToolHint& hint, double unit, Tool& out) {
   out.edge_length = hint.edge_length;
   out.left_hand = hint.left_hand;
   if (hint.inside && out.type == ToolType::threading) out.tip = 6;
-  if (hint.inside && out.type == ToolType::grooving) out.tip = 2;
+  if (out.type == ToolType::grooving) out.tip = blade_tip(hint);
   out.nose_radius = hint.nose ? in_mm(hint.nose, unit) : 0;
   out.width = hint.width ? in_mm(hint.width, unit) : 0;
   if (out.insert == "R" && out.edge_length == 0) out.edge_length = 2 * out.nose_radius;
@@ -221,9 +248,10 @@ void fill_turning(const ToolHint& hint, double unit, Tool& out) {
           ? fmt::format("{:.4g} degree {}insert", degrees(out.insert_angle),
                         hint.insert_angle > 0 ? "" : "finishing ")
           : fmt::format("insert {} of {:.4g} degrees", out.insert, degrees(out.insert_angle));
-  if (out.tip > 0) out.origin += ": for the inside";
+  if (out.tip > 0 && is_inside_tool(out)) out.origin += ": for the inside";
   if (out.type == ToolType::grooving && insert_is_blade(hint)) {
-    out.origin += fmt::format(": blade {:.4g} mm wide", out.width);
+    out.origin +=
+        fmt::format(": blade {:.4g} mm wide, its {} programmed", out.width, blade_point_name(out));
     return;
   }
   const std::string nose = out.nose_radius > 0 ? fmt::format("nose radius {:.4g}", out.nose_radius)
@@ -281,6 +309,7 @@ void merge_hint(ToolHint& into, const ToolHint& more) {
   into.inside |= more.inside;
   into.bores |= more.bores;
   into.face_groove |= more.face_groove;
+  if (into.blade_point == BladePoint::untold) into.blade_point = more.blade_point;
   if (!into.trade) into.trade = more.trade;
   if (into.gauge.empty()) into.gauge = more.gauge;
   if (into.doubt.empty()) into.doubt = more.doubt;
@@ -313,6 +342,12 @@ bool fill_tool(const ToolHint& hint, double unit, bool lathe, Tool& out, std::st
   fill_turning(hint, unit, out);
   if (out.type == ToolType::grooving && hint.face_groove) {
     why = "names a face groove, and does not say which corner of the blade is programmed";
+    return false;
+  }
+  if (out.type == ToolType::grooving && hint.blade_point == BladePoint::unclear) {
+    why =
+        "names a right side or corner, of the blade or of the groove: tip=4 says that the right "
+        "corner of the blade is programmed, tip=3 the left one";
     return false;
   }
   if (out.type == ToolType::grooving && !(out.width > 0)) {

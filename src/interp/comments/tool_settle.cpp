@@ -27,6 +27,7 @@ class Settler {
     hint_.flute_length = facts_.flute_length;
     hint_.inside = facts_.inside;
     hint_.face_groove = facts_.face_groove;
+    hint_.blade_point = facts_.blade_point;
     hint_.bores = facts_.bores;
     hint_.bare_id = facts_.bare_id;
     hint_.bare_kind = facts_.bare_kind;

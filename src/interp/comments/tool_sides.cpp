@@ -56,7 +56,47 @@ bool is_turkish(const CommentView& view, std::size_t i,
   return view.is_one(i, side) && view.is_one(i + 1, {"CAP", "~AP"});
 }
 
+constexpr std::string_view kLeft = "LEFT LT LINKE* LINKS GAUCHE IZQUIERDA SINISTRA SINISTRO";
+constexpr std::string_view kRight = "RIGHT RT RECHTE* RECHTS DROITE DROIT DERECHA DESTRA DESTRO";
+constexpr std::string_view kMiddle = "CENTER CENTRE MIDDLE MITTE MITTIG MILIEU MEDIO CENTRO";
+constexpr std::string_view kCorner =
+    "CORNER EDGE TIP ECKE KANTE SCHNEIDE SCHNEIDENECKE SPITZE COIN ARETE ESQUINA SPIGOLO";
+constexpr std::string_view kBlade = "BLADE INSERT TIP SCHNEIDE PLATTE STECHER PLAQUETTE INSERTO";
+constexpr std::string_view kPlaces = "SIDE END FACE WALL SHOULDER FLANK OF SEITE";
+constexpr std::string_view kBreaks = "CHAMFER* CHAMF CHFR BREAK* DEBURR* FASE FASEN CHANFREIN";
+
+// The word at `i` and one of `others` on either side of it.
+bool is_beside(const CommentView& view, std::size_t i, std::string_view others) {
+  return is_word_of(view, i + 1, others) || (i > 0 && is_word_of(view, i - 1, others));
+}
+
+// "PARTING 3MM LEFT CORNER", "TIP RIGHT", "CENTER OF BLADE".
+BladePoint read_blade_point(const CommentView& view) {
+  BladePoint point = BladePoint::untold;
+  bool breaks = false;
+  for (std::size_t i = 0; i < view.size(); ++i) {
+    breaks |= is_word_of(view, i, kBreaks);
+    const bool corner = is_beside(view, i, kCorner);
+    const std::size_t behind = view.is(i + 1, "OF") ? i + 2 : i + 1;
+    if (corner && is_word_of(view, i, kLeft)) point = BladePoint::left;
+    if (corner && is_word_of(view, i, kRight)) point = BladePoint::right;
+    if (is_word_of(view, i, kRight) && is_word_of(view, i + 1, kPlaces))
+      point = BladePoint::unclear;
+    if (is_word_of(view, i, kMiddle) &&
+        (is_word_of(view, behind, kBlade) || (i > 0 && is_word_of(view, i - 1, kBlade))))
+      point = BladePoint::middle;
+  }
+  if (!breaks) return point;  // "CHAMFER RIGHT CORNER" is said of the groove, perhaps
+  return point == BladePoint::right ? BladePoint::unclear : BladePoint::untold;
+}
+
 }  // namespace
+
+// "VNMG LEFT HAND", "CNMG LH", but not "LEFT CORNER" of a blade or "LEFT END" of the part.
+bool is_left_hand(const CommentView& view, std::size_t i) {
+  if (!view.is_one(i, {"LEFT", "LH", "LINKS"})) return false;
+  return !is_beside(view, i, kCorner) && !is_word_of(view, i + 1, kPlaces);
+}
 
 // "INNENGEWINDE", "BORE CCMT 09T304"; "FACE AND BORE" works outside too.
 void read_side_words(const CommentView& view, ToolFacts& facts) {
@@ -74,6 +114,7 @@ void read_side_words(const CommentView& view, ToolFacts& facts) {
     facts.face_groove |=
         view.is(i, "FACE") && view.is_one(i + 1, {"GROOVE", "GROOVING", "GROOVER"});
   }
+  facts.blade_point = read_blade_point(view);
   facts.turned_side = outside || turns || rough || facts.inside;
   facts.bores = bores && !turns && !outside;
   facts.inside = (facts.inside || facts.bores) && !outside;

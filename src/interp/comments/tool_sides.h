@@ -4,9 +4,14 @@
 #include "interp/comments/comment_view.h"
 #include "interp/comments/tool_facts.h"
 
+#include <cstddef>
+
 namespace mrsim {
 
-/// Sets inside, bores, turned_side, face_groove and full_radius; takes no tokens.
+/// Sets inside, bores, turned_side, face_groove, full_radius and blade_point; takes no tokens.
 void read_side_words(const CommentView& view, ToolFacts& facts);
+
+/// Whether the word at `i` says that the tool is a left-hand one.
+bool is_left_hand(const CommentView& view, std::size_t i);
 
 }  // namespace mrsim
