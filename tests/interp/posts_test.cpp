@@ -279,7 +279,7 @@ TEST(Posts, RunAsWorkedOut) {
        0,
        {-10, 10, -28},
        {50, 30, 5},
-       "origins-coincide"},
+       "origins-coincide part-turned"},
       // G92 Z0 of the second bit is the surface, not the 20 mm above it where the first one was.
       {"router_two_bits.nc", Dialect::iso, mill, 6, 4, 0, {10, 10, -3}, {60, 30, -1}},
       {"listing_with_stars.nc", Dialect::fanuc, mill, 1, 2, 1, {0, 0, -1}, {30, 10, -1}},

@@ -1,0 +1,85 @@
+#include "interp/comments/part_turned.h"
+
+#include "core/text_io.h"
+#include "interp/comments/comment_tokens.h"
+#include "interp/comments/comment_view.h"
+
+#include <cstddef>
+#include <initializer_list>
+#include <string>
+#include <string_view>
+
+namespace mrsim {
+namespace {
+
+// "TURN PART OVER", "ROTATE 180", "PART UPSIDE DOWN": one of few words may stand in between.
+bool is_near(const CommentView& view, std::size_t i,
+             std::initializer_list<std::string_view> words) {
+  for (std::size_t k = i + 1; k <= i + 3; ++k)
+    if (view.is_one(k, words)) return true;
+  return false;
+}
+
+bool names_part(const CommentView& view, std::size_t i) {
+  return is_near(view, i,
+                 {"PART", "PARTS", "WORK", "WORKPIECE", "STOCK", "BLOCK", "MATERIAL", "PLATE",
+                  "BOARD", "BLANK", "PIECE", "JOB"});
+}
+
+bool starts_with_one(std::string_view text, std::initializer_list<std::string_view> stems) {
+  for (const std::string_view stem : stems)
+    if (text.starts_with(stem)) return true;
+  return false;
+}
+
+// What is flipped beside FLIP may be something else: "FLIP UP STOP", "FLIP JAWS".
+bool flips_something_else(const CommentView& view, std::size_t i) {
+  return view.is_one(i + 1, {"UP", "DOWN", "STOP", "JAW", "JAWS", "CLAMP", "CLAMPS", "INSERT",
+                             "TOOL", "SWITCH", "PARALLELS", "FLOP"}) ||
+         (i > 0 && view.is_one(i - 1, {"NO", "BEFORE", "DONT", "NOT"}));
+}
+
+bool turns_at(const CommentView& view, std::size_t i, bool lathe) {
+  if (view.is_one(i, {"FLIP", "FLIPPED"})) return !flips_something_else(view, i);
+  if (view.is_one(i, {"TURN", "ROTATE", "TURNED", "ROTATED"})) {
+    if (is_near(view, i, {"OVER", "AROUND", "UPSIDE"})) return true;
+    return !(lathe && view.is(i, "TURN")) && names_part(view, i);
+  }
+  if (view.is_one(i, {"REVERSE", "INVERT", "SWAP"})) return names_part(view, i);
+  if (view.is(i, "UPSIDE")) return view.is(i + 1, "DOWN");
+  if (view.is(i, "DAR")) return is_near(view, i, {"VUELTA"});
+  return view.word(i) &&
+         starts_with_one(view[i].text, {"UMSPANN", "WENDEN", "UMDREH", "RETOURN", "VOLTEA",
+                                        "CAPOVOLG", "GIRARE", "OBRNI", "OBROC", "OTOCIT"});
+}
+
+// "OTHER SIDE", "2ND SIDE", "SIDE 2", "ZWEITE SEITE", "2. SEITE".
+bool names_other_side(const CommentView& view, std::size_t i) {
+  if (view.is_one(i, {"BACKSIDE", "RUCKSEITE", "RUECKSEITE", "R~CKSEITE"})) return true;
+  if (!view.is_one(i, {"SIDE", "SEITE", "FACE", "CARA", "LATO", "STRAN", "STRONA", "COTE"}))
+    return false;
+  const bool numbered = view.has(i + 1) && view[i + 1].is_number() && view[i + 1].value == 2;
+  const bool counted = i > 0 && view[i - 1].is_number() && view[i - 1].value == 2;
+  const bool ordered = i > 1 && view.is_one(i - 1, {"ND", ".", "EME", "A"}) &&
+                       view[i - 2].is_number() && view[i - 2].value == 2;
+  return numbered || counted || ordered ||
+         (i > 0 &&
+          view.is_one(i - 1, {"OTHER", "SECOND", "BACK", "BOTTOM", "OPPOSITE", "ZWEITE", "ANDERE",
+                              "SEGUNDA", "SECONDO", "DRUGA", "DEUXIEME", "AUTRE", "OTRA"}));
+}
+
+}  // namespace
+
+PartTurned says_part_is_turned(std::string_view bytes, bool lathe) {
+  constexpr std::size_t kLongest = 200;  // characters of a note to the operator
+  const std::string folded = fold_comment(to_utf8(bytes.substr(0, kLongest)));
+  const CommentView view(comment_tokens(folded));
+  PartTurned said = PartTurned::no;
+  for (std::size_t i = 0; i < view.size(); ++i) {
+    if (turns_at(view, i, lathe)) return PartTurned::yes;
+    if (names_other_side(view, i)) said = PartTurned::perhaps;
+  }
+  return said;
+}
+
+}  // namespace mrsim

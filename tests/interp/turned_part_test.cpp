@@ -1,0 +1,55 @@
+// Programs that stop for the part to be turned over.
+#include "interp/comments/part_turned.h"
+#include "interp/support.h"
+
+#include <string>
+
+namespace mrsim {
+namespace {
+
+TEST(TurnedPart, WhatCommentsSay) {
+  const auto said = [](const char* comment, bool lathe = false) {
+    return says_part_is_turned(comment, lathe);
+  };
+  for (const char* yes :
+       {"FLIP PART", "STOP - FLIP OVER AND CLAMP", "Turn part over", "ROTATE STOCK 180 DEG",
+        "REVERSE PART IN VISE", "BAUTEIL WENDEN", "UMSPANNEN", "RETOURNER LA PIECE",
+        "VOLTEAR LA PIEZA", "GIRARE IL PEZZO", "OBRNI KOS", "PART UPSIDE DOWN"})
+    EXPECT_EQ(said(yes), PartTurned::yes) << yes;
+  for (const char* perhaps :
+       {"OTHER SIDE", "2ND SIDE", "SIDE 2", "BACK SIDE", "RÜCKSEITE", "ZWEITE SEITE", "2. SEITE"})
+    EXPECT_EQ(said(perhaps), PartTurned::perhaps) << perhaps;
+  for (const char* no : {"FLIP UP STOP", "FLIP JAWS", "TURN OFF COOLANT", "SIDE 1", "CHECK SIZE",
+                         "ROTATE TOOL", "CLEAR CHIPS", "DO NOT FLIP", "SIDE MILL D63"})
+    EXPECT_EQ(said(no), PartTurned::no) << no;
+  EXPECT_EQ(said("TURN PART TO 40.", true), PartTurned::no);
+  EXPECT_EQ(said("TURN PART AROUND", true), PartTurned::yes);
+}
+
+// Cuts above and below the stop.
+std::string warned(const std::string& stop, Dialect dialect = Dialect::fanuc) {
+  const std::string first = "G0 X0 Y0 Z5\nG1 Z-2 F100\nG0 Z5\n";
+  return codes(read_text(first + stop + "G0 X20\nG1 Z-3\nG0 Z5\nM30\n", at_origin(dialect)),
+               Severity::warning);
+}
+
+TEST(TurnedPart, IsAWarningAtTheFirstCutOfTheOtherSide) {
+  EXPECT_EQ(warned("M00 (FLIP PART)\n"), "part-turned");
+  EXPECT_EQ(warned("(FLIP PART)\nG0 Z50\nM0\n"), "part-turned");
+  EXPECT_EQ(warned("M01\n(TURN PART OVER)\n"), "part-turned");
+  EXPECT_EQ(warned("M0 (SECOND SIDE)\n"), "part-turned");
+  EXPECT_EQ(warned("MSG(\"BAUTEIL WENDEN\")\nM0\n", Dialect::sinumerik), "part-turned");
+  EXPECT_EQ(warned("(MSG, flip the part)\nM0\n", Dialect::ngc), "part-turned");
+}
+
+TEST(TurnedPart, IsNoneWithoutAStopOrWithoutCutsOnBothSides) {
+  EXPECT_EQ(warned("M01\n(SIDE 2 CONTOUR)\n"), "");
+  EXPECT_EQ(warned("(FLIP PART)\n"), "");
+  EXPECT_EQ(warned("M00 (MOVE CLAMPS)\n"), "");
+  EXPECT_EQ(warned("M00 (FLIP PART, THEN RUN O0002)\nM30\n"), "");
+  const std::string none = "M00 (FLIP PART)\nG0 X0 Y0 Z5\nG1 Z-2 F100\nG0 Z5\nM30\n";
+  EXPECT_EQ(codes(read_text(none, at_origin(Dialect::fanuc)), Severity::warning), "");
+}
+
+}  // namespace
+}  // namespace mrsim
