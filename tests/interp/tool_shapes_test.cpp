@@ -33,6 +33,23 @@ TEST(ToolShapes, RouterBits) {
   });
 }
 
+// A word before MILL that makes another shape of it; all were end mills.
+TEST(ToolShapes, ShapesNamedBeforeMill) {
+  const char* const more = "? names a kind of tool that needs more data";
+  expect_readings({
+      {mm, "SPHERE MILL 8", "ballmill 8"},
+      {mm, "DOVE TAIL MILL D20", "? gives no angle of its flanks"},
+      {mm, "DOVE-TAIL D12 60DEG LOC 5", told("DOVETAIL D12 60DEG LOC 5", 1, false).c_str()},
+      {mm, "V MILL 6", "? gives no angle"},
+      {mm, "V-MILL D6 90 DEG", "chamfer 6, point 90"},
+      {mm, "POINTED MILL 6", "? gives no angle"},
+      {mm, "TEE SLOT 20X5", "tslot 20, width 5"},
+      {mm, "CONE MILL 8", more},
+      {mm, "HALF ROUND MILL 6", more},
+      {mm, "GEAR MILL 40", more},
+  });
+}
+
 TEST(ToolShapes, ShanksBeforeTheSize) {
   expect_readings({
       {mm, "1/8 SHANK 0.8MM DRILL", "drill 0.8"},
