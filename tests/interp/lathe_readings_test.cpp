@@ -83,6 +83,38 @@ TEST(LatheToolReadings, BladesInAnotherUnit) {
   });
 }
 
+// All three were cut by a sharp tooth of 60 degrees.
+TEST(LatheToolReadings, ThreadsOfOtherTeeth) {
+  constexpr const char* kFlat = "? names a thread whose teeth end in no point";
+  expect_readings({
+      {lathe_mm, "THREADING TOOL TR20X4", kFlat},
+      {lathe_mm, "16ER 5 TR", kFlat},
+      {lathe_inch, "22ER 5 ACME", kFlat},
+      {lathe_mm, "WHITWORTH THREADING TOOL", "threading, insert 55"},
+      {lathe_mm, "BSP THREADING TOOL 55 DEG", "threading, insert 55"},
+      {lathe_mm, "THREADING TOOL M20X2", "threading, insert 60"},
+  });
+}
+
+TEST(LatheToolReadings, BackTurningAsksForTheHand) {
+  constexpr const char* kHand =
+      "? names a tool that turns backwards, and does not say its hand, hand=left or right";
+  expect_readings({
+      {lathe_mm, "BACK TURN VNMG 160404", kHand},
+      {lathe_mm, "BACK-TURNING TOOL", kHand},
+      {lathe_mm, "BACK TURN VNMG 160404 LH", "turning, insert 35, nose 0.4"},
+  });
+}
+
+// Three letters: ANSI B212.4 leaves out the fourth of inserts without a hole.
+TEST(LatheToolReadings, InsertsWithoutAHole) {
+  expect_readings({
+      {lathe_inch, "TPG 322", "turning, insert 60, nose 0.79375"},
+      {lathe_inch, "OD ROUGH CNG-432", "turning, insert 80, nose 0.79375"},
+      {lathe_inch, "RADIUS TOOL R.125", "? names a kind of tool that needs more data"},
+  });
+}
+
 // The point of a blade that a comment names; "LEFT CORNER" was read as a left-hand tool, whose
 // right corner is programmed.
 TEST(LatheReadings, CornerOfABlade) {

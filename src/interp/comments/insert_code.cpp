@@ -28,7 +28,21 @@ constexpr std::string_view kUsual[] = {
     "TNMG", "TNMA", "SNMG", "SNMM", "CCMT", "CCGT", "CPMT", "DCMT", "DCGT", "VCMT", "VCGT",
     "VBMT", "VBGT", "TCMT", "TPMT", "SCMT", "RCMT", "RCMX", "RNMG", "KNUX"};
 
+const Shape* find_shape(char letter) {
+  for (const Shape& shape : kShapes)
+    if (shape.letter == letter) return &shape;
+  return nullptr;
+}
+
+// "TPG 322" of ANSI B212.4: no hole and no chip groove, so the fourth letter is left out.
+const Shape* find_short_shape(std::string_view letters) {
+  const bool usual =
+      (letters[1] == 'N' || letters[1] == 'P') && (letters[2] == 'G' || letters[2] == 'U');
+  return usual ? find_shape(letters[0]) : nullptr;
+}
+
 const Shape* find_shape(std::string_view letters) {
+  if (letters.size() == 3) return find_short_shape(letters);
   if (letters.size() != 4) return nullptr;
   const bool clearance = std::string_view("ABCDEFGNOP").find(letters[1]) != letters.npos;
   const bool tolerance = std::string_view("ACEFGHJKLMNU").find(letters[2]) != letters.npos;
@@ -36,9 +50,7 @@ const Shape* find_shape(std::string_view letters) {
   const bool chipbreaker =
       american || std::string_view("ABCFGHJMNQRTUWX").find(letters[3]) != letters.npos;
   if (!clearance || !tolerance || !chipbreaker) return nullptr;
-  for (const Shape& shape : kShapes)
-    if (shape.letter == letters[0]) return &shape;
-  return nullptr;
+  return find_shape(letters[0]);
 }
 
 bool all_digits(std::string_view text) {

@@ -56,6 +56,9 @@ struct ToolFacts {
   bool fusion_slot = false;  ///< its "slot mill", the disc on a neck of its lists
   bool slot_mill = false;    ///< a "slot mill" or of keyways: with a width a disc, too
   bool inside = false;       ///< "ID", "INTERNAL", "BORE", and nothing of the outside
+  bool flat_thread = false;  ///< "TR20X4", "ACME": the end of the tooth is no point
+  bool whitworth = false;    ///< "WHITWORTH", "BSP": teeth of 55 degrees
+  bool back_turn = false;    ///< "BACK TURN", and no hand
   bool turned_side = false;  ///< "OD", "ID", "TURN": a lathe's words
   bool bores = false;        ///< "BORE", "BORING" alone
   bool full_radius = false;  ///< "FULL RADIUS": the end of a blade is half a circle

@@ -58,6 +58,7 @@ class Settler {
   void settle_turning();
   void take_lead_angle();
   void settle_nose();
+  void settle_thread();
   void settle_mill();
   bool has_usual_corner() const;
   void take_nose_of_work();
@@ -126,6 +127,7 @@ void Settler::settle_type() {
   if (facts_.round_insert) settle_round_insert();
   if (!hint_.type && (facts_.turned_side || facts_.bores)) take_nose_of_work();
   if (facts_.insert || (hint_.type && is_turning(*hint_.type))) settle_turning();
+  settle_thread();
 }
 
 // "OD ROUGH R0.8", "ROUGH TURN .031R", "FINISH BORE R0.4": the radius of an insert, by its value
@@ -233,6 +235,15 @@ void Settler::settle_turning() {
   if (hint_.type == ToolType::turning && facts_.inside) hint_.type = ToolType::boring;
   hint_.left_hand = facts_.left_hand || (facts_.blade && facts_.blade->left_hand);
   if (hint_.type != ToolType::boring) hint_.diameters.clear();  // on a mill it is the bore's
+}
+
+// A threading insert is a point of 60 degrees, where nothing else is said.
+void Settler::settle_thread() {
+  if (hint_.type == ToolType::turning && facts_.back_turn)
+    doubt("names a tool that turns backwards, and does not say its hand, hand=left or right");
+  if (hint_.type != ToolType::threading && hint_.operation != ToolType::threading) return;
+  if (facts_.flat_thread) doubt("names a thread whose teeth end in no point");
+  if (facts_.whitworth && hint_.insert_angle == 0) hint_.insert_angle = radians(55);
 }
 
 // "DNMG 150608 93 DEG", "SNMG 120412 45 DEG": no insert has such a corner, holders have that lead.

@@ -90,6 +90,24 @@ BladePoint read_blade_point(const CommentView& view) {
   return point == BladePoint::right ? BladePoint::unclear : BladePoint::untold;
 }
 
+constexpr std::string_view kFlatThreads =
+    "ACME TRAPEZ* TRAPEZOID* BUTTRESS SAGENGEW* SAEGENGEW* S~GENGEW* RUNDGEW* KNUCKLE FLACHGEW*";
+constexpr std::string_view kWhitworth = "WHITWORTH BSW BSF BSP BSPP BSPT ROHRGEWINDE";
+
+// "TR20X4", "16ER 5 TR", "SQUARE THREAD".
+bool is_flat_thread(const CommentView& view, std::size_t i) {
+  if (is_word_of(view, i, kFlatThreads)) return true;
+  if (view.is(i, "SQUARE")) return view.is_one(i + 1, {"THREAD", "THREADING"});
+  const auto numbered = [&](std::size_t k) { return view.has(k) && view[k].is_number(); };
+  return view.is(i, "TR") && (numbered(i + 1) || (i > 0 && numbered(i - 1)));
+}
+
+bool names_back_turning(const CommentView& view, std::size_t i) {
+  return view.is_one(i, {"BACKTURN", "BACKTURNING"}) ||
+         (view.is(i, "BACK") && view.is_one(i + 1, {"TURN", "TURNING"})) ||
+         (view.is(i, "BACK") && view.is(i + 1, "-") && view.is_one(i + 2, {"TURN", "TURNING"}));
+}
+
 }  // namespace
 
 // "VNMG LEFT HAND", "CNMG LH", but not "LEFT CORNER" of a blade or "LEFT END" of the part.
@@ -100,7 +118,7 @@ bool is_left_hand(const CommentView& view, std::size_t i) {
 
 // "INNENGEWINDE", "BORE CCMT 09T304"; "FACE AND BORE" works outside too.
 void read_side_words(const CommentView& view, ToolFacts& facts) {
-  bool outside = false, bores = false, turns = false, rough = false;
+  bool outside = false, bores = false, turns = false, rough = false, hand = false;
   for (std::size_t i = 0; i < view.size(); ++i) {
     outside |= is_word_of(view, i, kOutside) || is_turkish(view, i, {"DIS", "DI~", "D~~"});
     bores |= is_word_of(view, i, kBores);
@@ -108,12 +126,17 @@ void read_side_words(const CommentView& view, ToolFacts& facts) {
                          view.is(i, "VOLLRADIUS");
     facts.inside |= begins_bar_code(view, i) || is_turkish(view, i, {"IC", "I~", "~~", "~C"});
     turns |= is_word_of(view, i, kTurns);
+    hand |= view.is_one(i, {"LEFT", "LH", "LINKS", "RIGHT", "RH", "RECHTS", "NEUTRAL"});
+    facts.back_turn |= names_back_turning(view, i);
+    facts.flat_thread |= is_flat_thread(view, i);
+    facts.whitworth |= is_word_of(view, i, kWhitworth);
     rough |= is_word_of(view, i, kRough);
     facts.inside |= is_word_of(view, i, kInside) && !view.is_one(i + 1, {":", "="});
     facts.face_groove |= is_word_of(view, i, kFaceGrooves);
     facts.face_groove |=
         view.is(i, "FACE") && view.is_one(i + 1, {"GROOVE", "GROOVING", "GROOVER"});
   }
+  facts.back_turn &= !hand;
   facts.blade_point = read_blade_point(view);
   facts.turned_side = outside || turns || rough || facts.inside;
   facts.bores = bores && !turns && !outside;

@@ -25,6 +25,8 @@ std::string tool_summary(const Tool& tool) {
 std::string tool_example(const Tool& read, bool lathe) {
   if (read.type == ToolType::grooving && lathe)
     return "grooving:w=3 (with tip=7 the blade stands along Z, its middle the point)";
+  if (read.type == ToolType::threading && lathe)
+    return "threading:insert_angle=30,r=0.3 (r: of its tip)";
   if (read.insert == "R" && lathe) return "turning:insert=R,d=8 (d: of the insert)";
   if (read.type == ToolType::tslot && read.diameter > 0)
     return fmt::format("tslot:d={:.6g},w=4 (w: the height of its head)", read.diameter);
