@@ -166,6 +166,20 @@ TEST(WordsOfMakers, AWordOfBrotherIsRefusedByName) {
 }
 
 // The tool changes at the top, so that the rapid to the place begins there: Z is known from it on.
+// FANUC's G23 to G26 have no axes: these ran as moves of G1.
+TEST(WordsOfMakers, PocketsOfGskAreRefused) {
+  for (const char* pocket : {"G22 X10 Y10 R2 Z-5 I20 L5 F100", "G23 X10 Y10 Z-5 R2 I20",
+                             "G25 X10 Y10 Z-5 I20 J5", "G26 X10 Y10"}) {
+    const Program p =
+        read_text(std::string("G1 X5 F100\n") + pocket + "\n", at_origin(Dialect::fanuc));
+    EXPECT_EQ(path_text(p), "l5,0,0 | not-supported") << pocket;
+  }
+  const Program limits =
+      read_text("G1 X5 F100\nG22 X100 Y100 Z50 I-10 J-10 K-50\nG23\nG25\nG26 P1 Q2 R3\nG1 X9\n",
+                at_origin(Dialect::fanuc));
+  EXPECT_EQ(path_text(limits).substr(0, 13), "l5,0,0 l9,0,0");
+}
+
 TEST(WordsOfMakers, ToolChangeOfBrother) {
   const Program p = read_text("T2 M6\nG1 X1 F100\nG100 T1 X10 Y20 Z50 G43 H0 L2 S8000 M3\nX5\n",
                               at_origin(Dialect::fanuc));

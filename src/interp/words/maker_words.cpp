@@ -9,6 +9,7 @@
 namespace mrsim {
 
 std::optional<bool> MakerWords::read(const Word& word, Code code) {
+  if (is_pocket_of_gsk(word)) return refuse_pocket(word);
   if ((code == Code::polar_on || code == Code::polar_off) && peek('H')) return okuma_offset(word);
   if (code == Code::suppress_frames && modal_.okuma) {
     modal_.length = Code::length_off;
@@ -44,6 +45,22 @@ std::optional<bool> MakerWords::read(const Word& word, Code code) {
   if (word.value == 100) return brother_change(word);
   if (word.value == 71 && stands_for_level(word)) return okuma_level();
   return std::nullopt;
+}
+
+// G22 X Y Z R I L of GSK's mills clears a circle, and so on up to G26. FANUC's G22 has X Y Z I J K,
+// and G23, G25 and G26 no axes.
+bool MakerWords::is_pocket_of_gsk(const Word& word) const {
+  if (is(Dialect::sinumerik) || is(Dialect::codesys) || is(Dialect::ngc)) return false;
+  if (word.value == 22) return peek('R') && (peek('X') || peek('Y') || peek('Z'));
+  return (word.value == 23 || word.value == 25 || word.value == 26) &&
+         (peek('X') || peek('Y') || peek('Z'));
+}
+
+bool MakerWords::refuse_pocket(const Word& word) {
+  return error("not-supported",
+               fmt::format("{} with places (a pocket of GSK's mills and others) is not supported",
+                           text_of(word)),
+               word);
 }
 
 // G20 X46. Z-30. F.25, and no motion word.

@@ -1,5 +1,5 @@
 // G words that machine makers read in their own way on a control of FANUC's kind: Okuma's OSP,
-// Brother, Haas. Each is told from FANUC's by the words beside it. Private to src/interp.
+// Brother, Haas, GSK. Each is told from FANUC's by the words beside it. Private to src/interp.
 #pragma once
 
 #include "interp/frames/frame_words.h"
@@ -27,6 +27,8 @@ class MakerWords : public ControlPart {
   bool haas_mirror(const Word& word);
   bool names_zero_places() const;
   bool is_cycle_of_system_c(const Word& word) const;
+  bool is_pocket_of_gsk(const Word& word) const;
+  bool refuse_pocket(const Word& word);
   bool has_m6() const;
   bool stands_for_level(const Word& word) const;
 
