@@ -50,6 +50,31 @@ ToolHint read_remark(const std::string& remark, double diameter) {
   return read_tool_comment(fmt::format("{} D{:.6g} mm", remark, diameter));
 }
 
+// The table's diameter, where the remark is of another size: a tool that was ground again keeps its
+// kind, but "6mm ball nose" beside Ø152 says that one of the two is wrong.
+std::string keep_kind(const ToolHint& hint, const Tool& said, Tool& tool) {
+  constexpr double kGround = 0.1;  // of its diameter
+  if (hint.type == ToolType::endmill) return "";
+  if (std::abs(said.diameter - tool.diameter) > kGround * tool.diameter)
+    return fmt::format("gives the diameter {:.6g} mm, and the table {:.6g} mm", said.diameter,
+                       tool.diameter);
+  tool.type = said.type;
+  tool.corner_radius = std::min(said.corner_radius, tool.diameter / 2);
+  tool.tip_angle = said.tip_angle;
+  return "";
+}
+
+// "corner radius 0.5" and no kind.
+void take_corner(const std::string& remark, double unit, Tool& tool) {
+  Tool said;
+  std::string why;
+  const std::string text = fmt::format("END MILL D{:.6g} mm {}", tool.diameter, remark);
+  if (!fill_tool(read_tool_comment(text), unit, false, said, why) || !(said.corner_radius > 0))
+    return;
+  tool.type = said.type;
+  tool.corner_radius = said.corner_radius;
+}
+
 // Why no tool can be made of a table's row; empty: it is made. A remark that names a kind whose
 // shape it does not tell is no end mill.
 std::string complete_linuxcnc(LibraryTool& entry, double unit) {
@@ -97,7 +122,12 @@ std::string complete_linuxcnc(LibraryTool& entry, double unit) {
   if (!hint.doubt.empty() || hint.trade == ToolTrade::dovetail ||
       (hint.type && !(plain && is_sized)))
     return fmt::format("the remark \"{}\" {}", entry.remark, why);
-  if (hint.type != ToolType::endmill) tool.origin += ", taken to be an end mill";
+  if (hint.type) {
+    why = keep_kind(hint, said, tool);
+    return why.empty() ? "" : fmt::format("the remark \"{}\" {}", entry.remark, why);
+  }
+  take_corner(entry.remark, unit, tool);
+  tool.origin += tool.corner_radius > 0 ? ", taken to be a mill" : ", taken to be an end mill";
   return "";
 }
 

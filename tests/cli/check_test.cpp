@@ -76,8 +76,24 @@ TEST_F(CheckCli, RemarksOfLinuxcncTables) {
                                "tool 9: the remark \"DOVETAIL 60\" gives no"})
     EXPECT_TRUE(contains(tools.err, left_out)) << tools.err;
   EXPECT_FALSE(contains(tools.out, "T8")) << tools.out;
-  EXPECT_TRUE(contains(tools.out, "T5      end mill Ø5.5")) << tools.out;
+  EXPECT_TRUE(contains(tools.err, "gives the diameter 6.6 mm, and the table 5.5 mm; left out"))
+      << tools.err;
   EXPECT_TRUE(contains(tools.out, "taken to be an end mill")) << tools.out;
+}
+
+// Both were end mills: a ball that was ground again, and a corner without a kind.
+TEST_F(CheckCli, RemarksOfLinuxcncTablesKeepTheShape) {
+  write("t.tbl",
+        "T1 D5.85 ;6MM BALL NOSE\nT2 D4 ;CORNER RADIUS 0.5\nT3 D60 ;6MM BALL NOSE\n"
+        "T4 D9.8 ;10MM END MILL\n");
+  const Outcome tools = run("tools t.tbl");
+  for (const char* tool : {"T1      ball mill Ø5.85",
+                           "T2      bull-nose mill Ø4, corner radius 0.5", "T4      end mill Ø9.8"})
+    EXPECT_TRUE(contains(tools.out, tool)) << tool << "\n" << tools.out;
+  EXPECT_TRUE(contains(tools.err,
+                       "tool 3: the remark \"6MM BALL NOSE\" gives the diameter 6 mm, "
+                       "and the table 60 mm; left out"))
+      << tools.err;
 }
 
 TEST_F(CheckCli, CamoticsProjectsRun) {
