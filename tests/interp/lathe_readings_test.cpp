@@ -96,6 +96,22 @@ TEST(LatheToolReadings, ThreadsOfOtherTeeth) {
   });
 }
 
+// A tip that is not the usual one was left out, and radius compensation ran beside the contour.
+TEST(LatheToolReadings, OrientationsThatAreNotTheUsual) {
+  expect_readings({
+      {lathe_mm, "CNMG 120408 TIP 3", "turning, insert 80, nose 0.8"},
+      {lathe_mm, "BORING BAR CCMT 09T304 TIP DIRECTION: 2", "boring, insert 80, nose 0.4"},
+      {lathe_mm, "VNMG 160404 TIP 4",
+       "? says tip 4, and 3 is usual here: tip=4 or tip=3 tells which counts"},
+      {lathe_mm, "GROOVING TOOL 3MM TIP #8",
+       "? says tip 8, and 3 is usual here: tip=8 or tip=3 tells which counts"},
+      {lathe_mm, "GROOVING TOOL 3MM RIGHT CORNER TIP 4", "grooving, width 3, orientation 4"},
+      {lathe_mm, "CNMG 120408 TIP R0.8", "turning, insert 80, nose 0.8"},
+      {lathe_mm, "THREADING TOOL TIP 3", "threading, insert 60"},
+      {mm, "V BIT 60 DEG D6 TIP 1", told("V-BIT 60 DEG DIA 6 TIP 1", 1, false).c_str()},
+  });
+}
+
 TEST(LatheToolReadings, BackTurningAsksForTheHand) {
   constexpr const char* kHand =
       "? names a tool that turns backwards, and does not say its hand, hand=left or right";

@@ -60,6 +60,7 @@ struct ToolHint {
   double edge_length = 0;                     ///< mm
   bool left_hand = false, inside = false, bores = false, face_groove = false;
   BladePoint blade_point = BladePoint::untold;
+  int orientation = 0;         ///< of a lathe's tool, "TIP 3"; 0: not told
   bool padded_radius = false;  ///< "R05", which may be R5 or R0.5
   bool bare_id = false;        ///< "TOOL NUMBER: 5" and nothing else
   bool bare_kind = false;      ///< nothing but the kind's name: "BAR STOP"

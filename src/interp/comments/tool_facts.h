@@ -64,6 +64,7 @@ struct ToolFacts {
   bool full_radius = false;  ///< "FULL RADIUS": the end of a blade is half a circle
   bool face_groove = false;  ///< "FACE GROOVE": the blade stands along Z
   BladePoint blade_point = BladePoint::untold;
+  int orientation = 0;           ///< "TIP 3", "TIP DIRECTION 2"; 0: not told
   bool corner_line = false;      ///< "TIP RADIUS: 1.0" and nothing else
   bool diameter_line = false;    ///< "DIAMETER: 8.0" and nothing else
   bool bare_id = false;          ///< "TOOL NUMBER: 5" and nothing else

@@ -268,6 +268,30 @@ void fill_turning(const ToolHint& hint, double unit, Tool& out) {
                   edge, nose, out.left_hand ? ", left-hand" : "");
 }
 
+// What a grooving tool leaves open; empty: nothing.
+std::string doubt_of_blade(const ToolHint& hint, double unit, const Tool& out) {
+  if (hint.face_groove)
+    return "names a face groove, and does not say which corner of the blade is programmed";
+  if (hint.blade_point == BladePoint::unclear)
+    return "names a right side or corner, of the blade or of the groove: tip=4 says that the right "
+           "corner of the blade is programmed, tip=3 the left one";
+  if (!(out.width > 0)) return "gives no width of the blade";
+  const bool thousandths = unit == 1 && hint.width.inch_style;  // ".118 WIDE"
+  if (hint.width.unit == 0 && (thousandths || out.width > kWidestBlade))
+    return fmt::format("gives the width {} of the blade without a unit, in a program in {}",
+                       as_written(hint.width), unit > 1 ? "inches" : "mm");
+  return "";
+}
+
+std::string doubt_of_turning(const ToolHint& hint, double unit, const Tool& out) {
+  // Controls count orientations in two ways, so another one than the usual is not taken over.
+  const int usual = tip_orientation(out);
+  if (hint.orientation > 0 && out.type != ToolType::threading && hint.orientation != usual)
+    return fmt::format("says tip {0}, and {1} is usual here: tip={0} or tip={1} tells which counts",
+                       hint.orientation, usual);
+  return out.type == ToolType::grooving ? doubt_of_blade(hint, unit, out) : "";
+}
+
 }  // namespace
 
 void merge_hint(ToolHint& into, const ToolHint& more) {
@@ -309,6 +333,7 @@ void merge_hint(ToolHint& into, const ToolHint& more) {
   into.inside |= more.inside;
   into.bores |= more.bores;
   into.face_groove |= more.face_groove;
+  if (into.orientation == 0) into.orientation = more.orientation;
   if (into.blade_point == BladePoint::untold) into.blade_point = more.blade_point;
   if (!into.trade) into.trade = more.trade;
   if (into.gauge.empty()) into.gauge = more.gauge;
@@ -340,28 +365,8 @@ bool fill_tool(const ToolHint& hint, double unit, bool lathe, Tool& out, std::st
   }
   if (!is_turning(out.type)) return fill_mill(hint, unit, out, why);
   fill_turning(hint, unit, out);
-  if (out.type == ToolType::grooving && hint.face_groove) {
-    why = "names a face groove, and does not say which corner of the blade is programmed";
-    return false;
-  }
-  if (out.type == ToolType::grooving && hint.blade_point == BladePoint::unclear) {
-    why =
-        "names a right side or corner, of the blade or of the groove: tip=4 says that the right "
-        "corner of the blade is programmed, tip=3 the left one";
-    return false;
-  }
-  if (out.type == ToolType::grooving && !(out.width > 0)) {
-    why = "gives no width of the blade";
-    return false;
-  }
-  const bool thousandths = unit == 1 && hint.width.inch_style;  // ".118 WIDE"
-  if (out.type == ToolType::grooving && hint.width.unit == 0 &&
-      (thousandths || out.width > kWidestBlade)) {
-    why = fmt::format("gives the width {} of the blade without a unit, in a program in {}",
-                      as_written(hint.width), unit > 1 ? "inches" : "mm");
-    return false;
-  }
-  return true;
+  why = doubt_of_turning(hint, unit, out);
+  return why.empty();
 }
 
 void complete_turning_tool(Tool& tool) {

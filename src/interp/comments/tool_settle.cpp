@@ -28,6 +28,7 @@ class Settler {
     hint_.inside = facts_.inside;
     hint_.face_groove = facts_.face_groove;
     hint_.blade_point = facts_.blade_point;
+    hint_.orientation = facts_.orientation;
     hint_.bores = facts_.bores;
     hint_.bare_id = facts_.bare_id;
     hint_.bare_kind = facts_.bare_kind;
@@ -37,6 +38,7 @@ class Settler {
     angles_ = settle_sizes(facts_, hint_);
     settle_padded_radius();
     settle_type();
+    settle_thread();
     if (hint_.type && !is_turning(*hint_.type)) {
       settle_mill();
       settle_angle();
@@ -127,7 +129,6 @@ void Settler::settle_type() {
   if (facts_.round_insert) settle_round_insert();
   if (!hint_.type && (facts_.turned_side || facts_.bores)) take_nose_of_work();
   if (facts_.insert || (hint_.type && is_turning(*hint_.type))) settle_turning();
-  settle_thread();
 }
 
 // "OD ROUGH R0.8", "ROUGH TURN .031R", "FINISH BORE R0.4": the radius of an insert, by its value

@@ -90,6 +90,15 @@ BladePoint read_blade_point(const CommentView& view) {
   return point == BladePoint::right ? BladePoint::unclear : BladePoint::untold;
 }
 
+// "TIP 3", "TIP DIRECTION: 2", "TIP #8".
+int orientation_at(const CommentView& view, std::size_t i) {
+  if (!view.is(i, "TIP")) return 0;
+  std::size_t at = i + 1;
+  while (view.is_one(at, {"ORIENTATION", "DIRECTION", "TYPE", "NO", "#", "=", ":", "-"})) ++at;
+  if (!view.whole(at) || view[at].value < 1 || view[at].value > 9) return 0;
+  return static_cast<int>(view[at].value);
+}
+
 constexpr std::string_view kFlatThreads =
     "ACME TRAPEZ* TRAPEZOID* BUTTRESS SAGENGEW* SAEGENGEW* S~GENGEW* RUNDGEW* KNUCKLE FLACHGEW*";
 constexpr std::string_view kWhitworth = "WHITWORTH BSW BSF BSP BSPP BSPT ROHRGEWINDE";
@@ -127,6 +136,7 @@ void read_side_words(const CommentView& view, ToolFacts& facts) {
     facts.inside |= begins_bar_code(view, i) || is_turkish(view, i, {"IC", "I~", "~~", "~C"});
     turns |= is_word_of(view, i, kTurns);
     hand |= view.is_one(i, {"LEFT", "LH", "LINKS", "RIGHT", "RH", "RECHTS", "NEUTRAL"});
+    if (const int tip = orientation_at(view, i); tip > 0) facts.orientation = tip;
     facts.back_turn |= names_back_turning(view, i);
     facts.flat_thread |= is_flat_thread(view, i);
     facts.whitworth |= is_word_of(view, i, kWhitworth);

@@ -9,7 +9,7 @@
 namespace mrsim {
 
 /// Sets what a lathe's words tell: inside, bores, turned_side, face_groove, full_radius,
-/// blade_point, flat_thread, whitworth and back_turn; takes no tokens.
+/// blade_point, orientation, flat_thread, whitworth and back_turn; takes no tokens.
 void read_side_words(const CommentView& view, ToolFacts& facts);
 
 /// Whether the word at `i` says that the tool is a left-hand one.
