@@ -274,6 +274,16 @@ TEST(Habits, PlacesTooFarForAnyMachineAreWarnings) {
   EXPECT_EQ(told("G1 X2440 F1000\nX-40000\n"), "number-without-point");
   EXPECT_EQ(told("G1 X40000. F1000\n"), "");
   EXPECT_EQ(told("G20\nG1 X1500 F10\n"), "number-without-point");
+  for (const Dialect dialect : {Dialect::iso, Dialect::ngc, Dialect::sinumerik}) {
+    const auto other = [&](const std::string& text) {
+      return codes(read_text(text, at_origin(dialect)), Severity::warning);
+    };
+    EXPECT_EQ(other("G1 X2440 F1000\n"), "");
+    EXPECT_EQ(other("G1 X40000 F1000\n"), "number-without-point");
+    EXPECT_EQ(other("G1 X40000. F1000\n"), "");
+    EXPECT_EQ(other("G70\nG1 X1000 F10\n"), "number-without-point");
+  }
+  EXPECT_EQ(codes(read_text("R1=40000\nG1 X=R1 F1000\n", at_origin(Dialect::sinumerik))), "");
 }
 
 // The remedy that is named makes the radii agree.

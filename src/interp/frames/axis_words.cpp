@@ -41,12 +41,25 @@ bool AxisWords::has_move() const {
               Address::i1, Address::j1, Address::k1, Address::turn});
 }
 
+// Controls of other kinds that count thousandths, too: Deckel's Dialog, Bridgeport's BOSS.
+void AxisWords::warn_of_increments(const Word& word) {
+  reporter_.once(
+      Severity::warning, "number-without-point",
+      fmt::format("{} without a decimal point is read as {:g} {}: where the program counts "
+                  "thousandths, say --dialect fanuc --least-increments",
+                  text_of(word), word.value, modal_.inch ? "inch" : "mm"),
+      word, "point far");
+}
+
 // X50000 is 50 m where 50 mm may be meant; sheets of 2.5 m are cut by numbers without points.
 void AxisWords::tell_of_point(const Word& word) {
   const double size = std::abs(word.value);
-  if (word.point || !is(Dialect::fanuc) || options_.least_increments || size < kLongWithoutPoint)
+  if (word.point || options_.least_increments || size < kLongWithoutPoint) return;
+  const bool far = size >= (modal_.inch ? kLongWithoutPoint : kFarWithoutPoint);
+  if (!is(Dialect::fanuc)) {
+    if (far) warn_of_increments(word);
     return;
-  const bool far = modal_.inch || size >= kFarWithoutPoint;
+  }
   reporter_.once(
       far ? Severity::warning : Severity::note, "number-without-point",
       fmt::format("{} without a decimal point is read as {:g} {}; on a control that counts "

@@ -32,6 +32,7 @@ class AxisWords : public ControlPart {
 
  private:
   bool axis_word(Target& out, int axis, const Word& word, bool incremental_word);
+  void warn_of_increments(const Word& word);
   void tell_of_point(const Word& word);
   void tell_of_radius(int axis, const Word& word);
   bool polar_target(Target& out);
