@@ -51,6 +51,21 @@ TEST(ToolCommentDoubts, SizesOfTheWork) {
   });
 }
 
+// Numbers of centre drills and screws were those of number drills.
+TEST(ToolCommentDoubts, NumbersThatAreNoGauge) {
+  expect_readings({
+      {inch, "CTR DRL #3", "? gives no diameter"},
+      {inch, "CNTR DRILL #2", "? gives no diameter"},
+      {inch, "CENT DRL .125", "drill 3.175, point 60"},
+      {inch, "SPT DRL .5", "drill 12.7, point 90"},
+      {inch, "SPOT DRL 1/2", "drill 12.7, point 90"},
+      {inch, "#6 SCREW DRILL", "-"},
+      {inch, "DRILL #10 HOLE", "-"},
+      {inch, "#7 TAP DRILL", "drill 5.1054"},
+      {inch, "CLEARANCE DRILL #7", "drill 5.1054"},
+  });
+}
+
 // 1/8 inch in mm, in a program in inches.
 TEST(ToolCommentDoubts, InchSizesInMillimetres) {
   expect_readings({

@@ -59,6 +59,11 @@ bool joined_by_signs(const CommentView& view, std::size_t first, std::size_t end
   return true;
 }
 
+// "DRILL #10 HOLE", "#6 SCREW DRILL": the number may be that of the screw.
+bool is_of_screw(const CommentView& view, std::size_t i) {
+  return view.is_one(i, {"SCREW", "SCREWS", "BOLT", "HOLE", "HOLES", "CLEARANCE", "CLR"});
+}
+
 // "F DRILL". A is an article, C DRILL a centre drill, U DRILL one with inserts, and I and S are
 // read as 1 and 5 too easily; "2 F DRILL" has two flutes.
 std::optional<DrillGauge> read_bare_letter(const CommentView& view, std::size_t kind_first) {
@@ -78,7 +83,7 @@ std::optional<DrillGauge> find_drill_gauge(const CommentView& view, std::size_t 
   for (std::size_t i = 0; i < view.size(); ++i) {
     auto gauge = read_number(view, i);
     if (!gauge) gauge = read_letter(view, i);
-    if (!gauge) continue;
+    if (!gauge || is_of_screw(view, gauge->end)) continue;
     const bool before = gauge->end <= kind_first && joined_by_signs(view, gauge->end, kind_first);
     const bool behind = gauge->first >= kind_end && joined_by_signs(view, kind_end, gauge->first);
     if (before || behind) return gauge;
