@@ -59,6 +59,7 @@ TEST(ToolCommentDoubts, NumbersThatAreNoGauge) {
       {inch, "CENT DRL .125", "drill 3.175, point 60"},
       {inch, "SPT DRL .5", "drill 12.7, point 90"},
       {inch, "SPOT DRL 1/2", "drill 12.7, point 90"},
+      {mm, "NC-BOHRER D12", "drill 12, point 90"},
       {inch, "#6 SCREW DRILL", "-"},
       {inch, "DRILL #10 HOLE", "-"},
       {inch, "#7 TAP DRILL", "drill 5.1054"},
