@@ -51,6 +51,33 @@ TEST(ToolCommentDoubts, SizesOfTheWork) {
   });
 }
 
+// The angle was left out: a drill had 118 degrees, a face mill upright walls.
+TEST(ToolCommentDoubts, AnglesWithoutAWord) {
+  constexpr const char* k90 = "? can be read as having 90 degrees: say 90 DEG";
+  expect_readings({
+      {mm, "DRILL D10 90", k90},
+      {mm, "DRILL D10 A90", k90},
+      {mm, "BOHRER D10 90", k90},
+      {mm, "FACE MILL D50 45", "? can be read as having 45 degrees: say 45 DEG"},
+      {mm, "DRILL D10 ANG 90", "drill 10, point 90"},
+      {mm, "DRILL D10 118", "drill 10, point 118"},
+      {mm, "DRILL D8 X 90", "drill 8"},
+      {mm, "DRILL D8 L90", "drill 8"},
+      {mm, "DRILL D90", "drill 90"},
+  });
+}
+
+// A size with a unit went before the number beside the kind: these were tools of 40 and 117 mm.
+TEST(ToolCommentDoubts, LengthsBehindTheDiameter) {
+  expect_readings({
+      {mm, "ENDMILL 10 40MM LONG", "? can be read as diameter 40 mm or 10"},
+      {mm, "DRILL 8.5 117MM", "? can be read as diameter 117 mm or 8.5"},
+      {mm, "DRILL 8 60MM OUT", "? can be read as diameter 60 mm or 8"},
+      {mm, "ENDMILL 10MM 40MM LONG", "endmill 10"},
+      {mm, "ENDMILL 10 40MM DEEP", "endmill 10"},
+  });
+}
+
 // Numbers of centre drills and screws were those of number drills.
 TEST(ToolCommentDoubts, NumbersThatAreNoGauge) {
   expect_readings({

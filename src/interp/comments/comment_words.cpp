@@ -42,7 +42,7 @@ constexpr WordRow kWordRows[] = {
     {width, behind, "W B EP"},
     {width, before, "WIDE BREIT THICK THK"},
     {length, either, "LOC LCF"},
-    {angle, either, "ANGLE KAPR WINKEL ANGULO ANGOLO KOT POINT PT"},
+    {angle, either, "ANGLE ANG KAPR WINKEL ANGULO ANGOLO KOT POINT PT"},
     {angle, behind, "A"},
     {taper, either, "TAPER"},
     {tip, either, "TIP TIPD TIPDIA SPITZE"},

@@ -52,6 +52,7 @@ class FactReader {
   void read_inch_word();
   void read_thread();
   void read_gauge();
+  bool may_be_point(std::size_t i) const;
   void read_key_number(const ToolKind& kind);
   void read_short_kind();
   bool numbers_it(std::size_t i) const;
@@ -328,6 +329,18 @@ void FactReader::drop_count() {
     facts_.kinds.clear();
 }
 
+// "DRILL D10 90", "DRILL D10 A90": an angle that drills have, but not those that turn up in holes'
+// lists by themselves (118, 135, 140).
+bool FactReader::may_be_point(std::size_t i) const {
+  if (!view_.number(i) || !view_.whole(i) || (i > 0 && view_.is(i - 1, "X"))) return false;
+  const bool lettered = i > 0 && view_.is(i - 1, "A") && view_.glued(i);
+  if (!lettered && !view_.is_size(i)) return false;
+  const double value = view_[i].value;
+  return facts_.trade_is(ToolTrade::twist_drill)
+             ? value == 90 || value == 120
+             : facts_.trade_is(ToolTrade::face_mill) && value == 45;
+}
+
 void FactReader::read_rest() {
   facts_.holes = kind() && view_.is_one(kind()->end, {"HOLES", "HOLE"});
   facts_.tapered = facts_.taper > 0;
@@ -335,6 +348,7 @@ void FactReader::read_rest() {
     facts_.tapered |= view_.is_one(i, {"TAPER", "TAPERED"}) && !view_.taken(i);
     if (view_.number(i) && view_[i].angle) facts_.angles.push_back(view_[i].value);
     facts_.helix |= view_.is_one(i, {"HELIX", "DRALL", "HELICE"});
+    if (may_be_point(i)) facts_.bare_point = view_[i].value;
     facts_.bare_angle |= facts_.names_tool && view_.may_be_angle(i);
     facts_.left_hand |= is_left_hand(view_, i);
     facts_.fusion |= view_.is(i, "CR") && view_.is(i + 1, "=");

@@ -50,6 +50,7 @@ struct ToolFacts {
   bool tapered = false;        ///< "1/8 BALL 5 DEG TAPER"
   bool included = false, per_side = false;
   bool helix = false;       ///< the angle may be that of the flutes
+  double bare_point = 0;    ///< "90" beside a drill, "45" beside a face mill, degrees
   bool bare_angle = false;  ///< a "90" that nothing explains, beside a tool's number
   bool left_hand = false;
   bool fusion = false;       ///< "CR=", which posts of Fusion write of every tool

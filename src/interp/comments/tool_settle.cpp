@@ -312,6 +312,9 @@ void Settler::settle_angle() {
   if (facts_.second_d && !facts_.tip)
     doubt(
         fmt::format("can be read as a tip of {0:g} or as register D{0:g}", facts_.second_d.value));
+  if (facts_.bare_point > 0 && angles_.empty() && !hint_.diameters.empty() &&
+      hint_.diameters.front().value != facts_.bare_point)
+    doubt(fmt::format("can be read as having {0:g} degrees: say {0:g} DEG", facts_.bare_point));
   const double angle = angles_.empty() ? 0 : angles_.front();
   if (trade_is(cone_mill) || trade_is(cone_ball)) {
     const double side = facts_.included && !facts_.per_side ? 0.5 : 1;

@@ -76,7 +76,11 @@ void SizeSettler::add_groups() {
       return add_loose();  // "DRILL (4) 1/4 HOLES": which of them?
   }
   const bool tap = facts_.thread && trade_is(ToolTrade::tap);
-  if (hint_.diameters.empty() && !tap && (kind() || hint_.names_tool)) add_loose();
+  if (!hint_.diameters.empty() || tap || !(kind() || hint_.names_tool)) return;
+  add_loose();
+  // "ENDMILL 10 40MM LONG": what stands beside the kind may be its diameter, too.
+  if (!hint_.diameters.empty() && facts_.behind_kind && !may_be_work(*facts_.behind_kind))
+    add_group(*facts_.behind_kind);
 }
 
 void SizeSettler::add_loose() {
