@@ -73,6 +73,10 @@ TEST(ToolCommentDoubts, LengthsBehindTheDiameter) {
       {mm, "ENDMILL 10 40MM LONG", "? can be read as diameter 40 mm or 10"},
       {mm, "DRILL 8.5 117MM", "? can be read as diameter 117 mm or 8.5"},
       {mm, "DRILL 8 60MM OUT", "? can be read as diameter 60 mm or 8"},
+      {mm, "ENDMILL 3 - 10MM", "? can be read as diameter 3 or 10 mm"},
+      {mm, "3 ENDMILL 10", "? can be read as diameter 3 or 10"},
+      {mm, "SLOT 12 ENDMILL 8", "? can be read as diameter 12 or 8"},
+      {mm, "10 ENDMILL 4 FLUTE", "endmill 10"},
       {mm, "ENDMILL 10MM 40MM LONG", "endmill 10"},
       {mm, "ENDMILL 10 40MM DEEP", "endmill 10"},
   });

@@ -25,6 +25,7 @@ class SizeSettler {
   void add(const ToolLength& length) { hint_.diameters.push_back(length); }
   void add_groups();
   void add_loose();
+  bool stand_on_both_sides() const;
   void add_group(const SizeGroup& group);
   void add_further(const ToolLength& first, const ToolLength& next);
   bool may_be_work(const SizeGroup& group) const;
@@ -72,8 +73,9 @@ void SizeSettler::add_groups() {
     if (marked || ((facts_.behind_ends || certain) && hint_.diameters.empty()) ||
         (facts_.behind_ends && is_angle(size, false)) || facts_.behind_kind->continues)
       add_group(*facts_.behind_kind);
-    if (!marked && !size.decimals && !kind()->firm && hint_.diameters.size() == 1)
-      return add_loose();  // "DRILL (4) 1/4 HOLES": which of them?
+    if (!marked && !size.decimals && hint_.diameters.size() == 1)
+      add_loose();  // "DRILL (4) 1/4 HOLES", "ENDMILL 3 - 10MM": which of them?
+    if (stand_on_both_sides()) add_group(*facts_.behind_kind);
   }
   const bool tap = facts_.thread && trade_is(ToolTrade::tap);
   if (!hint_.diameters.empty() || tap || !(kind() || hint_.names_tool)) return;
@@ -81,6 +83,17 @@ void SizeSettler::add_groups() {
   // "ENDMILL 10 40MM LONG": what stands beside the kind may be its diameter, too.
   if (!hint_.diameters.empty() && facts_.behind_kind && !may_be_work(*facts_.behind_kind))
     add_group(*facts_.behind_kind);
+}
+
+// "3 ENDMILL 10", "SLOT 12 ENDMILL 8": whole numbers without a name before and behind the kind.
+bool SizeSettler::stand_on_both_sides() const {
+  if (facts_.before_kind.empty() || !facts_.named.empty() || !facts_.behind_ends) return false;
+  const auto bare = [&](const SizeGroup& group) {
+    const CommentToken& size = group.sizes.front();
+    return group.sizes.size() == 1 && size.unit == 0 && !size.decimals && !size.fraction &&
+           !is_angle(size, false);
+  };
+  return bare(facts_.before_kind.front()) && bare(*facts_.behind_kind);
 }
 
 void SizeSettler::add_loose() {
