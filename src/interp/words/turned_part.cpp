@@ -16,6 +16,7 @@ constexpr std::size_t kLongestHead = 40;  // characters before the text of MSG
 }  // namespace
 
 bool TurnedPart::stops() const {
+  if (!find(letter('M'))) return false;
   return std::any_of(block_.words.begin(), block_.words.end(), [](const Word& word) {
     return word.address == letter('M') && (word.value == 0 || word.value == 1);
   });
@@ -32,7 +33,7 @@ void TurnedPart::read(std::string_view text, bool stops) {
 void TurnedPart::read_texts() {
   if (told_) return;
   for (const std::string_view comment : block_.comments) read(comment, stops());
-  if (!is(Dialect::sinumerik)) return;
+  if (!is(Dialect::sinumerik) || !block_.words.empty()) return;
   const std::size_t first = block_.line.find('"');
   if (first == std::string_view::npos || first > kLongestHead) return;
   const std::string head = upper_case(block_.line.substr(0, first));
