@@ -102,6 +102,25 @@ TEST(ToolNotes, WorkInsideTurnsThePointOutwards) {
             "tool-unknown");
 }
 
+// Neither is the usual sharp insert.
+TEST(ToolNotes, RoundToolsAndStopsAreNoInserts) {
+  const auto told = [](const std::string& comment) {
+    InterpOptions options;
+    options.dialect = Dialect::fanuc;
+    options.machine = MachineKind::lathe;
+    return codes(read_text("T0101 (" + comment + ")\nG0 X30. Z2.\nG1 X28. F.1\nZ-5.\n", options),
+                 Severity::note);
+  };
+  const auto has = [&](const std::string& comment, const std::string& code) {
+    return told(comment).find(code) != std::string::npos;
+  };
+  for (const char* round : {"R5 BUTTON", "ROUND 8MM", "FULL RADIUS R2", "RDMT 10"})
+    EXPECT_TRUE(has(round, "tool-unknown")) << round << ": " << told(round);
+  for (const char* stop : {"TURRET STOP", "FEED STOCK", "PULL BAR", "STEADY REST"})
+    EXPECT_TRUE(has(stop, "tool-touches")) << stop << ": " << told(stop);
+  EXPECT_TRUE(has("FINISH PROFILE", "tool-inferred"));
+}
+
 // A radius of inserts is the tool's, any other one the work's.
 TEST(ToolNotes, NoseBesideTheWork) {
   InterpOptions options;

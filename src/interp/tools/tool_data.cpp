@@ -12,6 +12,15 @@
 namespace mrsim {
 namespace {
 
+// "R5 BUTTON", "ROUND 8MM", "FULL RADIUS R2", "RDMT 10": no sharp insert of 35 degrees.
+bool tells_round_end(std::string_view comment) {
+  if (std::none_of(comment.begin(), comment.end(), is_digit)) return false;
+  const std::string text = upper_case(comment);
+  for (const std::string_view word : {"BUTTON", "ROUND ", "FULL RADIUS", "RDMT", "RCMT", "RPMT"})
+    if (text.find(word) != text.npos) return true;
+  return false;
+}
+
 // "LAMA 3MM": one number, of a few mm.
 bool tells_blade_width(std::string_view comment) {
   constexpr double kThinnest = 1, kWidest = 6;  // mm
@@ -128,6 +137,11 @@ bool ToolData::resolve(const std::string& id, Tool& out, std::string& why, Sever
     return false;
   }
   out.type = ToolType::turning;
+  if (const std::string comment = notes_.not_understood(id); tells_round_end(comment)) {
+    out.insert = "R";
+    why = fmt::format("the comment \"{}\" tells of a round tool, and not its insert", comment);
+    return false;
+  }
   out.origin = fmt::format(
       "{} a sharp 35 degree finishing insert, lead angle 93 degrees, edge 16 mm", kNoToolData);
   complete_turning_tool(out);
