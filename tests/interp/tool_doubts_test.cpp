@@ -51,6 +51,18 @@ TEST(ToolCommentDoubts, SizesOfTheWork) {
   });
 }
 
+TEST(ToolCommentDoubts, SizesWithAnotherSignForThePoint) {
+  expect_readings({
+      {mm, "DRILL 8-5", "? can be read as size 8 or 8.5"},
+      {mm, "DRILL_8-5", "? can be read as size 8 or 8.5"},
+      {mm, "BOHRER 8P5", "? can be read as size 8 or 8.5"},
+      {mm, "ENDMILL 10-40", "endmill 10"},
+      {mm, "ENDMILL 10-4FL", "endmill 10"},
+      {mm, "DRILL 8,5", "drill 8.5"},
+      {inch, "TAP 10-8", told("10-8 TAP", kMmPerInch, false).c_str()},
+  });
+}
+
 // The angle was left out: a drill had 118 degrees, a face mill upright walls.
 TEST(ToolCommentDoubts, AnglesWithoutAWord) {
   constexpr const char* k90 = "? can be read as having 90 degrees: say 90 DEG";

@@ -13,6 +13,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include <fmt/format.h>
+
 namespace mrsim {
 namespace {
 
@@ -53,6 +55,7 @@ class FactReader {
   void read_thread();
   void read_gauge();
   bool may_be_point(std::size_t i) const;
+  bool splits_size(std::size_t i) const;
   void read_key_number(const ToolKind& kind);
   void read_short_kind();
   bool numbers_it(std::size_t i) const;
@@ -329,6 +332,15 @@ void FactReader::drop_count() {
     facts_.kinds.clear();
 }
 
+// "DRILL_8-5", "DRILL 8P5": names of tools have no point, so one may be meant.
+bool FactReader::splits_size(std::size_t i) const {
+  if (!kind() || is_turning(kind()->type) || facts_.thread || !view_.whole(i)) return false;
+  const bool sign = view_.is_one(i + 1, {"-", "P"}) && view_.glued(i + 1);
+  const bool digit = view_.whole(i + 2) && view_.glued(i + 2) && view_[i + 2].text.size() == 1;
+  if (!sign || !digit || view_.glued(i + 3)) return false;
+  return !view_.word(i + 3) || comment_word(view_[i + 3].text).role != WordRole::flutes;
+}
+
 // "DRILL D10 90", "DRILL D10 A90": an angle that drills have, but not those that turn up in holes'
 // lists by themselves (118, 135, 140).
 bool FactReader::may_be_point(std::size_t i) const {
@@ -348,6 +360,8 @@ void FactReader::read_rest() {
     facts_.tapered |= view_.is_one(i, {"TAPER", "TAPERED"}) && !view_.taken(i);
     if (view_.number(i) && view_[i].angle) facts_.angles.push_back(view_[i].value);
     facts_.helix |= view_.is_one(i, {"HELIX", "DRALL", "HELICE"});
+    if (splits_size(i))
+      facts_.split_size = fmt::format("{0} or {0}.{1}", view_[i].text, view_[i + 2].text);
     if (may_be_point(i)) facts_.bare_point = view_[i].value;
     facts_.bare_angle |= facts_.names_tool && view_.may_be_angle(i);
     facts_.left_hand |= is_left_hand(view_, i);

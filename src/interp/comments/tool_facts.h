@@ -50,6 +50,7 @@ struct ToolFacts {
   bool tapered = false;        ///< "1/8 BALL 5 DEG TAPER"
   bool included = false, per_side = false;
   bool helix = false;       ///< the angle may be that of the flutes
+  std::string split_size;   ///< "8-5", "8P5": 8.5 perhaps; as "8 or 8.5"
   double bare_point = 0;    ///< "90" beside a drill, "45" beside a face mill, degrees
   bool bare_angle = false;  ///< a "90" that nothing explains, beside a tool's number
   bool left_hand = false;

@@ -34,6 +34,7 @@ class Settler {
     hint_.bare_kind = facts_.bare_kind;
     hint_.diameter_line = facts_.diameter_line;
     if (facts_.several_ids) doubt("names several tools");
+    if (!facts_.split_size.empty()) doubt(fmt::format("can be read as size {}", facts_.split_size));
     if (facts_.alternatives && facts_.kind()) doubt("names two sizes");
     angles_ = settle_sizes(facts_, hint_);
     settle_padded_radius();
