@@ -265,6 +265,19 @@ TEST(Habits, ACommentThatIsNotUnderstoodIsQuoted) {
   EXPECT_EQ(told("(T4: GIZMO)\nT4 M6 (8MM END MILL)\n"), "");
 }
 
+// 1/4 inch, typed for a program in inches.
+TEST(Habits, TypedToolsSmallerThanAMillimetreInInchPrograms) {
+  const auto told = [](const std::string& text, double diameter) {
+    InterpOptions options = at_origin(Dialect::fanuc);
+    options.table.tools[0].diameter = diameter;
+    options.table.tools[0].origin = "--tool";
+    return codes(read_text(text, options), Severity::warning);
+  };
+  EXPECT_EQ(told("G20\nG1 X1. F10.\n", 0.25), "tool-unit");
+  EXPECT_EQ(told("G20\nG1 X1. F10.\n", 6.35), "");
+  EXPECT_EQ(told("G21\nG1 X1. F10.\n", 0.25), "");
+}
+
 // A part of 40 m is one of 40 mm in least increments.
 TEST(Habits, PlacesTooFarForAnyMachineAreWarnings) {
   const auto told = [](const std::string& text) {

@@ -28,6 +28,17 @@ TEST(ToolSpec, ReadsNumberTypeAndKeys) {
   EXPECT_EQ(parse_tool_spec("ENDMILL_5=endmill:d=5").id, "ENDMILL_5");
 }
 
+TEST(ToolSpec, LengthsMayHaveTheirUnit) {
+  EXPECT_EQ(parse_tool_spec("endmill:d=6.35mm").diameter, 6.35);
+  EXPECT_EQ(parse_tool_spec("endmill:d=0.25in").diameter, 6.35);
+  EXPECT_EQ(parse_tool_spec("endmill:d=.25 inch").diameter, 6.35);
+  EXPECT_EQ(parse_tool_spec("endmill:d=1/4\"").diameter, 6.35);
+  EXPECT_EQ(parse_tool_spec("bullmill:d=1/2in,r=1/16in,l=30").corner_radius, 25.4 / 16);
+  for (const char* wrong :
+       {"endmill:d=1/4", "endmill:d=1/0in", "endmill:d=in", "endmill:d=5cm", "drill:d=5,a=118in"})
+    EXPECT_NE(fault(wrong).find("is not a number"), std::string::npos) << wrong;
+}
+
 TEST(ToolSpec, WithoutNumberIsTheToolOfAProgramThatNamesNone) {
   const Tool tool = parse_tool_spec("bullmill: d = 10, r = 1.5 , l=20");
   EXPECT_EQ(tool.id, "");

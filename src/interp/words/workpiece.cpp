@@ -109,7 +109,24 @@ bool CommentedStock::may_mean_inches() const {
   return !modal_.units_given && !is(Dialect::sinumerik) && !is(Dialect::codesys);
 }
 
+// --tool endmill:d=0.25 for a tool of 1/4 inch.
+void CommentedStock::compare_typed_tools() {
+  constexpr double kLeastInInches = 1;  // mm: mills of inch programs are larger
+  if (!modal_.inch) return;
+  for (const Tool& tool : program_.tools) {
+    if (!tool.origin.starts_with("--tool") || !(tool.diameter > 0) ||
+        tool.diameter > kLeastInInches)
+      continue;
+    return reporter_.add_general(
+        Severity::warning, "tool-unit",
+        fmt::format("the program is in inches, and --tool gives a diameter of {:g} mm: write "
+                    "d={:g}in if inches are meant",
+                    tool.diameter, tool.diameter));
+  }
+}
+
 void CommentedStock::compare_units(bool tools_in_inches, double farthest) {
+  compare_typed_tools();
   constexpr double kSmall = 40;  // mm; as inches it is a metre
   if (!tools_in_inches || says_inches_ || !may_mean_inches() || farthest >= kSmall) return;
   reporter_.add_general(Severity::warning, "units-unset",

@@ -31,6 +31,7 @@ class CommentedStock : public ControlPart {
 
  private:
   bool may_mean_inches() const;
+  void compare_typed_tools();
 
   StockComments comments_;
   bool settled_ = false, says_inches_ = false;
