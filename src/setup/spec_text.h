@@ -1,6 +1,7 @@
 // Text of --tool and --stock.
 #pragma once
 
+#include <optional>
 #include <string_view>
 
 namespace mrsim {
@@ -11,5 +12,8 @@ inline std::string_view trimmed(std::string_view text) {
   while (!text.empty() && text.back() == ' ') text.remove_suffix(1);
   return text;
 }
+
+/// mm. "5", "6.35mm", "0.25in", "1/4in", "1/4\""; nothing: that is no length.
+std::optional<double> parse_length(std::string_view text);
 
 }  // namespace mrsim

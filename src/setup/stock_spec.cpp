@@ -37,7 +37,7 @@ std::vector<double> numbers_of(const std::string& spec, const Form& form) {
     more = comma != rest.npos;
     const std::string_view word = trimmed(rest.substr(0, comma));
     if (more) rest.remove_prefix(comma + 1);
-    const std::optional<double> value = parse_number(word, true);
+    const std::optional<double> value = parse_length(word);
     if (!value) fail(spec, form, fmt::format("\"{}\" is not a number", word));
     if (std::fabs(*value) > kLargestLength)
       fail(spec, form, fmt::format("{} is beyond {} mm", word, kLargestLength));
@@ -88,6 +88,16 @@ StockShape make_round(const std::string& spec, const Form& form) {
   return shape;
 }
 
+// "block" of "block:0,0,-10,100,60,0"; empty: it is the name of a file.
+std::string unknown_form(const std::string& spec) {
+  const std::size_t colon = spec.find(':');
+  if (colon == std::string::npos || colon < 2) return "";  // "C:/stock.stl"
+  std::string_view rest = std::string_view(spec).substr(colon + 1);
+  const std::size_t comma = rest.find(',');
+  return comma != rest.npos && parse_length(trimmed(rest.substr(0, comma))) ? spec.substr(0, colon)
+                                                                            : std::string();
+}
+
 }  // namespace
 
 std::optional<StockShape> parse_stock_spec(const std::string& spec) {
@@ -95,6 +105,12 @@ std::optional<StockShape> parse_stock_spec(const std::string& spec) {
     if (!spec.starts_with(fmt::format("{}:", form.word))) continue;
     return form.word == "box" ? make_box(spec, form) : make_round(spec, form);
   }
+  if (const std::string word = unknown_form(spec); !word.empty())
+    throw Error("stock-spec",
+                fmt::format("stock \"{}\": {} is no form of stock: write box:x0,y0,z0,x1,y1,z1, "
+                            "cylinder:diameter,z0,z1 or tube:diameter,bore,z0,z1 in mm",
+                            spec, word),
+                Error::Kind::usage);
   return {};
 }
 

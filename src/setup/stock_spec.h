@@ -8,9 +8,9 @@
 
 namespace mrsim {
 
-/// The stock that `spec` describes; nothing when it does not begin with one of the three words and
-/// a colon (then it is a file name). Round stocks stand on the Z axis. Throws Error "stock-spec" of
-/// kind usage that says what is wrong.
+/// The stock that `spec` describes, lengths in mm or with their unit; nothing when it is the name
+/// of a file: no word, colon and numbers. Round stocks stand on the Z axis. Throws Error
+/// "stock-spec" of kind usage that says what is wrong.
 std::optional<StockShape> parse_stock_spec(const std::string& spec);
 
 }  // namespace mrsim

@@ -3,7 +3,6 @@
 #include "core/suggest.h"
 #include "core/text_io.h"
 #include "core/tool_types.h"
-#include "core/units.h"
 #include "setup/spec_text.h"
 #include "setup/tool_keys.h"
 
@@ -55,40 +54,6 @@ std::vector<std::string> keys_of(ToolType type) {
   return keys;
 }
 
-struct Size {
-  double number = 0;
-  double unit = 1;  ///< mm
-};
-
-bool drop_end(std::string_view& text, std::string_view end) {
-  if (!text.ends_with(end)) return false;
-  text = trimmed(text.substr(0, text.size() - end.size()));
-  return true;
-}
-
-// "5", "6.35mm", "0.25in", "1/4in"; no unit is mm, or degrees.
-std::optional<Size> read_size(std::string_view text, Quantity quantity) {
-  Size size;
-  if (quantity == Quantity::length) {
-    const bool inches = drop_end(text, "inch") || drop_end(text, "in") || drop_end(text, "\"");
-    if (inches)
-      size.unit = kMmPerInch;
-    else
-      drop_end(text, "mm");
-    const std::size_t slash = inches ? text.find('/') : text.npos;
-    if (slash != text.npos) {
-      const std::optional<double> below = parse_number(trimmed(text.substr(slash + 1)));
-      if (!below || !(*below > 0)) return std::nullopt;
-      size.unit /= *below;
-      text = trimmed(text.substr(0, slash));
-    }
-  }
-  const std::optional<double> number = parse_number(text, true);
-  if (!number) return std::nullopt;
-  size.number = *number;
-  return size;
-}
-
 void set_key(Tool& tool, std::string_view assignment, const std::string& spec) {
   std::string_view value = assignment;
   const std::string_view key = next_part(value, '=');
@@ -102,9 +67,10 @@ void set_key(Tool& tool, std::string_view assignment, const std::string& spec) {
     fail_spec(spec, fmt::format("unknown key \"{}\"{} (a tool of type {} has: {})", key,
                                 suggestion(key, key_names(tool.type)), tool_type_name(tool.type),
                                 fmt::join(keys_of(tool.type), ", ")));
-  const std::optional<Size> size = read_size(value, known->quantity);
-  if (!size) fail_spec(spec, fmt::format("{} = \"{}\" is not a number", key, value));
-  const std::string wrong = set_number(tool, *known, size->number, size->unit);
+  const std::optional<double> number =
+      known->quantity == Quantity::length ? parse_length(value) : parse_number(value, true);
+  if (!number) fail_spec(spec, fmt::format("{} = \"{}\" is not a number", key, value));
+  const std::string wrong = set_number(tool, *known, *number, 1.0);
   if (!wrong.empty()) fail_spec(spec, fmt::format("{} = {}: {}", known->name, value, wrong));
 }
 

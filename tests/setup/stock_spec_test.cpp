@@ -32,6 +32,18 @@ TEST(StockSpec, ReadsTheThreeForms) {
   EXPECT_EQ(tube.description, "tube d 50 / 20.5 x 52 mm");
 }
 
+TEST(StockSpec, LengthsMayHaveTheirUnit) {
+  const StockShape box = parse_stock_spec("box:0,0,-1/2in,4in,50.8mm,0").value();
+  EXPECT_EQ(box.box, (Box3{{0, 0, -12.7}, {101.6, 50.8, 0}}));
+}
+
+TEST(StockSpec, AnotherWordBeforeNumbersIsNoFile) {
+  for (const char* spec : {"block:0,0,-10,100,60,0", "BOX:0,0,0,1,1,1", "cyl:50,0,20"})
+    EXPECT_NE(complaint(spec).find("is no form of stock"), std::string::npos) << spec;
+  EXPECT_FALSE(parse_stock_spec("C:/parts/block.stl"));
+  EXPECT_FALSE(parse_stock_spec("a:b,c.stl"));
+}
+
 TEST(StockSpec, LeavesFileNamesAlone) {
   EXPECT_FALSE(parse_stock_spec("block.stl"));
   EXPECT_FALSE(parse_stock_spec("box"));
