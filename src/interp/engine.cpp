@@ -37,7 +37,7 @@ Engine::Engine(const InterpOptions& options, Program& program, int leader_lines,
       contours_(control_, reader_, statements_.get(), moves_, out_),
       profiles_(control_, reader_, statements_.get(), axes_, moves_),
       stock_(control_),
-      turned_(control_) {
+      operator_(control_) {
   control_.work = options.table.work;
   control_.registers = options.table.offsets;
   control_.place_machine();
@@ -126,7 +126,7 @@ void Engine::execute() {
     tools_.read_comments();
     stock_.read_comments();
   }
-  turned_.read_texts();
+  operator_.read_texts();
   if (block.bad) return;
   if (block.words.empty() && block.function_name.empty() && !block.modal_call) return;
   ++block.number;
@@ -145,7 +145,7 @@ void Engine::execute() {
   events_.after_motion();
   if (moved_) control_.paused = false;
   if (out_.cuts() > 0 && !stock_.is_settled()) stock_.settle();
-  turned_.end_block(out_.cuts());
+  operator_.end_block(out_.cuts());
   tools_.end_block();
   flow_.end_block();
   contours_.end_block();

@@ -16,7 +16,7 @@
 #include "interp/words/iso_words.h"
 #include "interp/words/modal_words.h"
 #include "interp/words/oneshot_words.h"
-#include "interp/words/turned_part.h"
+#include "interp/words/operator_stops.h"
 #include "interp/words/value_words.h"
 #include "interp/words/word_index.h"
 #include "interp/words/workpiece.h"
@@ -68,7 +68,7 @@ class Engine {
   ContourCycles contours_;
   LinuxCncTurning profiles_;
   CommentedStock stock_;
-  TurnedPart turned_;
+  OperatorStops operator_;
   std::size_t executed_ = 0;
   unsigned skip_levels_ = 0;  ///< of blocks that were read, a bit each
   bool moved_ = false;        ///< the block had a motion

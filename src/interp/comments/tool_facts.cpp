@@ -39,6 +39,7 @@ class FactReader {
     read_loose();
     drop_count();
     read_rest();
+    read_turning_words(view_, facts_);
     read_whole_comment(view_, facts_);
   }
 

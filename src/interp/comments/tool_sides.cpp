@@ -127,7 +127,7 @@ bool is_left_hand(const CommentView& view, std::size_t i) {
 
 // "INNENGEWINDE", "BORE CCMT 09T304"; "FACE AND BORE" works outside too.
 void read_side_words(const CommentView& view, ToolFacts& facts) {
-  bool outside = false, bores = false, turns = false, rough = false, hand = false;
+  bool outside = false, bores = false, turns = false, rough = false;
   for (std::size_t i = 0; i < view.size(); ++i) {
     outside |= is_word_of(view, i, kOutside) || is_turkish(view, i, {"DIS", "DI~", "D~~"});
     bores |= is_word_of(view, i, kBores);
@@ -135,22 +135,31 @@ void read_side_words(const CommentView& view, ToolFacts& facts) {
                          view.is(i, "VOLLRADIUS");
     facts.inside |= begins_bar_code(view, i) || is_turkish(view, i, {"IC", "I~", "~~", "~C"});
     turns |= is_word_of(view, i, kTurns);
-    hand |= view.is_one(i, {"LEFT", "LH", "LINKS", "RIGHT", "RH", "RECHTS", "NEUTRAL"});
-    if (const int tip = orientation_at(view, i); tip > 0) facts.orientation = tip;
-    facts.back_turn |= names_back_turning(view, i);
-    facts.flat_thread |= is_flat_thread(view, i);
-    facts.whitworth |= is_word_of(view, i, kWhitworth);
     rough |= is_word_of(view, i, kRough);
     facts.inside |= is_word_of(view, i, kInside) && !view.is_one(i + 1, {":", "="});
     facts.face_groove |= is_word_of(view, i, kFaceGrooves);
     facts.face_groove |=
         view.is(i, "FACE") && view.is_one(i + 1, {"GROOVE", "GROOVING", "GROOVER"});
   }
-  facts.back_turn &= !hand;
-  facts.blade_point = read_blade_point(view);
   facts.turned_side = outside || turns || rough || facts.inside;
   facts.bores = bores && !turns && !outside;
   facts.inside = (facts.inside || facts.bores) && !outside;
+}
+
+void read_turning_words(const CommentView& view, ToolFacts& facts) {
+  const bool turns =
+      facts.insert || facts.blade || (facts.kind() && is_turning(facts.kind()->type));
+  if (!turns) return;
+  bool hand = false;
+  for (std::size_t i = 0; i < view.size(); ++i) {
+    hand |= view.is_one(i, {"LEFT", "LH", "LINKS", "RIGHT", "RH", "RECHTS", "NEUTRAL"});
+    if (const int tip = orientation_at(view, i); tip > 0) facts.orientation = tip;
+    facts.back_turn |= names_back_turning(view, i);
+    facts.flat_thread |= is_flat_thread(view, i);
+    facts.whitworth |= is_word_of(view, i, kWhitworth);
+  }
+  facts.back_turn &= !hand;
+  facts.blade_point = read_blade_point(view);
 }
 
 }  // namespace mrsim

@@ -1,4 +1,5 @@
-// Programs that stop for the part to be turned over.
+// Programs that stop for the part to be turned over, or for a tool to be changed by hand.
+#include "interp/comments/hand_change.h"
 #include "interp/comments/part_turned.h"
 #include "interp/support.h"
 
@@ -7,7 +8,7 @@
 namespace mrsim {
 namespace {
 
-TEST(TurnedPart, WhatCommentsSay) {
+TEST(OperatorStops, WhatCommentsSay) {
   const auto said = [](const char* comment, bool lathe = false) {
     return says_part_is_turned(comment, lathe);
   };
@@ -33,7 +34,7 @@ std::string warned(const std::string& stop, Dialect dialect = Dialect::fanuc) {
                Severity::warning);
 }
 
-TEST(TurnedPart, IsAWarningAtTheFirstCutOfTheOtherSide) {
+TEST(OperatorStops, IsAWarningAtTheFirstCutOfTheOtherSide) {
   EXPECT_EQ(warned("M00 (FLIP PART)\n"), "part-turned");
   EXPECT_EQ(warned("(FLIP PART)\nG0 Z50\nM0\n"), "part-turned");
   EXPECT_EQ(warned("M01\n(TURN PART OVER)\n"), "part-turned");
@@ -42,13 +43,40 @@ TEST(TurnedPart, IsAWarningAtTheFirstCutOfTheOtherSide) {
   EXPECT_EQ(warned("(MSG, flip the part)\nM0\n", Dialect::ngc), "part-turned");
 }
 
-TEST(TurnedPart, IsNoneWithoutAStopOrWithoutCutsOnBothSides) {
+TEST(OperatorStops, IsNoneWithoutAStopOrWithoutCutsOnBothSides) {
   EXPECT_EQ(warned("M01\n(SIDE 2 CONTOUR)\n"), "");
   EXPECT_EQ(warned("(FLIP PART)\n"), "");
   EXPECT_EQ(warned("M00 (MOVE CLAMPS)\n"), "");
   EXPECT_EQ(warned("M00 (FLIP PART, THEN RUN O0002)\nM30\n"), "");
   const std::string none = "M00 (FLIP PART)\nG0 X0 Y0 Z5\nG1 Z-2 F100\nG0 Z5\nM30\n";
   EXPECT_EQ(codes(read_text(none, at_origin(Dialect::fanuc)), Severity::warning), "");
+}
+
+TEST(OperatorStops, CommentsAboutToolsChangedByHand) {
+  for (const char* yes :
+       {"CHANGE TO 1/8 BALL ENDMILL", "Insert 60 degree V bit", "TOOL CHANGE", "CHANGE TOOL",
+        "Change bit to 3mm ball", "WERKZEUG WECHSELN", "LOAD 6MM DRILL"})
+    EXPECT_TRUE(says_tool_is_changed(yes)) << yes;
+  for (const char* no : {"CHANGE DRILL IF WORN", "CHECK TOOL", "CHANGE INSERT", "LOAD PART",
+                         "CHANGE TOOL OFFSET", "MOVE CLAMPS", "1/8 BALL ENDMILL"})
+    EXPECT_FALSE(says_tool_is_changed(no)) << no;
+}
+
+TEST(OperatorStops, AToolChangedByHandWithoutATWordIsAnError) {
+  const auto told = [](const std::string& stop, Dialect dialect = Dialect::fanuc) {
+    const std::string first = "G0 X0 Y0 Z5\nG1 Z-2 F100\nG0 Z5\n";
+    return codes(read_text(first + stop + "G0 X20\nG1 Z-3\nM30\n", at_origin(dialect)),
+                 Severity::error);
+  };
+  EXPECT_EQ(told("M0 (CHANGE TO 1/8 BALL ENDMILL)\n"), "tool-by-hand");
+  EXPECT_EQ(told("(TOOL CHANGE)\nM5\nM00\nM3\n"), "tool-by-hand");
+  EXPECT_EQ(told("(MSG, Change bit to 3mm ball)\nM0\n", Dialect::ngc), "tool-by-hand");
+  EXPECT_EQ(told("MSG(\"WERKZEUG WECHSELN\")\nM0\n", Dialect::sinumerik), "tool-by-hand");
+  EXPECT_EQ(told("M1 (TOOL CHANGE)\nT2 M6 (D4 ENDMILL)\n"), "");
+  EXPECT_EQ(told("(TOOL CHANGE)\n"), "");
+  EXPECT_EQ(told("M0 (CHANGE TOOL)\nM30\n"), "");
+  const std::string head = "M0 (INSERT 1/4 ENDMILL)\nG0 X0 Y0 Z5\nG1 Z-2 F100\nG0 Z5\nM30\n";
+  EXPECT_EQ(codes(read_text(head, at_origin(Dialect::fanuc)), Severity::error), "");
 }
 
 }  // namespace

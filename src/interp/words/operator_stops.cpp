@@ -1,0 +1,81 @@
+#include "interp/words/operator_stops.h"
+
+#include "core/text_io.h"
+#include "interp/comments/hand_change.h"
+#include "interp/comments/part_turned.h"
+#include "interp/text/characters.h"
+
+#include <algorithm>
+
+#include <fmt/format.h>
+
+namespace mrsim {
+namespace {
+
+constexpr std::size_t kLongestHead = 40;  // characters before the text of MSG
+constexpr std::size_t kLongestText = 200;
+constexpr std::size_t kMostTexts = 64;
+
+}  // namespace
+
+bool OperatorStops::stops() const {
+  if (!find(letter('M'))) return false;
+  return std::any_of(block_.words.begin(), block_.words.end(), [](const Word& word) {
+    return word.address == letter('M') && (word.value == 0 || word.value == 1);
+  });
+}
+
+void OperatorStops::keep(std::string_view text, bool stops) {
+  if (texts_.size() < kMostTexts)
+    texts_.push_back({std::string(text.substr(0, kLongestText)), block_.line_number, stops});
+}
+
+// Comments, and MSG("...") of SINUMERIK.
+void OperatorStops::read_texts() {
+  for (const std::string_view comment : block_.comments) keep(comment, stops());
+  if (!is(Dialect::sinumerik) || !block_.words.empty()) return;
+  const std::size_t first = block_.line.find('"');
+  if (first == std::string_view::npos || first > kLongestHead) return;
+  const std::string head = upper_case(block_.line.substr(0, first));
+  const std::string_view text = block_.line.substr(first + 1);
+  if (head.find("MSG") != std::string::npos) keep(text.substr(0, text.find('"')), false);
+}
+
+void OperatorStops::end_block(std::size_t cuts) {
+  stopped_ |= stops();
+  called_ |= find(letter('T')) || control_.tool.current != tool_;
+  if (cuts <= cuts_) return;
+  if (stopped_ && cuts_ > 0) tell();
+  stopped_ = called_ = false;
+  texts_.clear();
+  tool_ = control_.tool.current;
+  cuts_ = cuts;
+}
+
+void OperatorStops::tell() const {
+  for (const Text& text : texts_) {
+    const PartTurned said = says_part_is_turned(text.bytes, lathe());
+    if (said == PartTurned::yes || (said == PartTurned::perhaps && text.stops)) tell_turn(text);
+    if (!called_ && says_tool_is_changed(text.bytes)) tell_change(text);
+  }
+}
+
+void OperatorStops::tell_turn(const Text& text) const {
+  reporter_.once(
+      Severity::warning, "part-turned",
+      fmt::format("line {0} says that the part is turned (\"{1}\"): what follows is cut from the "
+                  "side of the first cuts, too; --until {0} ends the run before it",
+                  text.line, to_utf8(text.bytes)),
+      block_.words.front(), "part-turned");
+}
+
+void OperatorStops::tell_change(const Text& text) const {
+  reporter_.once(
+      Severity::error, "tool-by-hand",
+      fmt::format("line {0} says that the tool is changed by hand (\"{1}\"), and no T word says to "
+                  "which: write T2 M6 with its comment there; --until {0} ends the run before it",
+                  text.line, to_utf8(text.bytes)),
+      block_.words.front(), "tool-by-hand");
+}
+
+}  // namespace mrsim
