@@ -72,6 +72,9 @@ TEST(OperatorStops, AToolChangedByHandWithoutATWordIsAnError) {
   EXPECT_EQ(told("(TOOL CHANGE)\nM5\nM00\nM3\n"), "tool-by-hand");
   EXPECT_EQ(told("(MSG, Change bit to 3mm ball)\nM0\n", Dialect::ngc), "tool-by-hand");
   EXPECT_EQ(told("MSG(\"WERKZEUG WECHSELN\")\nM0\n", Dialect::sinumerik), "tool-by-hand");
+  EXPECT_EQ(told("M0\n(1/8 BALL ENDMILL)\n"), "tool-by-hand");
+  EXPECT_EQ(told("M0\n(FINISH WALL WITH 10MM ENDMILL)\n"), "") << "the one in the spindle";
+  EXPECT_EQ(told("M0\n(DRILL 5MM HOLES)\n"), "") << "the work";
   EXPECT_EQ(told("M1 (TOOL CHANGE)\nT2 M6 (D4 ENDMILL)\n"), "");
   EXPECT_EQ(told("(TOOL CHANGE)\n"), "");
   EXPECT_EQ(told("M0 (CHANGE TOOL)\nM30\n"), "");

@@ -3,9 +3,11 @@
 #include "core/text_io.h"
 #include "interp/comments/hand_change.h"
 #include "interp/comments/part_turned.h"
+#include "interp/comments/tool_comment.h"
 #include "interp/text/characters.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include <fmt/format.h>
 
@@ -56,8 +58,22 @@ void OperatorStops::tell() const {
   for (const Text& text : texts_) {
     const PartTurned said = says_part_is_turned(text.bytes, lathe());
     if (said == PartTurned::yes || (said == PartTurned::perhaps && text.stops)) tell_turn(text);
-    if (!called_ && says_tool_is_changed(text.bytes)) tell_change(text);
+    if (!called_ && (says_tool_is_changed(text.bytes) || names_another_tool(text.bytes)))
+      tell_change(text);
   }
+}
+
+// "1/8 BALL ENDMILL" behind a stop, and a tool of another diameter in the spindle.
+bool OperatorStops::names_another_tool(std::string_view text) const {
+  const int index = control_.tool.index;
+  if (lathe() || index < 0 || std::size_t(index) >= program_.tools.size()) return false;
+  const ToolHint hint = read_tool_comment(text);
+  Tool said;
+  std::string why;
+  constexpr double kSameSize = 0.1;  // mm
+  const double size = program_.tools[std::size_t(index)].diameter;
+  return hint.firm && hint.type && hint.id.empty() && fill_tool(hint, scale(), false, said, why) &&
+         size > 0 && std::abs(said.diameter - size) > kSameSize;
 }
 
 void OperatorStops::tell_turn(const Text& text) const {

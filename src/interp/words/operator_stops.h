@@ -28,6 +28,7 @@ class OperatorStops : public ControlPart {
   };
   void keep(std::string_view text, bool stops);
   bool stops() const;
+  bool names_another_tool(std::string_view text) const;
   void tell() const;
   void tell_turn(const Text& text) const;
   void tell_change(const Text& text) const;
