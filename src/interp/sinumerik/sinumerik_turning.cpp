@@ -3,6 +3,7 @@
 #include "interp/path/arc.h"
 #include "interp/path/compensation.h"
 #include "interp/sinumerik/sinumerik_contours.h"
+#include "interp/turning/turn_call.h"
 
 #include <algorithm>
 #include <cmath>
@@ -10,11 +11,6 @@
 #include <fmt/format.h>
 
 namespace mrsim {
-namespace {
-
-constexpr double kMostTurningPasses = 1e5;
-
-}  // namespace
 
 // NPP MID FALZ FALX FAL FF1 FF2 FF3 VARI DT DAM VRT
 bool SinumerikContours::turn_modes(Removal& r) {

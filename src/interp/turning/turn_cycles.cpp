@@ -1,24 +1,17 @@
 #include "interp/turning/turn_cycles.h"
 
-#include "core/rounding.h"
-#include "core/tip_orientation.h"
-#include "core/units.h"
-#include "interp/path/clearing.h"
+#include "interp/turning/corner_cycle.h"
+#include "interp/turning/groove_cycles.h"
+#include "interp/turning/thread_cycles.h"
 
 #include <algorithm>
 #include <array>
-#include <cmath>
-
-#include <fmt/format.h>
 
 namespace mrsim {
 namespace {
 
 constexpr std::array<std::string_view, 6> kTurnCycles = {"CYCLE92", "CYCLE93", "CYCLE951",
                                                          "CYCLE97", "CYCLE98", "CYCLE99"};
-constexpr double kMostTurningPasses = 1e5;
-
-double sign(double v) { return v < 0 ? -1 : 1; }
 
 }  // namespace
 
@@ -27,273 +20,12 @@ bool TurnCycles::knows(std::string_view name) {
 }
 
 bool TurnCycles::run(const CycleCall& call, const Word& where) {
-  call_ = call;
-  where_ = where;
   if (modal_.comp != Code::comp_off)
-    return fail("cycle-compensation", "a cycle under radius compensation: G40 before it");
-  if (call.name == "CYCLE92") return parting();
-  if (call.name == "CYCLE93") return groove();
-  return call.name == "CYCLE951" ? corner() : thread_cycle();
-}
-
-bool TurnCycles::refuse(const char* what) {
-  return fail("not-supported", fmt::format("{}: {} is not supported yet", call_.name, what));
-}
-
-/// X as radius, in the program's coordinates.
-void TurnCycles::to(double x, double z, MotionKind kind, double lead) {
-  Target target;
-  target.programmed = {x, position_.programmed.y, z};
-  target.named = 5;
-  if (length(target.programmed - position_.programmed) > kRounding)
-    moves_.step(target, where_, kind, lead, 0);
-}
-
-// SPD SPL EPD EPL ZPD ZPL LAGE MID FALX FALZ VARI RF1 RF2 RF3 SDIS FF1 NR DMODE AMODE
-bool TurnCycles::corner_values(Corner& c) {
-  const double unit = scale();
-  for (const std::size_t i : {0, 1, 2, 3, 10})
-    if (!call_.given(i))
-      return fail("value-missing", "CYCLE951 needs its two corners and VARI, how it cuts");
-  if (call_.values.size() > 19) return refuse("a list of more than 19 values");
-  if (call_.get(16) != 0) return refuse("a stock removal with an oblique or rounded corner (NR)");
-  if (std::fmod(std::abs(call_.get(18)), 10'000) != 0)
-    return refuse("an incremental end point (AMODE)");
-  const int way = call_.digit(10, 0), work = call_.digit(10, 1);
-  if (way < 1 || way > 2 || work < 1 || work > 2 || call_.get(10) > 22)
-    return fail("not-supported",
-                "CYCLE951: VARI other than 11, 12 (roughing), 21, 22 (finishing) is not supported");
-  c.start = {call_.get(0) * unit / 2, 0, call_.get(1) * unit};
-  c.end = {call_.get(2) * unit / 2, 0, call_.get(3) * unit};
-  c.u = way == 1 ? 0 : 2;
-  c.v = 2 - c.u;
-  c.clear = std::abs(call_.get(14)) * unit;
-  c.depth = std::abs(call_.get(7)) * unit;
-  const Vec3 whole = c.end - c.start;
-  if (component(whole, c.u) == 0 || component(whole, c.v) == 0)
-    return fail("value-range", "CYCLE951: the two corners have the same X or the same Z");
-  c.down = sign(component(whole, c.u));
-  c.run = sign(component(whole, c.v));
-  if (work == 1) {
-    c.allowance = {-sign(whole.x) * std::abs(call_.get(8)) * unit, 0,
-                   -sign(whole.z) * std::abs(call_.get(9)) * unit};
-    if (c.depth <= 0) return fail("value-missing", "CYCLE951 needs MID, the depth of a pass");
-    if (std::abs(component(whole, c.u)) / c.depth > kMostTurningPasses)
-      return fail("value-range", "too many passes");
-  }
-  return true;
-}
-
-bool TurnCycles::corner() {
-  Corner c;
-  if (!corner_values(c)) return false;
-  const double before = modal_.feed;
-  if (call_.get(15) > 0) modal_.feed = call_.get(15) * feed_scale();
-  if (call_.digit(10, 1) == 1)
-    corner_rough(c);
-  else
-    corner_finish(c);
-  modal_.feed = before;
-  return true;
-}
-
-// Each level to the end, off at 45 degrees, back in front of the material.
-void TurnCycles::corner_rough(const Corner& c) {
-  const Vec3 end = c.end + c.allowance;
-  const double from = component(c.start, c.u), stop = component(end, c.v);
-  const double begin = component(c.start, c.v) - c.run * c.clear;
-  const auto go = [&](double u, double v, MotionKind kind) {
-    c.u == 0 ? to(u, v, kind) : to(v, u, kind);
-  };
-  const double whole = (component(end, c.u) - from) * c.down;
-  if (whole <= 0 || (stop - component(c.start, c.v)) * c.run <= 0) return;
-  go(from - c.down * c.clear, begin, MotionKind::rapid);
-  const int n = steps_of(whole, c.depth);
-  for (int i = 1; i <= n; ++i) {
-    const double at = from + c.down * whole * i / n;
-    go(at, begin, MotionKind::rapid);
-    go(at, stop, MotionKind::line);
-    const double off = std::min(c.clear, (stop - begin) * c.run);
-    go(at - c.down * off, stop - c.run * off, MotionKind::rapid);
-    go(at - c.down * off, begin, MotionKind::rapid);
-  }
-  go(from - c.down * c.clear, begin, MotionKind::rapid);
-}
-
-// Along the last level into the corner, and out of it along the other side.
-void TurnCycles::corner_finish(const Corner& c) {
-  const Vec3 out =
-      c.start - c.clear * Vec3{sign(c.end.x - c.start.x), 0, sign(c.end.z - c.start.z)};
-  to(out.x, out.z, MotionKind::rapid);
-  Vec3 p = out;
-  component(p, c.u) = component(c.end, c.u);
-  to(p.x, p.z, MotionKind::rapid);
-  to(c.end.x, c.end.z, MotionKind::line);
-  p = c.end;
-  component(p, c.u) = component(out, c.u);
-  to(p.x, p.z, MotionKind::line);
-  to(out.x, out.z, MotionKind::rapid);
-}
-
-// SPD SPL WIDG DIAG STA1 ANG1 ANG2 RCO1 RCO2 RCI1 RCI2 FAL1 FAL2 IDEP DTB VARI VRT DN
-bool TurnCycles::groove_values(Groove& g) {
-  const double unit = scale();
-  for (const std::size_t i : {0, 1, 2, 3, 15})
-    if (!call_.given(i))
-      return fail("value-missing", "CYCLE93 needs SPD, SPL, WIDG, DIAG and VARI");
-  if (call_.values.size() > 18) return refuse("a list of more than 18 values");
-  const double vari = call_.get(15), kind = vari > 10 ? vari - 10 : vari;
-  if (kind < 1 || kind > 8 || kind != std::floor(kind))
-    return fail("value-range", "CYCLE93: VARI is 1 to 8 or 11 to 18 (alarm 61002)");
-  if (std::fmod(kind, 2) == 0) return refuse("a groove in a face (VARI)");
-  if (call_.get(4) != 0) return refuse("a groove in a cone (STA1)");
-  if (call_.get(5) != 0 || call_.get(6) != 0) return refuse("an oblique flank (ANG1, ANG2)");
-  const bool inside = kind == 3 || kind == 7, right = kind > 4;
-  const double in = inside ? 1 : -1, depth = std::abs(call_.get(3)) * unit;
-  Word diameter;
-  diameter.value = call_.get(0);
-  g.top = std::abs(axis_value(0, diameter, false));
-  g.bottom = g.top + in * depth;
-  g.retract = call_.get(16) > 0 ? call_.get(16) * unit : 1;
-  g.clear = g.top - in;
-  g.base_allowance = std::abs(call_.get(11)) * unit;
-  g.flank_allowance = std::abs(call_.get(12)) * unit;
-  g.infeed = std::abs(call_.get(13)) * unit;
-  g.dwell = call_.get(14);
-  const double width = std::abs(call_.get(2)) * unit, at = call_.get(1) * unit;
-  if (depth <= g.base_allowance || g.bottom < 0)
-    return fail("value-range", "CYCLE93: DIAG is the depth, above FAL1 and not beyond the axis");
-  const double low = right ? at - width : at;
-  if (!blade(g, low, low + width)) return false;
-  if (right) std::swap(g.flanks[0], g.flanks[1]);
-  g.side = right ? -1 : 1;
-  return groove_corners(g, width);
-}
-
-// RCO1 RCO2 at the edge, RCI1 RCI2 at the bottom: above 0 a radius, below 0 a chamfer by its length
-// (VARI below 10) or by its leg. The centre of the blade's corner keeps its radius off them.
-bool TurnCycles::groove_corners(Groove& g, double width) {
-  const double apart = g.nose * (2 - std::sqrt(2.0));  // of the legs, where a chamfer is offset
-  double beside[2] = {0, 0}, below = 0;
-  for (const std::size_t side : {0, 1}) {
-    Flank& flank = g.flanks[side];
-    const auto size = [&](std::size_t i, bool& round, bool convex) {
-      const double value = call_.get(i + side) * scale();
-      round = value > 0;
-      if (value == 0) return 0.0;
-      if (round) return convex ? value + g.nose : std::max(0.0, value - g.nose);
-      const double leg = call_.get(15) > 10 ? -value : -value / std::sqrt(2.0);
-      return convex ? leg + apart : std::max(0.0, leg - apart);
-    };
-    flank.edge = size(7, flank.edge_round, true);
-    flank.corner = size(9, flank.corner_round, false);
-    beside[side] = flank.corner;
-    below = std::max(below, flank.edge + flank.corner);
-  }
-  if (below > std::abs(g.bottom - g.top) || beside[0] + beside[1] > width)
-    return fail("value-range", "CYCLE93: the corners (RCO, RCI) are larger than the groove");
-  if (beside[0] + beside[1] > std::abs(g.flanks[1].place - g.flanks[0].place) + kRounding)
-    return fail("value-range", "CYCLE93: the blade is too wide between the corners of the bottom");
-  return true;
-}
-
-// Where the tool's point stands at the two flanks: the blade's corner, or its middle.
-bool TurnCycles::blade(Groove& g, double low, double high) {
-  tools_.require(where_, true);
-  const Tool* tool = tools_.current();
-  if (!tool || tool->type != ToolType::grooving || tool->width <= 0)
-    return fail("tool-unknown",
-                call_.name + " needs a grooving tool and its width: give --tool or --tools");
-  const double w = tool->width;
-  if (w > high - low + kRounding)
-    return fail("value-range", call_.name + ": the tool is wider than the groove (alarm 61602)");
-  const int tip = tip_orientation(*tool);
-  const bool inside = g.bottom > g.top;
-  const bool fits = inside ? tip == 1 || tip == 2 || tip == 6 : tip == 3 || tip == 4 || tip == 8;
-  if (!fits || tool->tip_is_nose_centre)
-    return fail("value-range", fmt::format("{}: the tip orientation {} does not reach this groove",
-                                           call_.name, tip));
-  const bool middle = tip == 6 || tip == 8, right = tip == 1 || tip == 4;
-  const double from = middle ? w / 2 : right ? w : 0;  // of the point, from the blade's low corner
-  g.flanks[0].place = low + from;
-  g.flanks[1].place = high - w + from;
-  g.nose = tool->nose_radius;
-  g.step = 0.95 * (w - 2 * tool->nose_radius);
-  if (g.step <= 0)
-    return fail("value-range", call_.name + ": the blade has no flat between its corners");
-  return true;
-}
-
-void TurnCycles::plunge(const Groove& g, double z, double bottom) {
-  const double in = sign(g.bottom - g.top), whole = std::abs(bottom - g.top);
-  to(g.clear, z, MotionKind::rapid);
-  const int n = steps_of(whole, g.infeed);
-  for (int i = 1; i <= n; ++i) {
-    const double at = g.top + in * whole * i / n;
-    to(at, z, MotionKind::line);
-    if (i < n) to(at - in * g.retract, z, MotionKind::rapid);
-  }
-  moves_.dwell(g.dwell);
-  to(g.clear, z, MotionKind::rapid);
-}
-
-// A quarter of a circle to X, Z: it leaves the edge's side along Z, or ends in the bottom along Z.
-void TurnCycles::quarter(double x, double z, double radius, double turn, bool from_top) {
-  const Vec2 from{position_.programmed.z, position_.programmed.x}, end{z, x};
-  const Vec2 center = from_top ? Vec2{from.x, end.y} : Vec2{end.x, from.y};
-  mover_.begin(where_);
-  mover_.piece({true, from, end, center, radius, turn * kPi / 2}, 0, 0);
-}
-
-// Down the flank, with the corner at its edge, and along the bottom up to the middle, with the
-// corner there. `side`: of the groove along Z.
-void TurnCycles::finish_flank(const Groove& g, const Flank& f, double side, double middle) {
-  const double in = sign(g.bottom - g.top), above = std::abs(g.clear - g.top);
-  const double edge = g.top + in * f.edge, corner = g.bottom - in * f.corner;
-  const bool chamfer = f.edge > 0 && !f.edge_round;
-  to(g.clear, f.place - side * (chamfer ? f.edge + above : f.edge), MotionKind::rapid);
-  if (chamfer) to(edge, f.place, MotionKind::line);
-  if (f.edge > 0 && f.edge_round) {
-    to(g.top, f.place - side * f.edge, MotionKind::line);
-    quarter(edge, f.place, f.edge, side * in, true);
-  }
-  to(corner, f.place, MotionKind::line);
-  if (f.corner > 0 && f.corner_round)
-    quarter(g.bottom, f.place + side * f.corner, f.corner, -side * in, false);
-  to(g.bottom, f.place + side * f.corner, MotionKind::line);
-  to(g.bottom, middle, MotionKind::line);
-  to(g.clear, middle, MotionKind::rapid);
-}
-
-bool TurnCycles::groove() {
-  Groove g;
-  if (!groove_values(g)) return false;
-  const Flank &first = g.flanks[0], &last = g.flanks[1];
-  const double in = sign(g.bottom - g.top), travel = last.place - first.place;
-  if (std::abs(g.bottom - g.top) > kMostTurningPasses * g.infeed && g.infeed > 0)
-    return fail("value-range", "too many passes");
-  const double most = std::abs(travel), run = sign(travel);
-  double before = std::max(g.flank_allowance - first.corner, 0.0),
-         behind = std::max(g.flank_allowance - last.corner, 0.0);
-  const double room = most - first.corner - last.corner, wanted = before + behind;
-  if (wanted > room) {  // the allowances meet
-    before *= room / wanted;
-    behind *= room / wanted;
-  }
-  const double begin = first.place + run * (first.corner + before),
-               end = last.place - run * (last.corner + behind);
-  if (std::abs(end - begin) > kMostTurningPasses * g.step)
-    return fail("value-range", "too many passes");
-  to(g.clear, position_.programmed.z, MotionKind::rapid);
-  const int n = std::abs(end - begin) < kRounding ? 0 : steps_of(std::abs(end - begin), g.step);
-  for (int i = 0; i <= n; ++i)
-    plunge(g, n == 0 ? begin : begin + (end - begin) * i / n, g.bottom - in * g.base_allowance);
-  const double corners = first.edge + first.corner + last.edge + last.corner;
-  if (g.base_allowance == 0 && g.flank_allowance == 0 && corners == 0) return true;
-  const double middle = (begin + end) / 2;
-  finish_flank(g, first, g.side, middle);
-  finish_flank(g, last, -g.side, middle);
-  return true;
+    return error("cycle-compensation", "a cycle under radius compensation: G40 before it", where);
+  if (call.name == "CYCLE92" || call.name == "CYCLE93")
+    return GrooveCycles(control_, tools_, moves_, call, where).run();
+  if (call.name == "CYCLE951") return CornerCycle(control_, moves_, call, where).run();
+  return ThreadCycles(control_, moves_, call, where).run();
 }
 
 }  // namespace mrsim

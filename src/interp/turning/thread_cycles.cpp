@@ -1,7 +1,7 @@
-// CYCLE97 cuts a thread, CYCLE98 a chain of up to three, CYCLE99 one by the current list.
+#include "interp/turning/thread_cycles.h"
+
 #include "core/trig.h"
 #include "interp/cycles/iso_pitch.h"
-#include "interp/turning/turn_cycles.h"
 
 #include <algorithm>
 #include <cmath>
@@ -10,15 +10,15 @@
 
 namespace mrsim {
 
-bool TurnCycles::thread_cycle() {
+bool ThreadCycles::run() {
   if (call_.name == "CYCLE97") return thread_list();
   return call_.name == "CYCLE98" ? thread_chain() : thread_turning();
 }
 
 // TDEP FAL at `at`, NRC NID at `cuts`, and VARI: equal depths, or equal cross-sections; the
 // finishing cut and NID more.
-bool TurnCycles::thread_depths(Thread& t, std::size_t at, std::size_t cuts, int kind, bool rough,
-                               bool finish) {
+bool ThreadCycles::thread_depths(Thread& t, std::size_t at, std::size_t cuts, int kind, bool rough,
+                                 bool finish) {
   const double unit = scale(), full = std::abs(call_.get(at)) * unit;
   const double left = full - std::abs(call_.get(at + 1)) * unit;
   const double number = call_.get(cuts), spare = call_.get(cuts + 1);
@@ -39,7 +39,7 @@ bool TurnCycles::thread_depths(Thread& t, std::size_t at, std::size_t cuts, int 
 }
 
 // PIT MPIT SPL FPL DM1 DM2 APP ROP TDEP FAL IANG NSP NRC NID VARI NUMT VRT
-bool TurnCycles::thread_list() {
+bool ThreadCycles::thread_list() {
   const double unit = scale(), kind = call_.get(14, 1);
   double pitch = std::abs(call_.get(0)) * unit;
   if (pitch == 0) pitch = iso_pitch(std::abs(call_.get(1)));
@@ -58,7 +58,7 @@ bool TurnCycles::thread_list() {
 }
 
 // PO1 DM1 PO2 DM2 PO3 DM3 PO4 DM4 APP ROP TDEP FAL IANG NSP NRC NID PP1 PP2 PP3 VARI NUMT VRT
-bool TurnCycles::thread_chain() {
+bool ThreadCycles::thread_chain() {
   const double unit = scale(), kind = call_.get(19, 1);
   if (call_.values.size() > 22) return refuse("a list of more than 22 values");
   if (kind < 1 || kind > 4 || kind != std::floor(kind))
@@ -80,7 +80,7 @@ bool TurnCycles::thread_chain() {
 
 // SPL SPD FPL FPD APP ROP TDEP FAL IANG NSP NRC NID PIT VARI NUMTH SDIS MID GDEP PIT1 FDEP GST GUD
 // IFLANK PITA PITM PTAB PTABA DMODE AMODE
-bool TurnCycles::thread_turning() {
+bool ThreadCycles::thread_turning() {
   const double unit = scale();
   const int kind = call_.digit(13, 0), work = call_.digit(13, 5);
   for (const std::size_t i : {0, 1, 2, 12, 13})
@@ -104,7 +104,7 @@ bool TurnCycles::thread_turning() {
   return thread_depths(t, 6, 10, kind, work != 2, work != 1) && thread(t);
 }
 
-bool TurnCycles::thread(const Thread& t) {
+bool ThreadCycles::thread(const Thread& t) {
   const Vec3 first = t.points.front(), last = t.points.back();
   for (const double pitch : t.pitches)
     if (pitch <= 0)
