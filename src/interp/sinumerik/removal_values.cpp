@@ -1,6 +1,6 @@
-// CYCLE952 turns down to a contour by the current list: what its values mean.
+#include "interp/sinumerik/removal_values.h"
+
 #include "core/rounding.h"
-#include "interp/sinumerik/sinumerik_contours.h"
 
 #include <algorithm>
 #include <cmath>
@@ -22,9 +22,16 @@ double value_farthest(const std::vector<Motion>& contour, int axis, double sense
 
 }  // namespace
 
+std::optional<RemovalPlan> RemovalValues::read() {
+  RemovalPlan out;
+  if (!(call_.name == "CYCLE952" ? removal_modes(out) : turn_modes(out))) return std::nullopt;
+  out.contour = std::move(contour_);
+  return out;
+}
+
 // PRG CON CONR VARI F FR RP D DX DZ UX UZ U U1 BL XD ZD XA ZA XB ZB XDA XDB N DP DI SC DN GMODE
 // DMODE AMODE PK DCH FS
-bool SinumerikContours::removal_values() {
+bool RemovalValues::removal_values() {
   const auto refuse = [&](const char* what) {
     return error("not-supported", fmt::format("CYCLE952: {} is not supported yet", what), where_);
   };
@@ -48,7 +55,7 @@ bool SinumerikContours::removal_values() {
 
 // VARI's unit: along Z, along X, along the contour; its hundreds the way of the cut and its
 // thousands that of the infeed: X-, X+, Z-, Z+.
-bool SinumerikContours::removal_ways(Removal& r) {
+bool RemovalValues::removal_ways(RemovalPlan& r) {
   const int type = call_.digit(3, 0), work = call_.digit(3, 1);
   const int cut = call_.digit(3, 2), infeed = call_.digit(3, 3);
   const bool across = infeed >= 3;
@@ -74,7 +81,7 @@ bool SinumerikContours::removal_ways(Removal& r) {
 }
 
 // UX and UZ, or U beside the contour; the ten thousands of VARI tell where a program has both.
-void SinumerikContours::removal_allowances(Removal& r) {
+void RemovalValues::removal_allowances(RemovalPlan& r) {
   const double unit = scale();
   const double x = std::abs(call_.get(10)) * unit, z = std::abs(call_.get(11)) * unit;
   const double beside = std::abs(call_.get(12)) * unit;
@@ -92,7 +99,7 @@ void SinumerikContours::removal_allowances(Removal& r) {
 }
 
 // Where the passes begin: the blank decides how many there are, not the part's shape.
-void SinumerikContours::removal_blank(Removal& r) {
+void RemovalValues::removal_blank(RemovalPlan& r) {
   const int kind = static_cast<int>(call_.get(14, kBlankCylinder));
   if (kind == kBlankContour) {
     r.blank = value_farthest(contours_.front(), r.u, -r.down);
@@ -106,7 +113,7 @@ void SinumerikContours::removal_blank(Removal& r) {
   r.blank = absolute ? size : edge - r.down * std::abs(given);
 }
 
-bool SinumerikContours::removal_modes(Removal& r) {
+bool RemovalValues::removal_modes(RemovalPlan& r) {
   if (!removal_values() || !removal_ways(r)) return false;
   const double unit = scale();
   r.clear = call_.get(26) > 0 ? call_.get(26) * unit : 1;
@@ -118,6 +125,53 @@ bool SinumerikContours::removal_modes(Removal& r) {
   removal_allowances(r);
   removal_blank(r);
   return true;
+}
+
+// NPP MID FALZ FALX FAL FF1 FF2 FF3 VARI DT DAM VRT
+bool RemovalValues::turn_modes(RemovalPlan& r) {
+  const double unit = scale(), number = call_.get(8);
+  if (number < 1 || number > 12 || number != std::floor(number))
+    return error("value-range", "CYCLE95: VARI is 1 to 12", where_);
+  const int kind = (static_cast<int>(number) - 1) % 4;  // outside, face outside, inside, face
+  r.rough = number <= 4 || number > 8;
+  r.finish = number > 4;
+  const bool face = kind % 2 == 1;
+  r.u = face ? 2 : 0;
+  r.v = 2 - r.u;
+  r.clear = call_.get(11) > 0 ? call_.get(11) * unit : 1;
+  r.depth = std::abs(call_.get(1)) * unit;
+  r.feed = call_.get(5) * feed_scale();
+  r.plunge = call_.get(6) * feed_scale();
+  r.last_feed = call_.get(7) * feed_scale();
+  const double first = component(contour_.front().end, r.u);
+  const double last = component(contour_.back().end, r.u);
+  const double now = component(position_.physical, r.u);
+  r.down = face ? ((first + last) / 2 < now ? -1 : 1) : (kind >= 2 ? 1 : -1);
+  const double along = std::abs(call_.get(4)) * unit;
+  const double x = std::abs(call_.get(3)) * unit + along, z = std::abs(call_.get(2)) * unit + along;
+  if (r.rough) orient(r);  // finishing alone runs as the contour is written
+  r.run = component(contour_.back().end, r.v) > component(contour_.front().end, r.v) ? 1 : -1;
+  component(r.allowance, r.u) = -r.down * (face ? z : x);
+  component(r.allowance, r.v) = -r.run * (face ? x : z);
+  return true;
+}
+
+// The contour begins at its deepest end.
+void RemovalValues::orient(const RemovalPlan& r) {
+  const double first = component(contour_.front().end, r.u);
+  const double last = component(contour_.back().end, r.u);
+  if ((first - last) * r.down < 0) turn_contour();
+}
+
+void RemovalValues::turn_contour() {
+  std::vector<Motion> turned{contour_.front()};
+  turned.front().end = contour_.back().end;
+  for (std::size_t i = contour_.size() - 1; i > 0; --i) {
+    turned.push_back(contour_[i]);
+    std::swap(turned.back().start, turned.back().end);
+    turned.back().sweep = -turned.back().sweep;
+  }
+  contour_ = std::move(turned);
 }
 
 }  // namespace mrsim

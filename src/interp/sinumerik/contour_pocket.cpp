@@ -1,5 +1,4 @@
-// CYCLE63 clears a pocket with islands, or the surroundings of spigots.
-#include "interp/sinumerik/sinumerik_contours.h"
+#include "interp/sinumerik/contour_pocket.h"
 
 #include <algorithm>
 #include <cmath>
@@ -14,7 +13,7 @@ constexpr int kRoughing = 1, kFloor = 3, kWall = 4, kChamfer = 5;
 }  // namespace
 
 // PRG VARI RP Z0 SC Z1 F FZ DXY DZ UXY UZ CDIR XS YS ER EP EW FS ZFS TR DR UMODE GMODE DMODE AMODE
-bool SinumerikContours::pocket_levels(RegionCutter::Levels& l) {
+bool ContourPocket::read(RegionCutter::Levels& l) {
   const double unit = scale();
   const int kind = call_.digit(1, 0), plane = call_.digit(24, 0), direction = call_.digit(12, 0);
   for (const std::size_t i : {1, 2, 3, 5})
@@ -53,7 +52,7 @@ bool SinumerikContours::pocket_levels(RegionCutter::Levels& l) {
 }
 
 // Where the cutter may go about the blank of a spigot: a diameter over its edge.
-bool SinumerikContours::surroundings(double radius, const Loop& blank, Loop& out) {
+bool ContourPocket::surroundings(double radius, const Loop& blank, Loop& out) {
   std::vector<Loop> around;
   if (!Region(std::nullopt, {blank}).inset(2 * radius, around) || around.empty())
     return error("pocket-contour", "CYCLE63: there is no way about the blank's contour", where_);
@@ -63,9 +62,9 @@ bool SinumerikContours::surroundings(double radius, const Loop& blank, Loop& out
   return true;
 }
 
-bool SinumerikContours::pocket() {
+bool ContourPocket::run() {
   RegionCutter::Levels l;
-  if (!pocket_levels(l)) return false;
+  if (!read(l)) return false;
   double radius = tools_.radius_for("CYCLE63", modal_.edge, where_);
   if (radius <= 0) return false;
   std::vector<Loop> loops(contours_.size());

@@ -1,8 +1,9 @@
-// CYCLE95 turns down to a contour, and CYCLE952, whose values stand in sinumerik_removal.cpp.
+#include "interp/sinumerik/contour_turning.h"
+
 #include "core/rounding.h"
 #include "interp/path/arc.h"
+#include "interp/path/clearing.h"
 #include "interp/path/compensation.h"
-#include "interp/sinumerik/sinumerik_contours.h"
 #include "interp/turning/turn_call.h"
 
 #include <algorithm>
@@ -12,57 +13,12 @@
 
 namespace mrsim {
 
-// NPP MID FALZ FALX FAL FF1 FF2 FF3 VARI DT DAM VRT
-bool SinumerikContours::turn_modes(Removal& r) {
-  const double unit = scale(), number = call_.get(8);
-  if (number < 1 || number > 12 || number != std::floor(number))
-    return error("value-range", "CYCLE95: VARI is 1 to 12", where_);
-  const int kind = (static_cast<int>(number) - 1) % 4;  // outside, face outside, inside, face
-  r.rough = number <= 4 || number > 8;
-  r.finish = number > 4;
-  const bool face = kind % 2 == 1;
-  r.u = face ? 2 : 0;
-  r.v = 2 - r.u;
-  r.clear = call_.get(11) > 0 ? call_.get(11) * unit : 1;
-  r.depth = std::abs(call_.get(1)) * unit;
-  r.feed = call_.get(5) * feed_scale();
-  r.plunge = call_.get(6) * feed_scale();
-  r.last_feed = call_.get(7) * feed_scale();
-  const double first = component(contour_.front().end, r.u);
-  const double last = component(contour_.back().end, r.u);
-  const double now = component(position_.physical, r.u);
-  r.down = face ? ((first + last) / 2 < now ? -1 : 1) : (kind >= 2 ? 1 : -1);
-  const double along = std::abs(call_.get(4)) * unit;
-  const double x = std::abs(call_.get(3)) * unit + along, z = std::abs(call_.get(2)) * unit + along;
-  if (r.rough) orient(r);  // finishing alone runs as the contour is written
-  r.run = component(contour_.back().end, r.v) > component(contour_.front().end, r.v) ? 1 : -1;
-  component(r.allowance, r.u) = -r.down * (face ? z : x);
-  component(r.allowance, r.v) = -r.run * (face ? x : z);
-  return true;
-}
-
-// The contour begins at its deepest end.
-void SinumerikContours::orient(const Removal& r) {
-  const double first = component(contour_.front().end, r.u);
-  const double last = component(contour_.back().end, r.u);
-  if ((first - last) * r.down < 0) turn_contour();
-}
-
-void SinumerikContours::turn_contour() {
-  std::vector<Motion> turned{contour_.front()};
-  turned.front().end = contour_.back().end;
-  for (std::size_t i = contour_.size() - 1; i > 0; --i) {
-    turned.push_back(contour_[i]);
-    std::swap(turned.back().start, turned.back().end);
-    turned.back().sweep = -turned.back().sweep;
-  }
-  contour_ = std::move(turned);
-}
-
-bool SinumerikContours::turn_down() {
-  Removal r;
+bool ContourTurning::run() {
   tools_.require(where_, true);
-  if (!(call_.name == "CYCLE952" ? removal_modes(r) : turn_modes(r))) return false;
+  std::optional<RemovalPlan> read = RemovalValues(control_, contour_call_).read();
+  if (!read) return false;
+  RemovalPlan& r = *read;
+  contour_ = r.contour;
   const Vec3 from = position_.physical;
   const bool by_point = call_.name == "CYCLE95";  // which roughs in G40
   path_ = contour_;
@@ -94,7 +50,7 @@ bool SinumerikContours::turn_down() {
 
 // The path of the tool's point whose nose cuts the contour, `allowance` beside it: SINUMERIK's
 // cycles take the radius of the edge into account. The ways to the path and from it are left out.
-bool SinumerikContours::beside(const Removal& r, double allowance) {
+bool ContourTurning::beside(const RemovalPlan& r, double allowance) {
   path_ = contour_;
   PathMove move;
   move.comp = moves_.of_tool();
@@ -134,19 +90,19 @@ bool SinumerikContours::beside(const Removal& r, double allowance) {
 }
 
 // In front of the contour and of the path along it.
-double SinumerikContours::before_contour(const Removal& r) const {
+double ContourTurning::before_contour(const RemovalPlan& r) const {
   const double first = component(contour_.front().end, r.v);
   const double ahead = (component(path_.front().end, r.v) - first) * r.run;
   return first + r.run * (std::min(ahead, 0.0) - r.clear);
 }
 
-void SinumerikContours::follow_contour(const Vec3& shift) {
+void ContourTurning::follow_contour(const Vec3& shift) {
   go(path_.front().end + shift, MotionKind::line, modal_.feed);
   for (std::size_t i = 1; i < path_.size(); ++i) moves_.follow(path_[i], shift, where_);
 }
 
 // Passes at equal levels down to the contour, then once along it, the allowances aside.
-bool SinumerikContours::roughing(Removal& r) {
+bool ContourTurning::roughing(RemovalPlan& r) {
   std::vector<PlanePiece> pieces;
   r.top = component(path_.front().end, r.u);
   for (std::size_t i = 1; i < path_.size(); ++i) {
@@ -182,7 +138,7 @@ bool SinumerikContours::roughing(Removal& r) {
 
 // First the stretches that begin at the start, from the top down; then the relief cuts, fed into
 // with FF2.
-bool SinumerikContours::levels(const Removal& r, const RoughContour& shape, double whole, int n) {
+bool ContourTurning::levels(const RemovalPlan& r, const RoughContour& shape, double whole, int n) {
   std::vector<std::pair<double, FreeStretch>> reliefs;
   for (int i = 1; i < n; ++i) {
     const double at = r.top + r.down * whole * i / n;
@@ -222,7 +178,7 @@ bool SinumerikContours::levels(const Removal& r, const RoughContour& shape, doub
 }
 
 // One pass: to the level, along it to the contour, off at 45 degrees, back.
-void SinumerikContours::level(const Removal& r, double at, double from, double to) {
+void ContourTurning::level(const RemovalPlan& r, double at, double from, double to) {
   const double travel = (to - from) * r.run;
   if (travel <= kRounding) return;
   Vec3 p = position_.physical;
@@ -236,6 +192,14 @@ void SinumerikContours::level(const Removal& r, double at, double from, double t
   go(p, MotionKind::rapid, 0);
   component(p, r.v) = from;
   go(p, MotionKind::rapid, 0);
+}
+
+void ContourTurning::go(const Vec3& to, MotionKind kind, double feed) {
+  if (distance(to, position_.physical) <= kRounding) return;
+  Target target;
+  target.programmed = apply_inverse(frames_.total, to);
+  target.named = lathe() ? 5 : 7;
+  moves_.step(target, where_, kind, 0, feed);
 }
 
 }  // namespace mrsim

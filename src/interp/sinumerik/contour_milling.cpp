@@ -1,0 +1,142 @@
+#include "interp/sinumerik/contour_milling.h"
+
+#include "core/rounding.h"
+#include "core/units.h"
+#include "interp/path/arc.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+
+namespace mrsim {
+namespace {
+
+Vec2 direction(const Motion& m, const Frame& frame, const Basis& b, double at) {
+  const Vec3 t = m.kind == MotionKind::arc ? arc_tangent(m, at) : m.end - m.start;
+  const Vec2 flat = in_plane(b, turn_inverse(frame, t));
+  return (1 / std::max(length(flat), 1e-12)) * flat;
+}
+
+}  // namespace
+
+// KNAME RTP RFP SDIS DP MID FAL FALD FFP1 FFD VARI RL AS1 LP1 FF3 AS2 LP2
+bool ContourMilling::read(Along& l) {
+  const double unit = scale();
+  if (!call_.given(1) || !call_.given(2) || !call_.given(4))
+    return error("value-missing", "CYCLE72 needs RTP, RFP and DP, its planes and its depth",
+                 where_);
+  l.top = call_.get(1) * unit;
+  l.reference = call_.get(2) * unit;
+  const double down = l.top < l.reference ? 1 : -1;
+  l.safe = l.reference - down * std::abs(call_.get(3)) * unit;
+  const bool relative = call_.digit(22, 0) == 1;
+  l.bottom = relative ? l.reference + down * std::abs(call_.get(4)) * unit : call_.get(4) * unit;
+  if ((l.bottom - l.reference) * down <= 0)
+    return error("value-range",
+                 "CYCLE72: the depth does not lie below the reference plane (alarm 61101)", where_);
+  const int kind = call_.digit(10, 0);
+  if (call_.digit(10, 4) != 0)
+    return error("not-supported", "CYCLE72: the contour backwards (VARI) is not supported yet",
+                 where_);
+  if (kind == 1) {
+    l.allowance = std::abs(call_.get(6)) * unit;
+    l.bottom -= down * std::abs(call_.get(7)) * unit;
+  }
+  l.infeed = std::abs(call_.get(5)) * unit;
+  l.feed = call_.get(8) * feed_scale();
+  l.plunge = call_.get(9) > 0 ? call_.get(9) * feed_scale() : l.feed;
+  const double rl = call_.get(11, 40);
+  if (rl != 40 && rl != 41 && rl != 42)
+    return error("value-range", "CYCLE72: RL is 40, 41 or 42", where_);
+  l.side = rl == 41 ? 1 : rl == 42 ? -1 : 0;
+  const double radius =
+      l.side == 0 ? tools_.radius(modal_.edge) : tools_.radius_for("CYCLE72", modal_.edge, where_);
+  if (l.side != 0 && radius <= 0) return false;
+  if (kind == 5) {  // FS ZFS: one cut, its axis nearer to the contour than the tool's radius
+    const auto cut = chamfering_.cut(call_, 18, 22, l.reference, down, where_);
+    if (!cut) return false;
+    if (l.side == 0) return error("value-range", "CYCLE72 chamfers with RL 41 or 42", where_);
+    l.bottom = cut->bottom;
+    l.infeed = 0;
+    l.allowance = cut->aside - radius;
+  }
+  l.aside = l.side * (radius + l.allowance);
+  return true;
+}
+
+bool ContourMilling::run() {
+  Along l;
+  if (!read(l)) return false;
+  const int n = steps_of(std::abs(l.bottom - l.reference), l.infeed);
+  mover_.rapid_height(l.top);
+  double from = l.safe;
+  for (int i = 1; i <= n; ++i) {
+    const double to = i == n ? l.bottom : l.reference + (l.bottom - l.reference) * i / n;
+    pass_along(l, from, to);
+    from = call_.digit(10, 2) == 0 ? l.top : l.safe;
+    mover_.rapid_height(i == n ? l.top : from);
+    if (i < n) from = l.safe;
+  }
+  return true;
+}
+
+// Down beside the contour, along it with the radius, and away from it.
+void ContourMilling::pass_along(const Along& l, double from, double level) {
+  const Basis b = basis();
+  const Vec3 start = apply_inverse(frames_.total, contour_.front().end);
+  approach(l, level, from, false);
+  const auto step = [&](Vec2 to) {
+    Target target;
+    target.programmed = from_plane(b, to, level);
+    target.named = 7;
+    moves_.compensated_step(target, where_, l.feed);
+  };
+  modal_.comp = l.side > 0 ? Code::comp_left : l.side < 0 ? Code::comp_right : Code::comp_off;
+  modal_.offn = l.allowance;
+  step(in_plane(b, start));
+  const Vec3 shift = turn(frames_.total, (level - dot(start, b.w)) * b.w);
+  modal_.feed = l.feed > 0 ? l.feed : modal_.feed;
+  for (std::size_t i = 1; i < contour_.size(); ++i) moves_.follow(contour_[i], shift, where_);
+  modal_.comp = Code::comp_off;
+  modal_.offn = modal_before_.offn;
+  const Motion& last = contour_.back();
+  const Vec2 t = direction(last, frames_.total, b, 1);
+  step(in_plane(b, apply_inverse(frames_.total, last.end)) + l.aside * left_of(t));
+  approach(l, level, from, true);
+  modal_.feed = modal_before_.feed;
+}
+
+// AS1 LP1 and AS2 LP2: a straight tangent, a quarter or half of a circle beside the contour.
+void ContourMilling::approach(const Along& l, double level, double from, bool leaving) {
+  const Basis b = basis();
+  const Motion& m = leaving ? contour_.back() : contour_[1];
+  const Vec3 corner = leaving ? m.end : contour_.front().end;
+  Vec2 t = direction(m, frames_.total, b, leaving ? 1 : 0);
+  const Vec2 aside = (l.side == 0 ? 0 : l.side) * left_of(t);
+  const Vec2 at = in_plane(b, apply_inverse(frames_.total, corner)) + std::abs(l.aside) * aside;
+  if (!leaving) t = -1 * t;  // outwards
+  const int kind = l.side == 0 ? 1 : call_.digit(leaving ? 15 : 12, 0);
+  const double reach = std::abs(call_.get(leaving ? 16 : 13)) * scale();
+  PlanePiece arc;
+  arc.arc = true;
+  arc.center = at + reach * aside;
+  arc.radius = reach;
+  const Vec2 far = kind == 3   ? at + 2 * reach * aside
+                   : kind == 2 ? arc.center + reach * t
+                               : at + reach * t;
+  arc.sweep = l.side * (kind == 3 ? kPi : kPi / 2);
+  arc.start = leaving ? at : far;
+  arc.end = leaving ? far : at;
+  if (!leaving) {
+    mover_.rapid(far);
+    mover_.rapid_height(from);
+    mover_.line_height(level, l.plunge);
+  }
+  if ((kind == 2 || kind == 3) && reach > kRounding)
+    mover_.piece(arc, 0, l.feed);
+  else
+    mover_.line(leaving ? far : at, l.feed);
+}
+
+}  // namespace mrsim
