@@ -1,14 +1,15 @@
-// SINUMERIK's drilling cycles CYCLE81 to CYCLE89 and CYCLE840, the patterns HOLES1, HOLES2,
-// CYCLE801 and CYCLE802, those of 802S and 802C (LCYC82 and its kin), and MCALL, which runs a
-// cycle, also one of milling, behind every move in the plane. Private to src/interp.
+// SINUMERIK's cycles by name: reads the list of values, also that of 802S and 802C (LCYC82 and its
+// kin), and hands it to the cycle. Patterns of holes and MCALL run a cycle of drilling, MCALL also
+// one of milling, at every place. CYCLE800 shifts and turns the frame. Private to src/interp.
 #pragma once
 
+#include "interp/cycles/hole_maker.h"
+#include "interp/frames/frame_words.h"
 #include "interp/milling/mill_cycles.h"
 #include "interp/sinumerik/sinumerik_contours.h"
 #include "interp/sinumerik/sinumerik_engraving.h"
 #include "interp/statements/statements.h"
 #include "interp/turning/turn_cycles.h"
-#include "interp/words/dwell_time.h"
 
 #include <optional>
 #include <vector>
@@ -25,7 +26,6 @@ class SinumerikCycles : public ControlPart {
         tools_(tools),
         holes_(holes),
         frame_words_(frames),
-        dwell_(control),
         mills_(control, tools, moves),
         contours_(control, reader, statements, tools, moves, out),
         turns_(control, tools, moves),
@@ -48,27 +48,11 @@ class SinumerikCycles : public ControlPart {
 
   bool measure();
   bool read_call(Call& call);
-  static bool is_of_802(std::string_view name);
-  bool read_802(std::string_view name, Call& call);
   bool pattern_802(const Call& places);
-  bool hole(const Call& call, Hole& out);
-  bool depth(const Call& call, std::size_t mode, double reference, double down, double& bottom);
-  bool to_diameter(const Call& call, double reference, double down, double& bottom);
-  double point_length();
-  bool strokes(const Call& call, double reference, Hole& hole);
-  double pause(const Call& call, std::size_t value, int mode_digit);
-  void dwells(const Call& call, Hole& hole);
-  void tapping(const Call& call, Hole& hole);
   bool pattern(const Call& call);
-  bool reads_all_of(const Call& pattern);
   bool swivel(const Call& call);
-  bool row(const Call& call);
-  bool circle(const Call& call);
-  bool grid(const Call& call);
-  bool points(const Call& call);
   bool at_points(const std::vector<Vec2>& points);
   bool drill(const Call& call);
-  bool choose_plane(const Call& call);
   bool mill(const Call& call);
   Word where() const;
 
@@ -77,7 +61,6 @@ class SinumerikCycles : public ControlPart {
   ToolChanger& tools_;
   HoleMaker& holes_;
   FrameWords& frame_words_;
-  DwellTime dwell_;
   MillCycles mills_;
   SinumerikContours contours_;
   TurnCycles turns_;

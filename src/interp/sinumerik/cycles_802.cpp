@@ -1,10 +1,6 @@
-// Cycles of SINUMERIK 802S and 802C: LCYC82 and its kin read R parameters. Each is one of the later
-// cycles with these values.
-#include "interp/sinumerik/sinumerik_cycles.h"
+#include "interp/sinumerik/cycles_802.h"
 
 #include <algorithm>
-
-#include <fmt/format.h>
 
 namespace mrsim {
 namespace {
@@ -36,11 +32,10 @@ const CycleOf802* find_cycle_of_802(std::string_view name) {
 
 }  // namespace
 
-bool SinumerikCycles::is_of_802(std::string_view name) {
-  return find_cycle_of_802(name) != nullptr;
-}
+bool is_cycle_of_802(std::string_view name) { return find_cycle_of_802(name) != nullptr; }
 
-bool SinumerikCycles::read_802(std::string_view name, Call& call) {
+bool read_cycle_of_802(std::string_view name, Statements* statements, const Word& where,
+                       CycleCall& call) {
   const CycleOf802& row = *find_cycle_of_802(name);
   call.name = std::string(row.cycle);
   call.written = std::string(name);
@@ -49,28 +44,11 @@ bool SinumerikCycles::read_802(std::string_view name, Call& call) {
     call.values.emplace_back();
     if (!value.empty()) {
       call.values.back().emplace();
-      if (!statements_ || !statements_->value_of(value, *call.values.back(), where())) return false;
+      if (!statements || !statements->value_of(value, *call.values.back(), where)) return false;
     }
     if (value.size() == rest.size()) return true;
     rest.remove_prefix(value.size() + 1);
   }
-}
-
-// LCYC60 and LCYC61: R115 is the number of the cycle that drills each hole.
-bool SinumerikCycles::pattern_802(const Call& places) {
-  Value number;
-  if (!statements_->value_of("R115", number, where())) return false;
-  Call drilling;
-  drilling.place = places.place;
-  const std::string name = fmt::format("LCYC{:g}", number.number);
-  if (!is_of_802(name) || number.number < 82)
-    return error("value-range", "R115 is the number of a drilling cycle: 82, 83, 84, 840 or 85",
-                 where());
-  if (!read_802(name, drilling)) return false;
-  modal_call_ = drilling;
-  const bool ok = pattern(places);
-  modal_call_.reset();
-  return ok;
 }
 
 }  // namespace mrsim

@@ -1,0 +1,211 @@
+#include "interp/sinumerik/hole_values.h"
+
+#include "core/rounding.h"
+#include "core/trig.h"
+#include "core/units.h"
+#include "interp/cycles/chamfering.h"
+#include "interp/cycles/iso_pitch.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include <fmt/format.h>
+
+namespace mrsim {
+namespace {
+
+constexpr std::array<std::string_view, 10> kCycles = {"CYCLE81", "CYCLE82", "CYCLE83", "CYCLE84",
+                                                      "CYCLE85", "CYCLE86", "CYCLE87", "CYCLE88",
+                                                      "CYCLE89", "CYCLE840"};
+
+// Where the call has its mode (AMODE): how depth and dwell are written. GMODE and DMODE stand
+// before it.
+std::size_t mode_of(std::string_view cycle) {
+  static constexpr std::array<std::pair<std::string_view, std::size_t>, 7> kModes = {
+      {{"CYCLE81", 8},
+       {"CYCLE82", 8},
+       {"CYCLE83", 19},
+       {"CYCLE84", 23},
+       {"CYCLE85", 10},
+       {"CYCLE86", 13},
+       {"CYCLE840", 19}}};
+  for (const auto& [name, mode] : kModes)
+    if (cycle == name) return mode;
+  return 99;
+}
+
+}  // namespace
+
+bool HoleValues::knows(std::string_view name) {
+  return std::find(kCycles.begin(), kCycles.end(), name) != kCycles.end();
+}
+
+// AXN: along the plane's first or second axis; the unit of DMODE: in G17, G18 or G19. Otherwise
+// along the normal of the plane in force, which is Y in G18.
+bool HoleValues::choose_plane() {
+  constexpr int kNormalTo[3][2] = {{2, 1}, {0, 2}, {1, 0}};
+  const std::size_t axn = call_.name == "CYCLE83" || call_.name == "CYCLE84" ? 12 : 11;
+  const int axis = axn == 12 || call_.name == "CYCLE840" ? static_cast<int>(call_.get(axn)) : 0;
+  const int plane = call_.digit(mode_of(call_.name) - 1, 0);
+  if (plane >= 1 && plane <= 3) modal_.plane = plane - 1;
+  if (axis == 1 || axis == 2) modal_.plane = kNormalTo[modal_.plane][axis - 1];
+  if (!lathe() || modal_.plane != 1) return true;
+  return error("cycle-plane",
+               fmt::format("{} drills along the normal of the plane, which is Y in G18: say G17 "
+                           "before it, for a hole along Z, and G18 behind it",
+                           call_.name),
+               where_);
+}
+
+// RTP RFP SDIS DP DPR: retraction, reference, safety clearance, depth absolute or from RFP.
+bool HoleValues::read(Hole& out) {
+  if (!knows(call_.name))
+    return error("not-supported", fmt::format("MCALL {} is not supported yet", call_.name), where_);
+  if (!call_.given(0) || !call_.given(1))
+    return error(
+        "value-missing",
+        fmt::format("{} needs RTP and RFP, the planes of retraction and reference", call_.name),
+        where_);
+  const double unit = scale(), rtp = call_.get(0) * unit, rfp = call_.get(1) * unit;
+  const double down = rtp < rfp ? 1 : -1;
+  out.safe = rfp - down * std::abs(call_.get(2)) * unit;
+  out.end = rtp;
+  dwells(out);
+  const bool by_shape = call_.digit(mode_of(call_.name) - 2, 1) == 1;
+  if (by_shape && call_.name == "CYCLE81") return to_diameter(rfp, down, out.bottom);
+  if (!depth(mode_of(call_.name), rfp, down, out.bottom)) return false;
+  if (by_shape && (call_.name == "CYCLE82" || call_.name == "CYCLE83"))
+    out.bottom += down * point_length();
+  if (!call_.written.empty() && call_.name == "CYCLE83") out.feed = call_.get(20) * feed_scale();
+  if (call_.name == "CYCLE83") return strokes(rfp, out);
+  if (call_.name == "CYCLE84" || call_.name == "CYCLE840") tapping(out);
+  if (call_.name == "CYCLE85") {
+    out.feed = call_.get(6) * feed_scale();
+    out.feed_back = call_.get(7) * feed_scale();
+  }
+  out.feed_out = out.lead != 0 || call_.name == "CYCLE85" || call_.name == "CYCLE89";
+  if (call_.name == "CYCLE86" && (call_.get(7) != 0 || call_.get(8) != 0 || call_.get(9) != 0)) {
+    const Basis b = basis();
+    out.lift = call_.get(7) * unit * b.u + call_.get(8) * unit * b.v + call_.get(9) * unit * b.w;
+  }
+  return true;
+}
+
+bool HoleValues::depth(std::size_t mode, double reference, double down, double& bottom) {
+  const int amode = static_cast<int>(call_.get(mode)) % 10;
+  const bool relative = amode == 1 || (amode == 0 && call_.given(4) && call_.get(4) != 0);
+  if (!relative && !call_.given(3))
+    return error("value-missing", fmt::format("{} needs DP or DPR, the depth", call_.name), where_);
+  // With a mode, the value stands in DP; without one, DPR counts before DP.
+  const double value = amode == 1 && call_.given(3) ? call_.get(3) : call_.get(4);
+  bottom = relative ? reference + down * std::abs(value) * scale() : call_.get(3) * scale();
+  if ((bottom - reference) * down < 0)
+    return error("value-range",
+                 fmt::format("{}: the depth lies on the side of the retraction plane (alarm 61101)",
+                             call_.name),
+                 where_);
+  return true;
+}
+
+// The tens of GMODE: DP of CYCLE81 is the diameter that the cone leaves on the face.
+bool HoleValues::to_diameter(double reference, double down, double& bottom) {
+  tools_.require(where_, true);
+  const Tool* tool = tools_.current();
+  const double half = tool ? cone_of(*tool) : 0, wide = std::abs(call_.get(call_.given(3) ? 3 : 4));
+  if (half <= 0)
+    return error("tool-unknown", "CYCLE81 to a diameter (GMODE) needs a tool that ends in a cone",
+                 where_);
+  const double aside = wide * scale() / 2 - tool->tip_diameter / 2;
+  if (aside <= 0 || wide * scale() > tool->diameter + kRounding)
+    return error("value-range",
+                 fmt::format("CYCLE81: the tool's cone has no diameter of {:g} (GMODE)", wide),
+                 where_);
+  const SinCos cone = sincos(half);
+  bottom = reference + down * aside * cone.cos / cone.sin;
+  return true;
+}
+
+// The tens of GMODE: DP of CYCLE82 and CYCLE83 is where the full diameter ends, not the point.
+double HoleValues::point_length() {
+  tools_.require(where_, true);
+  const Tool* tool = tools_.current();
+  const double half = tool ? cone_of(*tool) : 0;
+  if (half <= 0) return 0;
+  const SinCos cone = sincos(half);
+  return (tool->diameter - tool->tip_diameter) / 2 * cone.cos / cone.sin;
+}
+
+// FDEP or FDPR: the first stroke; DAM: how much less each next one is, or by which factor (below 0,
+// or in percent by AMODE); the last two are equal.
+bool HoleValues::strokes(double reference, Hole& hole) {
+  const double unit = scale(), total = std::abs(hole.bottom - reference);
+  const double down = hole.bottom < reference ? -1 : 1;
+  const bool relative = call_.given(6) && call_.get(6) != 0;
+  const bool said_relative = call_.digit(19, 4) == 1 && call_.given(5);  // of AMODE
+  double stroke = relative        ? std::abs(call_.get(6)) * unit
+                  : said_relative ? std::abs(call_.get(5)) * unit
+                                  : std::abs(call_.get(5) * unit - reference);
+  if (!relative && !call_.given(5)) stroke = total;
+  const bool percent = call_.digit(19, 5) == 2;
+  const double dam = percent ? -std::abs(call_.get(7)) / 100 : call_.get(7);
+  const double least = std::abs(call_.get(13)) * unit;
+  hole.chips_out = call_.get(11) >= 1;
+  if (call_.given(14) && call_.get(14) > 0 && !hole.chips_out)
+    hole.clearance = call_.get(14) * unit;
+  if (!hole.chips_out && !(call_.get(14) > 0)) hole.clearance = 1;
+  if (call_.given(16) && call_.get(16) > 0 && hole.chips_out) hole.clearance = call_.get(16) * unit;
+  if (stroke <= 0)
+    return error("value-range", "CYCLE83: the first drilling depth must lie below RFP", where_);
+  const double smallest = dam > 0 ? std::max(dam * unit, least) : least;
+  double at = 0;
+  while (at + stroke < total - kRounding) {
+    at += stroke;
+    hole.strokes.push_back(reference + down * at);
+    if (hole.strokes.size() > kMostStrokes)
+      return error("value-range", "CYCLE83: too many strokes", where_);
+    if (dam > 0) stroke = std::max(stroke - dam * unit, smallest);
+    if (dam < 0) stroke = std::max(stroke * -dam, std::max(smallest, 1e-3));
+    const double rest = total - at;
+    if (dam > 0 && rest > stroke && rest < 2 * stroke && stroke <= smallest) stroke = rest / 2;
+  }
+  return true;
+}
+
+// s of a dwell: below 0 it is in turns, unless a digit of the mode says 1 (seconds) or 2 (turns).
+double HoleValues::pause(std::size_t value, int mode_digit) {
+  const double time = call_.get(value);
+  const int unit = mode_digit > 0 ? call_.digit(mode_of(call_.name), mode_digit) : 0;
+  const bool turns = unit == 2 || (unit == 0 && time < 0);
+  return turns ? dwell_.of_turns(std::abs(time), where_) : std::abs(time);
+}
+
+// DTB: at the bottom; CYCLE83: behind each stroke, DTD behind the last one, DTS where the chips are
+// out.
+void HoleValues::dwells(Hole& hole) {
+  if (call_.name == "CYCLE87") return;
+  if (call_.name != "CYCLE83") {
+    hole.dwell = pause(5, 1);
+    return;
+  }
+  const int other_units = call_.digit(19, 2) + call_.digit(19, 3);
+  if (other_units != 0 && (call_.get(9) > 0 || call_.get(15) > 0))
+    note_once("dwell-unit", "CYCLE83: DTS and DTD above 0 are read as seconds", where_, "CYCLE83");
+  hole.dwell = hole.dwell_stroke = pause(8, 1);
+  hole.dwell_safe = pause(9, 0);
+  if (call_.get(15) != 0) hole.dwell = pause(15, 0);
+}
+
+// MPIT (size of the thread) or PIT (its pitch); the sign is the hand.
+void HoleValues::tapping(Hole& hole) {
+  const bool rigid = call_.name == "CYCLE84";
+  const std::size_t mpit = rigid ? 7 : 9, pit = mpit + 1;
+  double lead = call_.get(pit) * scale();
+  if (lead == 0) lead = std::copysign(iso_pitch(std::abs(call_.get(mpit))), call_.get(mpit));
+  if (lead == 0 && modal_.speed > 0) lead = modal_.feed / modal_.speed;
+  hole.lead = lead != 0 ? lead : 1;
+  if (lead == 0)
+    reporter_.add(Severity::warning, "thread-lead", "the pitch of the thread is not given", where_);
+}
+
+}  // namespace mrsim

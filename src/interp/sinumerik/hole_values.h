@@ -1,0 +1,41 @@
+// What the values of SINUMERIK's drilling cycles CYCLE81 to CYCLE89 and CYCLE840 ask for: the
+// motions of a hole. Private to src/interp.
+#pragma once
+
+#include "interp/cycles/cycle_call.h"
+#include "interp/cycles/hole_maker.h"
+#include "interp/tools/tool_changer.h"
+#include "interp/words/dwell_time.h"
+
+#include <string_view>
+
+namespace mrsim {
+
+/// Lives for one call.
+class HoleValues : public ControlPart {
+ public:
+  HoleValues(Control& control, ToolChanger& tools, const CycleCall& call, const Word& where)
+      : ControlPart(control), tools_(tools), dwell_(control), call_(call), where_(where) {}
+
+  static bool knows(std::string_view name);
+  /// Makes the plane that the call asks for the one in force. False: an error was reported.
+  bool choose_plane();
+  /// Levels in the plane in force. False: an error was reported.
+  bool read(Hole& out);
+
+ private:
+  bool depth(std::size_t mode, double reference, double down, double& bottom);
+  bool to_diameter(double reference, double down, double& bottom);
+  double point_length();
+  bool strokes(double reference, Hole& hole);
+  double pause(std::size_t value, int mode_digit);
+  void dwells(Hole& hole);
+  void tapping(Hole& hole);
+
+  ToolChanger& tools_;
+  DwellTime dwell_;
+  const CycleCall& call_;
+  const Word& where_;
+};
+
+}  // namespace mrsim
