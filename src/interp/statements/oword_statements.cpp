@@ -294,13 +294,13 @@ bool OwordStatements::enter_sub(const std::string& name, CallRequest request,
     std::string ignored;
     for (std::size_t i = 0; i < arguments.size(); ++i)
       variables_.assign(static_cast<double>(i + 1), Value::of(arguments[i]), ignored);
-    system_.set_returned(0, false);
-    system_.add_call_level(1);
+    system_.linuxcnc().set_returned(0, false);
+    system_.linuxcnc().add_call_level(1);
     if (before) before();
   };
   request.on_end = [this, behind = request.on_end] {
     variables_.leave_level();
-    system_.add_call_level(-1);
+    system_.linuxcnc().add_call_level(-1);
     saved_modes_.leave(reader_.depth());
     if (behind) behind();
   };
@@ -337,7 +337,7 @@ bool OwordStatements::leave(std::size_t p, bool required) {
   if (!values(p, result)) return false;
   if (required && variables_.levels() < 2)
     return fail("structure", "this ends a subprogram, and none is being run", block_.statement, p);
-  system_.set_returned(result.empty() ? 0 : result[0], !result.empty());
+  system_.linuxcnc().set_returned(result.empty() ? 0 : result[0], !result.empty());
   reader_.leave_stretches();
   reader_.end_activation(false);
   return true;

@@ -1,11 +1,11 @@
-// System variables of SINUMERIK: data of tools, positions, frames.
+#include "interp/statements/sinumerik_variables.h"
+
 #include "core/rounding.h"
 #include "core/text_io.h"
 #include "core/trig.h"
 #include "core/units.h"
 #include "interp/frames/frame_words.h"
 #include "interp/path/frame_parts.h"
-#include "interp/statements/system_values.h"
 #include "interp/text/characters.h"
 #include "interp/tools/tool_changer.h"
 
@@ -17,11 +17,11 @@
 namespace mrsim {
 
 // Lengths of settable frames and of tools: G700 makes them inches, G70 does not.
-double SystemValues::data_scale() const { return feed_scale(); }
+double SinumerikVariables::data_scale() const { return feed_scale(); }
 
 // $P_TOOLNO, $P_TOOL, $P_TOOLR, $TC_DP3[t,d], $TC_DP6[t,d]
-bool SystemValues::tool_value(std::string_view name, std::span<const Value> indices,
-                              double& out) const {
+bool SinumerikVariables::tool_value(std::string_view name, std::span<const Value> indices,
+                                    double& out) const {
   if (name == "$P_TOOLNO") {
     const auto id = parse_number(control_.tool.current);
     out = id.value_or(0);
@@ -68,15 +68,15 @@ std::string kept_name(std::string_view key, std::span<const Value> indices) {
 
 }  // namespace
 
-bool SystemValues::kept_value(std::string_view key, std::span<const Value> indices,
-                              double& out) const {
+bool SinumerikVariables::kept_value(std::string_view key, std::span<const Value> indices,
+                                    double& out) const {
   const auto kept = control_.kept_values.find(kept_name(key, indices));
   if (kept == control_.kept_values.end()) return false;
   out = kept->second;
   return true;
 }
 
-bool SystemValues::axis_value_of(std::string_view name, int axis, double& out) const {
+bool SinumerikVariables::axis_value_of(std::string_view name, int axis, double& out) const {
   if (name == "$P_EP" || name == "$AA_IW" || name == "$AA_MW")
     out = work_position(axis);
   else if (name == "$AA_IM" || name == "$AA_IB" || name == "$P_APR")
@@ -87,8 +87,8 @@ bool SystemValues::axis_value_of(std::string_view name, int axis, double& out) c
 }
 
 // $P_UIFR[1], $P_IFRAME, $P_PFRAME, $P_ACTFRAME, and one component: $P_PFRAME[X,TR]
-bool SystemValues::frame_value(std::string_view name, std::span<const Value> indices,
-                               Value& out) const {
+bool SinumerikVariables::frame_value(std::string_view name, std::span<const Value> indices,
+                                     Value& out) const {
   Frame frame;
   const bool programmed = name == "$P_PFRAME" || name == "$P_ACTFRAME";
   const double unit = programmed ? scale() : data_scale();
@@ -120,8 +120,8 @@ bool SystemValues::frame_value(std::string_view name, std::span<const Value> ind
 
 // The tool's data: radius and its wear decide the compensation; lengths are those of the real
 // tools.
-bool SystemValues::write_tool(std::string_view key, std::span<const Value> indices,
-                              const Value& value) {
+bool SinumerikVariables::write_tool(std::string_view key, std::span<const Value> indices,
+                                    const Value& value) {
   if (!value.is_number() || indices.size() != 2 || !indices[0].is_number() ||
       !indices[1].is_number())
     return false;
@@ -140,7 +140,7 @@ bool SystemValues::write_tool(std::string_view key, std::span<const Value> indic
 }
 
 // $P_PFRAME = CTRANS(...), $P_PFRAME[X,TR] = 5
-bool SystemValues::write_program_frame(std::span<const Value> indices, const Value& value) {
+bool SinumerikVariables::write_program_frame(std::span<const Value> indices, const Value& value) {
   Frame frame = frames_.program;
   if (indices.empty() && value.kind == Value::Kind::frame) {
     frame = *value.frame;
@@ -158,11 +158,6 @@ bool SystemValues::write_program_frame(std::span<const Value> indices, const Val
   if (indices.empty()) frames_.fine = Vec3{};
   frames.rebuild();
   return true;
-}
-
-double SystemValues::work_turn(const std::string& name) const {
-  const auto turn = control_.work_turns.find(name);
-  return turn == control_.work_turns.end() ? 0 : turn->second;
 }
 
 namespace {
@@ -185,7 +180,7 @@ bool turned_about_z(const Frame& frame, double& angle) {
 }  // namespace
 
 // $P_UIFR[1] = CTRANS(...):CROT(Z,...), $P_UIFR[1,X,TR] = 5, $P_UIFR[1,Z,RT] = 30
-bool SystemValues::write_work_frame(std::span<const Value> indices, const Value& value) {
+bool SinumerikVariables::write_work_frame(std::span<const Value> indices, const Value& value) {
   if (indices.empty() || !indices[0].is_number() || indices[0].number < 1 ||
       indices[0].number >= 100)
     return false;
@@ -211,8 +206,8 @@ bool SystemValues::write_work_frame(std::span<const Value> indices, const Value&
   return true;
 }
 
-bool SystemValues::write(std::string_view name, std::span<const Value> indices, const Value& value,
-                         std::string& why) {
+bool SinumerikVariables::write(std::string_view name, std::span<const Value> indices,
+                               const Value& value, std::string& why) {
   const std::string key = upper_case(name);
   if (key == "$P_PFRAME" && write_program_frame(indices, value)) return true;
   if (key == "$P_UIFR" && write_work_frame(indices, value)) return true;
@@ -225,6 +220,37 @@ bool SystemValues::write(std::string_view name, std::span<const Value> indices, 
   why = fmt::format("the system variable {} cannot be set here{}", to_utf8(name.substr(0, 60)),
                     key == "$P_UIFR" ? " (a settable frame shifts, and turns about Z)" : "");
   return false;
+}
+
+bool SinumerikVariables::read(std::string_view name, std::span<const Value> indices, Value& out,
+                              std::string& why) const {
+  const std::string key = upper_case(name);
+  double value = 0;
+  bool known = false;
+  if (key[0] != '$') {
+    out = Value::of_text(key);
+    return true;
+  } else if (frame_value(key, indices, out)) {
+    return true;
+  } else if (key == "$PI") {
+    value = 3.14159265358979323846;
+    known = true;
+  } else if (key == "$P_UIFRNUM") {
+    value = std::max(0.0, work_number() - 53);
+    known = true;
+  } else if (key == "$P_F" || key == "$P_S") {
+    value = key == "$P_F" ? modal_.feed / feed_scale() : modal_.speed;
+    known = true;
+  } else if (key == "$P_SEARCH" || key == "$P_ISTEST" || key == "$P_SIM") {
+    known = true;
+  } else if (indices.size() == 1 && axis_named(indices[0].text) >= 0) {
+    known = axis_value_of(key, axis_named(indices[0].text), value);
+  } else {
+    known = tool_value(key, indices, value) || kept_value(key, indices, value);
+  }
+  out = Value::of(value);
+  if (!known) why = fmt::format("the system variable {} is not answered here", key.substr(0, 60));
+  return known;
 }
 
 }  // namespace mrsim

@@ -1,6 +1,6 @@
-// FANUC's numbered variables: positions, offsets of tools, modal codes and addresses.
+#include "interp/statements/fanuc_values.h"
+
 #include "core/text_io.h"
-#include "interp/statements/system_values.h"
 #include "interp/tools/tool_changer.h"
 
 #include <algorithm>
@@ -9,34 +9,11 @@
 
 namespace mrsim {
 
-double motion_number(Code motion) {
-  switch (motion) {
-    case Code::rapid:
-      return 0;
-    case Code::arc_cw:
-      return 2;
-    case Code::arc_ccw:
-      return 3;
-    case Code::thread:
-      return 33;
-    default:
-      return 1;
-  }
-}
-
-double comp_number(Code comp) {
-  return comp == Code::comp_left ? 41 : comp == Code::comp_right ? 42 : 40;
-}
-
-double feed_number(FeedUnit unit) {
-  return unit == FeedUnit::inverse_time ? 93 : unit == FeedUnit::mm_per_min ? 94 : 95;
-}
-
 // #4001 to #4130: the code in force of a modal group, and the last value of an address. Those of
 // the block before, 200 and 400 on, are the same here.
-bool SystemValues::fanuc_modal(int number, double& out) const {
+bool FanucValues::modal(int number, double& out) const {
   const int n = (number - 4000) % 200;
-  if (n > 100) return fanuc_address(n - 100, out);
+  if (n > 100) return address(n - 100, out);
   switch (n) {
     case 1:
       out = motion_number(modal_.motion);
@@ -57,7 +34,7 @@ bool SystemValues::fanuc_modal(int number, double& out) const {
   }
 }
 
-bool SystemValues::mill_group(int group, double& out) const {
+bool FanucValues::mill_group(int group, double& out) const {
   const auto choose = [&](bool first, double yes, double no) {
     out = first ? yes : no;
     return true;
@@ -92,7 +69,7 @@ bool SystemValues::mill_group(int group, double& out) const {
 }
 
 // Of code system A.
-bool SystemValues::lathe_group(int group, double& out) const {
+bool FanucValues::lathe_group(int group, double& out) const {
   switch (group) {
     case 2:
       out = modal_.surface_speed ? 96 : 97;
@@ -108,7 +85,7 @@ bool SystemValues::lathe_group(int group, double& out) const {
   }
 }
 
-bool SystemValues::fanuc_address(int number, double& out) const {
+bool FanucValues::address(int number, double& out) const {
   switch (number) {
     case 7:  // D
       out = modal_.edge_given ? modal_.edge : 0;
@@ -137,7 +114,7 @@ bool SystemValues::fanuc_address(int number, double& out) const {
 }
 
 // #5001 end of the block before, #5021 machine, #5041 now, #5081 length offset of the tool.
-bool SystemValues::fanuc_position(int number, double& out, std::string& why) const {
+bool FanucValues::position(int number, double& out, std::string& why) const {
   const int kind = (number - 5001) / 20, axis = axis_numbered((number - 5001) % 20);
   if (axis < 0 || kind == 3 || kind > 4) return false;
   if (kind == 4) {
@@ -167,7 +144,7 @@ bool SystemValues::fanuc_position(int number, double& out, std::string& why) con
 }
 
 // Offset memory C of mills: #10001 wear and #11001 length of H, #12001 wear and #13001 radius of D.
-bool SystemValues::fanuc_register(int number, double& out, std::string& why) const {
+bool FanucValues::read_register(int number, double& out, std::string& why) const {
   const int kind = number / 1000;
   if (lathe() || kind < 10 || kind > 13 || number % 1000 == 0 || !tools_) return false;
   const std::string name = fmt::format("{}{}", kind < 12 ? 'H' : 'D', number % 1000);
@@ -185,7 +162,7 @@ bool SystemValues::fanuc_register(int number, double& out, std::string& why) con
 }
 
 // Lengths, #10001 and #11001, are those of the real tools.
-bool SystemValues::write_fanuc_register(double number, const Value& value) {
+bool FanucValues::write_register(double number, const Value& value) {
   const int kind = static_cast<int>(number / 1000), index = static_cast<int>(number) % 1000;
   if (lathe() || (kind != 12 && kind != 13) || index == 0 || !value.is_number()) return false;
   const std::string name = fmt::format("D{}", index);
@@ -194,18 +171,18 @@ bool SystemValues::write_fanuc_register(double number, const Value& value) {
   return true;
 }
 
-bool SystemValues::read_fanuc(int number, Value& out, std::string& why) const {
+bool FanucValues::read(int number, Value& out, std::string& why) const {
   double value = 0;
   bool known = false;
   if (const auto given = outside_.find(number); given != outside_.end()) {
     value = given->second;
     known = true;
   } else if (number >= 4000 && number < 4600) {
-    known = fanuc_modal(number, value);
+    known = modal(number, value);
   } else if (number > 5000 && number < 5101) {
-    known = fanuc_position(number, value, why);
+    known = position(number, value, why);
   } else {
-    known = fanuc_register(number, value, why);
+    known = read_register(number, value, why);
   }
   out = Value::of(value);
   if (!known && why.empty())
@@ -213,13 +190,13 @@ bool SystemValues::read_fanuc(int number, Value& out, std::string& why) const {
   return known;
 }
 
-bool SystemValues::write_fanuc(double number, const Value& value, std::string& why) {
+bool FanucValues::write(double number, const Value& value, std::string& why) {
   if (!tools_ && value.is_number()) {  // before the program runs: --set
     outside_[static_cast<int>(number)] = value.number;
     return true;
   }
   if (number >= 3001 && number <= 3007) return true;  // clock, stops, messages
-  if (write_fanuc_register(number, value)) return true;
+  if (write_register(number, value)) return true;
   why = number == 3000
             ? fmt::format("the program stops with its own alarm #3000 = {:g}", value.number)
             : fmt::format("the system variable #{:.0f} cannot be set here", number);

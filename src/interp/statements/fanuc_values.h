@@ -1,0 +1,33 @@
+// FANUC's numbered system variables: positions, offsets of tools, modal codes and addresses; and
+// those that --set answers. Private to src/interp.
+#pragma once
+
+#include "interp/language/value.h"
+#include "interp/statements/state_values.h"
+
+#include <map>
+#include <string>
+
+namespace mrsim {
+
+class FanucValues : public StateValues {
+ public:
+  explicit FanucValues(Control& control) : StateValues(control) {}
+
+  /// False: `why` says that this variable is not answered, by number.
+  bool read(int number, Value& out, std::string& why) const;
+  bool write(double number, const Value& value, std::string& why);
+
+ private:
+  bool position(int number, double& out, std::string& why) const;
+  bool read_register(int number, double& out, std::string& why) const;
+  bool write_register(double number, const Value& value);
+  bool modal(int number, double& out) const;
+  bool address(int number, double& out) const;
+  bool mill_group(int group, double& out) const;
+  bool lathe_group(int group, double& out) const;
+
+  std::map<int, double> outside_;  ///< given with --set
+};
+
+}  // namespace mrsim

@@ -1,0 +1,35 @@
+// System variables of SINUMERIK, which have names: data of tools, positions, frames. Private to
+// src/interp.
+#pragma once
+
+#include "interp/language/value.h"
+#include "interp/statements/state_values.h"
+
+#include <span>
+#include <string>
+#include <string_view>
+
+namespace mrsim {
+
+class SinumerikVariables : public StateValues {
+ public:
+  explicit SinumerikVariables(Control& control) : StateValues(control) {}
+
+  /// False: `why` says that this variable is not answered, by name.
+  bool read(std::string_view name, std::span<const Value> indices, Value& out,
+            std::string& why) const;
+  bool write(std::string_view name, std::span<const Value> indices, const Value& value,
+             std::string& why);
+
+ private:
+  double data_scale() const;
+  bool tool_value(std::string_view name, std::span<const Value> indices, double& out) const;
+  bool kept_value(std::string_view key, std::span<const Value> indices, double& out) const;
+  bool axis_value_of(std::string_view name, int axis, double& out) const;
+  bool frame_value(std::string_view name, std::span<const Value> indices, Value& out) const;
+  bool write_tool(std::string_view key, std::span<const Value> indices, const Value& value);
+  bool write_program_frame(std::span<const Value> indices, const Value& value);
+  bool write_work_frame(std::span<const Value> indices, const Value& value);
+};
+
+}  // namespace mrsim
