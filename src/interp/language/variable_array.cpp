@@ -1,7 +1,7 @@
-// Variables that DEF and its kin define: their elements, and the parts of frames and texts.
+#include "interp/language/variable_array.h"
+
 #include "core/text_io.h"
 #include "interp/language/operations.h"
-#include "interp/language/variables.h"
 #include "interp/path/frame_parts.h"
 #include "interp/text/characters.h"
 
@@ -10,45 +10,12 @@
 #include <fmt/format.h>
 
 namespace mrsim {
-namespace {
 
-constexpr std::size_t kMostElements = 1'000'000;
-
-}  // namespace
-
-bool Variables::define(std::string_view name, VariableType type, std::array<int, 3> dimensions,
-                       bool global, std::string& why) {
-  Names& names = global ? globals_ : levels_.back()->names;
-  std::size_t count = 1;
-  for (const int size : dimensions) {
-    if (size < 0 || static_cast<std::size_t>(size) > kMostElements) count = kMostElements + 1;
-    if (size > 0 && count <= kMostElements) count *= static_cast<std::size_t>(size);
-  }
-  if (elements_ + count > kMostElements) {
-    why = fmt::format("more than {} variables and elements of arrays", kMostElements);
-    return false;
-  }
-  const auto [at, fresh] = names.try_emplace(key(name));
-  if (!fresh && !global) {
-    why = fmt::format("{} is defined twice (alarm 12170)", to_utf8(name.substr(0, 60)));
-    return false;
-  }
-  elements_ += count - at->second.elements.size();
-  at->second.type = type;
-  at->second.dimensions = dimensions;
-  const Value first = type == VariableType::frame ? Value::of_frame({})
-                      : type == VariableType::text || type == VariableType::axis
-                          ? Value::of_text({})
-                          : Value::of(0);
-  at->second.elements.assign(count, first);
-  return true;
-}
-
-bool Variables::element(std::string_view name, const Array& variable,
-                        std::span<const Value> indices, std::size_t& at, std::string& why) const {
+bool VariableArray::place_of(std::string_view name, std::span<const Value> indices, std::size_t& at,
+                             std::string& why) const {
   at = 0;
   std::size_t wanted = 0;
-  for (const int size : variable.dimensions) wanted += size > 0 ? 1U : 0U;
+  for (const int size : dimensions) wanted += size > 0 ? 1U : 0U;
   if (indices.size() != wanted) {
     why = fmt::format("{} has {} indices, and {} are given", to_utf8(name.substr(0, 60)), wanted,
                       indices.size());
@@ -56,29 +23,28 @@ bool Variables::element(std::string_view name, const Array& variable,
   }
   for (std::size_t i = 0; i < wanted; ++i) {
     const double index = indices[i].is_number() ? nearest_whole(indices[i].number) : -1;
-    if (index < 0 || index >= variable.dimensions[i]) {
+    if (index < 0 || index >= dimensions[i]) {
       why = fmt::format("index {} of {} is 0 to {} (alarm 17020)", i + 1,
-                        to_utf8(name.substr(0, 60)), variable.dimensions[i] - 1);
+                        to_utf8(name.substr(0, 60)), dimensions[i] - 1);
       return false;
     }
-    at = at * static_cast<std::size_t>(variable.dimensions[i]) + static_cast<std::size_t>(index);
+    at = at * static_cast<std::size_t>(dimensions[i]) + static_cast<std::size_t>(index);
   }
   return true;
 }
 
-bool Variables::store(Array& variable, std::size_t at, const Value& value, std::string& why) const {
+bool VariableArray::store(std::size_t at, const Value& value, VariableForm form, std::string& why) {
   using Kind = Value::Kind;
-  Value& out = variable.elements[at];
+  Value& out = elements[at];
   if (value.kind == Kind::faulty) {
     out = value;
     return true;
   }
-  const Kind wanted = variable.type == VariableType::frame ? Kind::frame
-                      : variable.type == VariableType::text || variable.type == VariableType::axis
-                          ? Kind::text
-                          : Kind::number;
-  const bool letter = variable.type == VariableType::character && value.kind == Kind::text &&
-                      value.text.size() == 1;
+  const Kind wanted = type == VariableType::frame                                ? Kind::frame
+                      : type == VariableType::text || type == VariableType::axis ? Kind::text
+                                                                                 : Kind::number;
+  const bool letter =
+      type == VariableType::character && value.kind == Kind::text && value.text.size() == 1;
   if (letter) {
     out = Value::of(static_cast<unsigned char>(value.text[0]));
     out.letter = true;
@@ -89,45 +55,45 @@ bool Variables::store(Array& variable, std::size_t at, const Value& value, std::
                       wanted == Kind::frame    ? "FRAME"
                       : wanted == Kind::number ? "number"
                                                : "text",
-                      form_ == VariableForm::sinumerik ? " (alarm 12150)" : "");
+                      form == VariableForm::sinumerik ? " (alarm 12150)" : "");
     return false;
   }
-  if (variable.type == VariableType::text && value.text.size() > variable.longest) {
+  if (type == VariableType::text && value.text.size() > longest) {
     why = fmt::format("the text has {} characters, its variable is a STRING[{}]", value.text.size(),
-                      variable.longest);
+                      longest);
     return false;
   }
-  if (variable.type == VariableType::character && !(value.number >= 0 && value.number < 255.5)) {
+  if (type == VariableType::character && !(value.number >= 0 && value.number < 255.5)) {
     why = "a CHAR is 0 to 255";
     return false;
   }
   out = value;
-  if (variable.type == VariableType::integer || variable.type == VariableType::character)
+  if (type == VariableType::integer || type == VariableType::character)
     out.number = nearest_whole(value.number);
-  out.letter = variable.type == VariableType::character;
-  if (variable.type == VariableType::boolean) out.number = value.number != 0;
+  out.letter = type == VariableType::character;
+  if (type == VariableType::boolean) out.number = value.number != 0;
   return true;
 }
 
 // FR[X,TR]: the last two indices are an axis and a part of the frame.
-bool Variables::names_part(const Array& variable, std::span<const Value> indices) {
-  return variable.type == VariableType::frame && indices.size() >= 2 &&
+bool VariableArray::names_part(std::span<const Value> indices) const {
+  return type == VariableType::frame && indices.size() >= 2 &&
          indices.back().kind == Value::Kind::text;
 }
 
 // VS[2], counted from 0, of a text that is no array: one of its characters.
-bool Variables::names_character(const Array& variable, std::span<const Value> indices) {
-  return variable.type == VariableType::text && variable.dimensions[0] == 0 &&
-         indices.size() == 1 && indices[0].is_number();
+bool VariableArray::names_character(std::span<const Value> indices) const {
+  return type == VariableType::text && dimensions[0] == 0 && indices.size() == 1 &&
+         indices[0].is_number();
 }
 
-bool Variables::read_element(std::string_view name, const Array& variable,
-                             std::span<const Value> indices, Value& out, std::string& why) const {
+bool VariableArray::read(std::string_view name, std::span<const Value> indices, Value& out,
+                         std::string& why) const {
   std::size_t at = 0;
-  const bool part = names_part(variable, indices), letter = names_character(variable, indices);
+  const bool part = names_part(indices), letter = names_character(indices);
   const auto whole = part ? indices.first(indices.size() - 2) : letter ? indices.first(0) : indices;
-  if (!element(name, variable, whole, at, why)) return false;
-  out = variable.elements[at];
+  if (!place_of(name, whole, at, why)) return false;
+  out = elements[at];
   if (out.kind == Value::Kind::faulty || !(part || letter)) return true;
   if (letter) {
     const double place = nearest_whole(indices[0].number);
@@ -147,9 +113,8 @@ bool Variables::read_element(std::string_view name, const Array& variable,
 }
 
 // Of a text that has one there.
-bool Variables::write_character(Array& variable, const Value& index, const Value& value,
-                                std::string& why) {
-  Value& out = variable.elements[0];
+bool VariableArray::write_character(const Value& index, const Value& value, std::string& why) {
+  Value& out = elements[0];
   if (out.kind == Value::Kind::faulty || value.kind == Value::Kind::faulty) {
     out.kind = Value::Kind::faulty;
     return true;
@@ -164,16 +129,14 @@ bool Variables::write_character(Array& variable, const Value& index, const Value
   return true;
 }
 
-bool Variables::write_element(std::string_view name, Array& variable,
-                              std::span<const Value> indices, const Value& value,
-                              std::string& why) const {
+bool VariableArray::write(std::string_view name, std::span<const Value> indices, const Value& value,
+                          VariableForm form, std::string& why) {
   std::size_t at = 0;
-  if (names_character(variable, indices)) return write_character(variable, indices[0], value, why);
-  if (!names_part(variable, indices))
-    return element(name, variable, indices, at, why) && store(variable, at, value, why);
+  if (names_character(indices)) return write_character(indices[0], value, why);
+  if (!names_part(indices)) return place_of(name, indices, at, why) && store(at, value, form, why);
   const int axis = axis_named(indices[indices.size() - 2].text);
-  if (!element(name, variable, indices.first(indices.size() - 2), at, why)) return false;
-  Value& out = variable.elements[at];
+  if (!place_of(name, indices.first(indices.size() - 2), at, why)) return false;
+  Value& out = elements[at];
   if (out.kind == Value::Kind::faulty) return true;
   if (value.kind == Value::Kind::faulty) {
     out = value;
@@ -185,41 +148,6 @@ bool Variables::write_element(std::string_view name, Array& variable,
     return false;
   }
   out = Value::of_frame(frame);
-  return true;
-}
-
-const Variables::Array* Variables::array(std::string_view name) {
-  const Array* const found = find(name);
-  return found && found->dimensions[0] > 0 ? found : nullptr;
-}
-
-void Variables::set_array(std::string_view name, const Array& values) {
-  if (Array* const found = find(name)) {
-    elements_ += values.elements.size() - found->elements.size();
-    *found = values;
-  }
-}
-
-bool Variables::fill(std::string_view name, std::span<const Value> indices,
-                     std::span<const std::optional<Value>> values, std::size_t repeats,
-                     std::string& why) {
-  Array* const variable = find(name);
-  std::size_t at = 0;
-  if (!variable) {
-    why = fmt::format("{} is not defined (alarm 12550)", to_utf8(name.substr(0, 60)));
-    return false;
-  }
-  if (!indices.empty() && !element(name, *variable, indices, at, why)) return false;
-  const std::size_t left = variable->elements.size() - at;
-  const std::size_t count = repeats > 0 ? std::min(repeats, left) : values.size();
-  if (count > left) {
-    why = fmt::format("{} values for {} elements", count, left);
-    return false;
-  }
-  for (std::size_t i = 0; i < count; ++i) {
-    const std::optional<Value>& value = values[repeats > 0 ? 0 : i];
-    if (value && !store(*variable, at + i, *value, why)) return false;
-  }
   return true;
 }
 

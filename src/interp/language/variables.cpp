@@ -70,6 +70,8 @@ const char* gap(VariableForm form, std::size_t n) {
   return "";
 }
 
+constexpr std::size_t kMostElements = 1'000'000;
+
 }  // namespace
 
 Variables::Variables(VariableForm form) : form_(form) {
@@ -83,6 +85,10 @@ bool Variables::is_system(double number) const {
 }
 
 bool Variables::is_local(double number) const { return number <= locals_of(form_); }
+
+bool Variables::is_local_of_call(double number) const {
+  return levels_.size() > 1 && is_local(number);
+}
 
 void Variables::enter_level() {
   levels_.push_back(std::make_unique<Level>());
@@ -144,7 +150,7 @@ bool Variables::numbered(double number, Value& out, std::string& why) {
   }
   const Cell* const at = cell(number, why);
   if (!at) return false;
-  if (!unread_.empty()) note_read(number);
+  if (!unread_.empty()) unread_.note_read(number, nullptr, is_local_of_call(number));
   answer(*at, number, out);
   return true;
 }
@@ -161,7 +167,7 @@ bool Variables::assign(double number, const Value& value, std::string& why) {
   }
   Cell* const at = cell(number, why);
   if (!at) return false;
-  if (!unread_.empty()) note_replaced(number);
+  if (!unread_.empty()) unread_.note_replaced(number, nullptr, is_local_of_call(number));
   switch (value.kind) {
     case Value::Kind::number:
       *at = {value.number, State::number};
@@ -200,15 +206,15 @@ Variables::Array* Variables::find(std::string_view name) {
 bool Variables::exists(std::string_view name) {
   if (name.empty()) return false;
   const Array* const variable = find(name);
-  if (variable) note_read(-1, variable);
+  if (variable) unread_.note_read(-1, variable, false);
   return variable || (system_ && system_->knows(name));
 }
 
 bool Variables::named(std::string_view name, std::span<const Value> indices, Value& out,
                       std::string& why) {
   if (Array* const variable = find(name)) {
-    note_read(-1, variable);
-    return read_element(name, *variable, indices, out, why);
+    unread_.note_read(-1, variable, false);
+    return variable->read(name, indices, out, why);
   }
   const bool plc = form_ == VariableForm::codesys;
   const bool dollar = name[0] == '$' && !plc;
@@ -260,14 +266,121 @@ bool Variables::assign(std::string_view name, std::span<const Value> indices, co
                       plc ? ": LET it first" : " (alarm 12550): DEF it first");
     return false;
   }
-  note_replaced(-1, variable);
-  return write_element(name, *variable, indices, value, why);
+  unread_.note_replaced(-1, variable, false);
+  return variable->write(name, indices, value, form_, why);
 }
 
 bool Variables::is_common(std::string_view name) {
   const std::size_t digits = name.size() > 1 && upper(name[1]) == 'C' ? 2 : 1;
   return name.size() > digits && upper(name[0]) == 'V' &&
          name.find_first_not_of("0123456789", digits) == name.npos;
+}
+
+bool Variables::define(std::string_view name, VariableType type, std::array<int, 3> dimensions,
+                       bool global, std::string& why) {
+  Names& names = global ? globals_ : levels_.back()->names;
+  std::size_t count = 1;
+  for (const int size : dimensions) {
+    if (size < 0 || static_cast<std::size_t>(size) > kMostElements) count = kMostElements + 1;
+    if (size > 0 && count <= kMostElements) count *= static_cast<std::size_t>(size);
+  }
+  if (elements_ + count > kMostElements) {
+    why = fmt::format("more than {} variables and elements of arrays", kMostElements);
+    return false;
+  }
+  const auto [at, fresh] = names.try_emplace(key(name));
+  if (!fresh && !global) {
+    why = fmt::format("{} is defined twice (alarm 12170)", to_utf8(name.substr(0, 60)));
+    return false;
+  }
+  elements_ += count - at->second.elements.size();
+  at->second.type = type;
+  at->second.dimensions = dimensions;
+  const Value first = type == VariableType::frame ? Value::of_frame({})
+                      : type == VariableType::text || type == VariableType::axis
+                          ? Value::of_text({})
+                          : Value::of(0);
+  at->second.elements.assign(count, first);
+  return true;
+}
+
+const Variables::Array* Variables::array(std::string_view name) {
+  const Array* const found = find(name);
+  return found && found->dimensions[0] > 0 ? found : nullptr;
+}
+
+void Variables::set_array(std::string_view name, const Array& values) {
+  if (Array* const found = find(name)) {
+    elements_ += values.elements.size() - found->elements.size();
+    *found = values;
+  }
+}
+
+bool Variables::fill(std::string_view name, std::span<const Value> indices,
+                     std::span<const std::optional<Value>> values, std::size_t repeats,
+                     std::string& why) {
+  Array* const variable = find(name);
+  std::size_t at = 0;
+  if (!variable) {
+    why = fmt::format("{} is not defined (alarm 12550)", to_utf8(name.substr(0, 60)));
+    return false;
+  }
+  if (!indices.empty() && !variable->place_of(name, indices, at, why)) return false;
+  const std::size_t left = variable->elements.size() - at;
+  const std::size_t count = repeats > 0 ? std::min(repeats, left) : values.size();
+  if (count > left) {
+    why = fmt::format("{} values for {} elements", count, left);
+    return false;
+  }
+  for (std::size_t i = 0; i < count; ++i) {
+    const std::optional<Value>& value = values[repeats > 0 ? 0 : i];
+    if (value && !variable->store(at + i, *value, form_, why)) return false;
+  }
+  return true;
+}
+
+bool Variables::preset_number(std::string_view given, double number, const Value& value,
+                              std::string& why) {
+  if (!assign(number, value, why)) return false;
+  if (!is_system(number)) unread_.add({std::string(given), number, nullptr, false});
+  return true;
+}
+
+bool Variables::preset_name(std::string_view given, std::string_view name, const Value& value,
+                            std::string& why) {
+  if (!assign(name, {}, value, why)) return false;
+  if (const Array* const variable = find(name))
+    unread_.add({std::string(given), -1, variable, false});
+  return true;
+}
+
+bool Variables::preset(std::string_view name, const Value& value, std::string& why) {
+  if (name.empty()) return false;
+  if (form_ == VariableForm::fanuc && is_common(name))
+    return define(name, VariableType::real, {}, true, why) && preset_name(name, name, value, why);
+  const bool hash = name.starts_with('#');
+  const bool numbers = form_ == VariableForm::linuxcnc || form_ == VariableForm::fanuc;
+  const std::string_view rest = name.substr(hash ? 1 : 0);
+  const bool r = !hash && form_ == VariableForm::sinumerik && name.size() > 1 &&
+                 upper(name[0]) == 'R' &&
+                 name.find_first_not_of("0123456789", 1) == std::string_view::npos;
+  const auto number = parse_number(r ? name.substr(1) : rest);
+  why = fmt::format("{} is not a variable of this control", to_utf8(name.substr(0, 60)));
+  if (r || (hash && number && numbers)) return preset_number(name, *number, value, why);
+  if (form_ == VariableForm::fagor && upper(name[0]) == 'P')
+    if (const auto parameter = parse_number(name.substr(1)); parameter)
+      return preset_number(name, *parameter, value, why);
+  if (form_ == VariableForm::codesys)
+    return name.size() > 2 && name.front() == '$' && name.find('$', 1) == name.size() - 1 &&
+           preset_name(name, name, value, why);
+  if (hash && form_ == VariableForm::linuxcnc && rest.size() > 2 && rest.front() == '<' &&
+      rest.back() == '>')
+    return preset_name(name, rest.substr(1, rest.size() - 2), value, why);
+  if (hash || form_ != VariableForm::sinumerik || number) return false;
+  for (const char c : name)
+    if (!is_name(c)) return false;
+  const auto type = value.kind == Value::Kind::text ? VariableType::text : VariableType::real;
+  return define(name, type, {}, true, why) && preset_name(name, name, value, why);
 }
 
 }  // namespace mrsim

@@ -4,7 +4,9 @@
 #pragma once
 
 #include "interp/language/expression.h"
+#include "interp/language/unread_presets.h"
 #include "interp/language/value.h"
+#include "interp/language/variable_array.h"
 
 #include <array>
 #include <map>
@@ -16,15 +18,6 @@
 #include <vector>
 
 namespace mrsim {
-
-/// How a control's variables are named and how long they live.
-enum class VariableForm : unsigned char {
-  linuxcnc,   ///< #1-#30 by call, #31-#5000, #<local>, #<_global>
-  fanuc,      ///< #1-#33 by level, #100-#199, #400-#999, #98000-#98499, #900000-#907399
-  sinumerik,  ///< R parameters, DEF by program, GUD
-  fagor,      ///< P0-P25 by level, P100-P299, P1000-P1255, P2000-P2255
-  codesys,    ///< #NAME by subprogram, $NAME$
-};
 
 /// Variables that are the control's state: positions, offsets, tool data, modal codes.
 class SystemVariables {
@@ -40,20 +33,11 @@ class SystemVariables {
   virtual bool knows(std::string_view name) = 0;
 };
 
-/// Types of SINUMERIK's DEF.
-enum class VariableType : unsigned char { real, integer, boolean, character, text, axis, frame };
-
 class Variables : public VariableReader {
  public:
   static constexpr int kLocals = 34;
 
-  /// A defined variable; dimensions of 0 stand for none.
-  struct Array {
-    VariableType type = VariableType::real;
-    std::array<int, 3> dimensions{};
-    std::vector<Value> elements;
-    std::size_t longest = std::string::npos;  ///< of a text: STRING[20]
-  };
+  using Array = VariableArray;
 
   explicit Variables(VariableForm form);
   void set_system(SystemVariables* system) { system_ = system; }
@@ -85,14 +69,9 @@ class Variables : public VariableReader {
   /// A variable from outside: "R1", "#100", "#<_name>", "NAME". False: not a variable of this
   /// control.
   bool preset(std::string_view name, const Value& value, std::string& why);
-  /// One from outside that the program has not read. Those of the control's state are not watched.
-  struct Unread {
-    std::string given;  ///< its name as it came
-    double number = -1;
-    const Array* named = nullptr;  ///< instead of a number
-    bool is_replaced = false;      ///< the program has set it
-  };
-  const std::vector<Unread>& unread() const { return unread_; }
+  /// Those of preset() that the program has not read. Variables that are the control's state are
+  /// not watched.
+  const std::vector<UnreadPresets::Preset>& unread() const { return unread_.list(); }
 
   /// A call begins or ends: its locals. `arguments`: bit n = local n is given, else it is vacant.
   void enter_level();
@@ -123,26 +102,13 @@ class Variables : public VariableReader {
   Cell* cell(double number, std::string& why);
   void answer(const Cell& cell, double number, Value& out) const;
   Array* find(std::string_view name);
-  static bool names_part(const Array& variable, std::span<const Value> indices);
-  static bool names_character(const Array& variable, std::span<const Value> indices);
-  bool read_element(std::string_view name, const Array& variable, std::span<const Value> indices,
-                    Value& out, std::string& why) const;
-  static bool write_character(Array& variable, const Value& index, const Value& value,
-                              std::string& why);
-  bool write_element(std::string_view name, Array& variable, std::span<const Value> indices,
-                     const Value& value, std::string& why) const;
-  bool element(std::string_view name, const Array& variable, std::span<const Value> indices,
-               std::size_t& at, std::string& why) const;
-  bool store(Array& variable, std::size_t at, const Value& value, std::string& why) const;
   std::string key(std::string_view name) const;
   bool is_system(double number) const;
   bool is_local(double number) const;
+  bool is_local_of_call(double number) const;
   bool preset_number(std::string_view given, double number, const Value& value, std::string& why);
   bool preset_name(std::string_view given, std::string_view name, const Value& value,
                    std::string& why);
-  bool is_meant(const Unread& one, double number, const Array* named) const;
-  void note_read(double number, const Array* named = nullptr);
-  void note_replaced(double number, const Array* named = nullptr);
 
   VariableForm form_;
   SystemVariables* system_ = nullptr;
@@ -150,7 +116,7 @@ class Variables : public VariableReader {
   std::vector<Cell> common_;
   Names globals_;
   std::size_t elements_ = 0;
-  std::vector<Unread> unread_;
+  UnreadPresets unread_;
 };
 
 }  // namespace mrsim

@@ -61,7 +61,7 @@ Statements::Statements(Control& control, BlockReader& reader, const ExpressionRu
 
 void Statements::tell_unread_presets() {
   std::string names;
-  for (const Variables::Unread& one : variables_.unread())
+  for (const UnreadPresets::Preset& one : variables_.unread())
     names += fmt::format("{}{} ({})", names.empty() ? "" : ", ", to_utf8(one.given),
                          one.is_replaced ? "set before it is read" : "never read");
   if (!names.empty())
