@@ -19,19 +19,7 @@ constexpr std::string_view kKeywords[] = {
 }  // namespace
 
 SinumerikStatements::SinumerikStatements(Control& control, BlockReader& reader)
-    : Statements(control, reader, sinumerik_rules(), VariableForm::sinumerik,
-                 OutlineForm::sinumerik) {
-  std::string ignored;  // the contour of LCYC95
-  variables_.define("_CNAME", VariableType::text, {}, true, ignored);
-  read_definitions();
-}
-
-std::string SinumerikStatements::name_at(std::size_t& p) const {
-  p = skip_blanks(p);
-  const std::size_t from = p;
-  while (is_name(at(p))) ++p;
-  return upper_case(block_.line.substr(from, std::min<std::size_t>(p - from, 64)));
-}
+    : SinumerikAssignments(control, reader), procedures_(control, variables_, evaluator_) {}
 
 // A keyword, CALL of a variable, or a subprogram with arguments.
 bool SinumerikStatements::starts_statement(std::string_view line, std::size_t p) {
@@ -55,14 +43,6 @@ bool SinumerikStatements::starts_statement(std::string_view line, std::size_t p)
   return reader_.has_subprogram(wanted);
 }
 
-bool SinumerikStatements::end_statement(std::size_t p) {
-  p = skip_blanks(p);
-  if (p < block_.line.size() && at(p) != ';')
-    return fail("statement", "the end of the block is expected here (alarm 12080)", p, p + 1);
-  reader_.set_position(p);
-  return true;
-}
-
 bool SinumerikStatements::statement(std::size_t from) {
   std::size_t p = from;
   const std::string name = name_at(p);
@@ -77,7 +57,7 @@ bool SinumerikStatements::statement(std::size_t from) {
   if (name == "EXTERN" || name == "PROC" || name == "SETAL") {
     if (name == "SETAL")
       note_once("alarm-set", "the program sets an alarm of its own", place_word(from, p), "setal");
-    if (name == "PROC" && reader_.depth() == 1) take_initial_values(p);
+    if (name == "PROC" && reader_.depth() == 1) procedures_.take_initial_values(block_.line, p);
     reader_.set_position(block_.line.size());
     return true;
   }
@@ -234,7 +214,7 @@ bool SinumerikStatements::find_target(const std::string& target, bool forward, b
 // RET("LABEL", 1, 2): back by so many levels, there to the block of a label or a number, or with
 // the second value to the block behind it.
 bool SinumerikStatements::go_back(std::size_t from, std::size_t p) {
-  std::vector<Argument> given;
+  std::vector<ProcedureArgument> given;
   if (!arguments(p, given) || !end_statement(p)) return false;
   given.resize(std::max<std::size_t>(given.size(), 4));
   const auto number = [&](std::size_t i, double other) {

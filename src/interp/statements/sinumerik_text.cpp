@@ -3,6 +3,7 @@
 #include "interp/text/characters.h"
 
 #include <algorithm>
+#include <iterator>
 #include <utility>
 
 namespace mrsim {
@@ -16,6 +17,13 @@ std::optional<VariableType> type_named(const std::string& name) {
   for (const auto& [known, type] : kTypes)
     if (known == name) return type;
   return std::nullopt;
+}
+
+bool is_structure(std::string_view word) {
+  static constexpr std::string_view kStructures[] = {"IF",       "ELSE",   "ENDIF",  "WHILE",
+                                                     "ENDWHILE", "FOR",    "ENDFOR", "LOOP",
+                                                     "ENDLOOP",  "REPEAT", "UNTIL"};
+  return std::find(std::begin(kStructures), std::end(kStructures), word) != std::end(kStructures);
 }
 
 std::size_t blanks(std::string_view line, std::size_t p) {

@@ -13,6 +13,10 @@ namespace mrsim {
 /// The type that DEF or PROC names: REAL, INT, AXIS.
 std::optional<VariableType> type_named(const std::string& name);
 
+/// A word of a structure, such as IF or ENDLOOP: where structures begin and end is found in the
+/// lines as they are written.
+bool is_structure(std::string_view word);
+
 /// Behind the blanks at `p`.
 std::size_t blanks(std::string_view line, std::size_t p);
 

@@ -1,8 +1,8 @@
-// PROC with parameters: read from a subprogram's first lines, bound to the values of a call.
+#include "interp/statements/sinumerik_procedures.h"
+
 #include "core/text_io.h"
 #include "interp/frames/frame_words.h"
 #include "interp/language/operations.h"
-#include "interp/statements/sinumerik_statements.h"
 #include "interp/statements/sinumerik_text.h"
 #include "interp/text/characters.h"
 #include "interp/text/source.h"
@@ -19,7 +19,7 @@ constexpr int kHeaderLines = 50;  // a PROC stands in the first lines
 }  // namespace
 
 // NAME(VAR REAL A, INT B=1) behind PROC; `p` ends at the bracket.
-std::vector<SinumerikStatements::Parameter> SinumerikStatements::read_parameters(
+std::vector<SinumerikProcedures::Parameter> SinumerikProcedures::read_parameters(
     std::string_view line, std::size_t& p) {
   std::vector<Parameter> out;
   word_at(line, p);
@@ -47,9 +47,9 @@ std::vector<SinumerikStatements::Parameter> SinumerikStatements::read_parameters
 }
 
 // A main program is not called: its parameters have the values that PROC gives them.
-void SinumerikStatements::take_initial_values(std::size_t p) {
+void SinumerikProcedures::take_initial_values(std::string_view line, std::size_t p) {
   std::string ignored;
-  for (const Parameter& one : read_parameters(block_.line, p)) {
+  for (const Parameter& one : read_parameters(line, p)) {
     if (!one.initial || variables_.is_defined(one.name)) continue;
     variables_.define(one.name, one.type, {}, false, ignored);
     variables_.assign(one.name, {}, *one.initial, ignored);
@@ -57,7 +57,7 @@ void SinumerikStatements::take_initial_values(std::size_t p) {
 }
 
 // PROC NAME(VAR REAL A, INT B=1) SAVE, in the first lines of a subprogram.
-SinumerikStatements::Procedure SinumerikStatements::read_procedure(const SubprogramPlace& place) {
+SinumerikProcedures::Procedure SinumerikProcedures::read_procedure(const SubprogramPlace& place) {
   Procedure out;
   LineSource source(place.file, std::size_t(1) << 14);
   source.seek(place.offset, place.line);
@@ -79,7 +79,7 @@ SinumerikStatements::Procedure SinumerikStatements::read_procedure(const Subprog
 
 // SAVE: the G codes of the caller come back and with them its frames, though what a settable frame
 // holds by now stays where the subprogram has chosen no other. F, S and D are no G codes.
-void SinumerikStatements::restore(const SavedState& saved) {
+void SinumerikProcedures::restore(const SavedState& saved) {
   const Modal now = modal_;
   modal_ = saved.modal;
   modal_.feed = now.feed;
@@ -100,7 +100,7 @@ void SinumerikStatements::restore(const SavedState& saved) {
 }
 
 // What a VAR parameter holds at the end is the caller's variable's.
-void SinumerikStatements::give_back(const Argument& to) {
+void SinumerikProcedures::give_back(const ProcedureArgument& to) {
   std::string ignored;
   const bool r = to.variable[0] == 'R' &&
                  to.variable.find_first_not_of("0123456789", 1) == std::string::npos &&
@@ -113,8 +113,10 @@ void SinumerikStatements::give_back(const Argument& to) {
                       *to.value, ignored);
 }
 
-bool SinumerikStatements::bind(const Procedure& procedure, const std::vector<Argument>& given,
-                               const Word& word, CallRequest& request) {
+bool SinumerikProcedures::bind(const SubprogramPlace& place,
+                               const std::vector<ProcedureArgument>& given, const Word& word,
+                               CallRequest& request) {
+  const Procedure procedure = read_procedure(place);
   if (given.size() > procedure.parameters.size())
     return error("call-arguments",
                  fmt::format("{} arguments, and PROC has {} parameters (alarm 12340)", given.size(),
@@ -122,11 +124,11 @@ bool SinumerikStatements::bind(const Procedure& procedure, const std::vector<Arg
                  word);
   struct Bound {
     Parameter parameter;
-    Argument argument;
+    ProcedureArgument argument;
   };
   std::vector<Bound> bound;
   for (std::size_t i = 0; i < procedure.parameters.size(); ++i) {
-    Bound one{procedure.parameters[i], i < given.size() ? given[i] : Argument{}};
+    Bound one{procedure.parameters[i], i < given.size() ? given[i] : ProcedureArgument{}};
     if (!one.argument.value && !one.argument.array) one.argument.value = one.parameter.initial;
     if (one.parameter.by_reference && one.argument.variable.empty())
       return error("call-arguments",
@@ -144,27 +146,27 @@ bool SinumerikStatements::bind(const Procedure& procedure, const std::vector<Arg
     variables_.enter_level();
     std::string ignored;
     for (const Bound& one : bound) {
-      const Argument& from = one.argument;
+      const ProcedureArgument& from = one.argument;
       variables_.define(one.parameter.name, one.parameter.type, {}, false, ignored);
       if (from.array) variables_.set_array(one.parameter.name, *from.array);
       if (from.value) variables_.assign(one.parameter.name, {}, *from.value, ignored);
     }
   };
   request.on_end = [this, bound, saved] {
-    std::vector<Argument> back;
+    std::vector<ProcedureArgument> back;
     std::string ignored;
     for (const Bound& one : bound) {
       if (!one.parameter.by_reference) continue;
-      Argument now = one.argument;
+      ProcedureArgument now = one.argument;
       Value value;
-      if (const Variables::Array* const whole = variables_.array(one.parameter.name))
+      if (const VariableArray* const whole = variables_.array(one.parameter.name))
         now.array = *whole;
       else if (variables_.named(one.parameter.name, {}, value, ignored))
         now.value = value;
       back.push_back(std::move(now));
     }
     variables_.leave_level();
-    for (const Argument& one : back) {
+    for (const ProcedureArgument& one : back) {
       if (one.array)
         variables_.set_array(one.variable, *one.array);
       else
@@ -173,25 +175,6 @@ bool SinumerikStatements::bind(const Procedure& procedure, const std::vector<Arg
     if (saved) restore(*saved);
   };
   return true;
-}
-
-bool SinumerikStatements::call(const SubprogramName& name, const std::vector<Argument>& given,
-                               long repeats, const Word& word, bool modal) {
-  const auto place = reader_.locate(name, word);
-  if (!place) return false;
-  CallRequest request;
-  request.file = place->file;
-  request.begin = {place->offset, place->line, 0};
-  request.repeats = repeats;
-  if (!bind(read_procedure(*place), given, word, request)) return false;
-  if (modal) {
-    request.on_start = [this, start = std::move(request.on_start)] {
-      in_modal_call_ = true;
-      start();
-    };
-    request.on_left = [this] { in_modal_call_ = false; };
-  }
-  return reader_.enter(std::move(request), word);
 }
 
 }  // namespace mrsim

@@ -1,0 +1,63 @@
+// PROC of SINUMERIK: the parameters and options in a subprogram's first lines, and how the values
+// of a call are bound to them. Private to src/interp.
+#pragma once
+
+#include "interp/calls/block_reader.h"
+#include "interp/language/expression.h"
+#include "interp/language/variables.h"
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace mrsim {
+
+/// What a call gives to one parameter.
+struct ProcedureArgument {
+  std::optional<Value> value;
+  std::string variable;                ///< where it is nothing but a variable: its name ...
+  std::vector<Value> indices;          ///< ... and the element of an array
+  std::optional<VariableArray> array;  ///< a whole array, which has no value
+};
+
+class SinumerikProcedures : public ControlPart {
+ public:
+  SinumerikProcedures(Control& control, Variables& variables, Evaluator& evaluator)
+      : ControlPart(control), variables_(variables), evaluator_(evaluator) {}
+
+  /// Makes the request set the parameters where the subprogram starts, and give back VAR parameters
+  /// and saved modes where it ends. False: an error was reported at `word`.
+  bool bind(const SubprogramPlace& place, const std::vector<ProcedureArgument>& given,
+            const Word& word, CallRequest& request);
+  /// A main program is not called: its parameters have the values that PROC gives them. `p` stands
+  /// behind PROC.
+  void take_initial_values(std::string_view line, std::size_t p);
+
+ private:
+  struct Parameter {
+    VariableType type = VariableType::real;
+    std::string name;
+    bool by_reference = false;
+    bool is_array = false;
+    std::optional<Value> initial;
+  };
+  struct Procedure {
+    std::vector<Parameter> parameters;
+    bool saves = false;  ///< SAVE: the modes of the caller come back
+  };
+  struct SavedState {
+    Modal modal;
+    Frames frames;
+  };
+
+  std::vector<Parameter> read_parameters(std::string_view line, std::size_t& p);
+  Procedure read_procedure(const SubprogramPlace& place);
+  void restore(const SavedState& saved);
+  void give_back(const ProcedureArgument& to);
+
+  Variables& variables_;
+  Evaluator& evaluator_;
+};
+
+}  // namespace mrsim
