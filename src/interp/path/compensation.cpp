@@ -5,6 +5,7 @@
 #include "core/rounding.h"
 #include "core/units.h"
 #include "interp/path/offset_contour.h"
+#include "interp/path/stepwise_corners.h"
 
 #include <cmath>
 
@@ -29,14 +30,14 @@ bool behind(const Compensation& comp, Vec2 tangent, Vec2 corner, Vec2 outer) {
 }  // namespace
 
 void CompensationStage::push(const PathMove& move) {
-  if (queue_.empty() && !active_ && move.comp.side == 0) {
+  if (ahead_.empty() && !active_ && move.comp.side == 0) {
     at_ = move.motion.end;
     next_(move);
     return;
   }
-  if (queue_.empty() && !active_) basis_ = move.basis;
-  queue_.push_back(move);
-  same_axes(queue_.back());
+  if (ahead_.empty() && !active_) basis_ = move.basis;
+  ahead_.push(move);
+  same_axes(ahead_.back());
   settle(false);
 }
 
@@ -50,38 +51,13 @@ void CompensationStage::same_axes(PathMove& move) const {
 
 void CompensationStage::flush() {
   settle(true);
-  queue_.clear();
+  ahead_.clear();
   active_ = false;
 }
 
-// Index in the queue of the n-th following move that takes part (n >= 1), or queue size.
-std::size_t CompensationStage::following(std::size_t n) const {
-  std::size_t i = 1;
-  for (; i < queue_.size(); ++i) {
-    if (is_infeed(queue_[i])) continue;
-    if (!takes_part(queue_[i])) return queue_.size();
-    if (queue_[i].comp.side != queue_[0].comp.side) return queue_.size();
-    if (--n == 0) return i;
-  }
-  return queue_.size();
-}
-
-// True when enough is known to move the first of the queue.
-bool CompensationStage::ready(bool last) const {
-  if (queue_.empty()) return false;
-  if (last || !takes_part(queue_.front()) || queue_.size() > 64) return true;
-  std::size_t planar = 0;
-  for (std::size_t i = 1; i < queue_.size(); ++i) {
-    if (is_infeed(queue_[i])) continue;
-    if (!takes_part(queue_[i])) return true;
-    if (++planar >= kLookAhead) return true;
-  }
-  return false;
-}
-
 void CompensationStage::settle(bool last) {
-  while (ready(last)) {
-    const PathMove& first = queue_.front();
+  while (ahead_.ready(last)) {
+    const PathMove& first = ahead_.front();
     if (is_tilted(first) && (active_ || first.comp.side != 0))
       reporter_.add_at(Severity::error, "comp-plane",
                        "radius compensation needs arcs in its own plane (alarm 10760)",
@@ -92,7 +68,7 @@ void CompensationStage::settle(bool last) {
       follow();
     else
       leave_or_shift();
-    queue_.erase(queue_.begin());
+    ahead_.pop();
   }
 }
 
@@ -123,32 +99,22 @@ void CompensationStage::send_line(const PathMove& like, Vec2 to, double end_heig
   cursor_ = to;
 }
 
-// The first move's own rounding, too small for the tool: the element after it is approached.
-void CompensationStage::skip_void_entry() {
-  const std::size_t j = following(1), next = following(2);
-  if (next >= queue_.size() || queue_[j].block != queue_.front().block) return;
-  if (!is_void(moved(queue_[j])) || is_void(moved(queue_[next]))) return;
-  reporter_.add_at(Severity::warning, "comp-element-void",
-                   "the tool is too large to reach this element: it is skipped", queue_[j].motion);
-  queue_.erase(queue_.begin() + static_cast<std::ptrdiff_t>(j));
-}
-
 // The first compensated move: straight to the point square to the contour at the next start.
 void CompensationStage::enter() {
-  const PathMove& first = queue_.front();
+  const PathMove& first = ahead_.front();
   if (!takes_part(first)) {
     at_ = first.motion.end;
     next_(first);
     return;
   }
   at_ = first.motion.start;
-  if (!first.comp.stepwise) skip_void_entry();
-  const std::size_t j = following(1);
+  if (!first.comp.stepwise) ahead_.skip_void_entry();
+  const std::size_t j = ahead_.following(1);
   active_ = true;
   const double h = height(first, first.motion.end);
-  if (j >= queue_.size()) return send_line(first, moved(first).end, h);
+  if (j >= ahead_.size()) return send_line(first, moved(first).end, h);
   if (first.comp.stepwise) return enter_beside(h);
-  const PlanePiece next = moved(queue_[j]);
+  const PlanePiece next = moved(ahead_[j]);
   if (is_point(next)) return send_line(first, next.center, h);
   if (is_void(next)) return send_line(first, moved(first).end, h);
   const Vec2 corner = corner_of(first), outer = in_plane(first.basis, at_) + first.comp.tip;
@@ -164,7 +130,7 @@ void CompensationStage::enter() {
 
 // A move of an active compensation that is not itself compensated: infeeds, CUTCONON, G40.
 void CompensationStage::leave_or_shift() {
-  PathMove first = queue_.front();
+  PathMove first = ahead_.front();
   const Vec3 w = first.basis.w;
   if (is_infeed(first)) {
     const Vec3 start = at_;
@@ -193,21 +159,53 @@ void CompensationStage::leave_or_shift() {
   next_(first);
 }
 
+// LinuxCNC: the entry is an element like others, and must be longer than the radius. A line may end
+// however far before its start, where the tool is not beside it.
+void CompensationStage::enter_beside(double h) {
+  const PathMove first = ahead_.front();
+  const Vec2 start = in_plane(first.basis, at_) + first.comp.tip;
+  const double travel = length(corner_of(first) - start);
+  if (travel <= first.comp.radius && first.comp.radius > 0)
+    reporter_.add_at(Severity::error, "comp-entry",
+                     fmt::format("the entry into compensation is {:.6g} long and must be longer "
+                                 "than the tool's radius {:.6g}",
+                                 travel, first.comp.radius),
+                     first.motion);
+  PlanePiece piece = moved(first);
+  if (piece.arc) {
+    if (travel <= first.comp.radius || is_void(piece) || !lead_to_end(piece, start))
+      return leave_void(first, h);
+  }
+  cursor_ = piece.arc ? start : piece.start - kFarBack * end_tangent(piece);
+  const CornerWay way = choose_end(piece);
+  if (piece.arc)
+    run_piece(first, piece, way.end, h);
+  else
+    send_line(first, way.end, h);
+  run_corner(first, way);
+}
+
+// An arc behind so small a turn that the element before it ends beside its circle.
+void CompensationStage::step_onto(const PathMove& first, const PlanePiece& arc) {
+  const Vec2 out = cursor_ - arc.center;
+  send_line(first, arc.center + (arc.radius / length(out)) * out, dot(at_, first.basis.w));
+}
+
 // Infeeds between the first of the queue and the next contour element happen before its corner.
 void CompensationStage::run_infeeds() {
-  while (queue_.size() > 1 && is_infeed(queue_[1])) {
-    std::swap(queue_[0], queue_[1]);
+  while (ahead_.size() > 1 && is_infeed(ahead_[1])) {
+    std::swap(ahead_[0], ahead_[1]);
     leave_or_shift();
-    queue_.erase(queue_.begin());
+    ahead_.pop();
   }
 }
 
 void CompensationStage::follow() {
-  const PathMove first = queue_.front();
+  const PathMove first = ahead_.front();
   PlanePiece piece = moved(first);
   const double h = height(first, first.motion.end);
-  const std::size_t after = following(1);
-  if (is_point(piece) && (after >= queue_.size() || nearly_tangent(first, queue_[after])))
+  const std::size_t after = ahead_.following(1);
+  if (is_point(piece) && (after >= ahead_.size() || nearly_tangent(first, ahead_[after])))
     return send_line(first, piece.center, h);
   if (is_void(piece)) return leave_void(first, h);
   const bool off_arc = piece.arc && length(cursor_ - piece.start) > kTouch &&
@@ -237,28 +235,35 @@ void CompensationStage::leave_void(const PathMove& first, double h) {
 CornerWay CompensationStage::choose_end(const PlanePiece& piece) {
   CornerWay way;
   way.end = piece.end;
-  const std::size_t j = following(1);
-  const PathMove& first = queue_.front();
-  if (j >= queue_.size()) {
-    if (first.comp.stepwise) check_room(piece, piece.end, first.motion);
+  const std::size_t j = ahead_.following(1);
+  const PathMove& first = ahead_.front();
+  if (j >= ahead_.size()) {
+    if (first.comp.stepwise && turns_round(piece, cursor_, piece.end))
+      corner_too_tight(first.motion);
     return crosses_over(piece, way) ? way : leaving(piece);
   }
-  const PlanePiece next = moved(queue_[j]);
-  if (first.comp.stepwise) return step_to(piece, queue_[j]);
-  const Corner kind = is_void(next) ? Corner::inside : corner_kind(first, queue_[j]);
-  if (kind == Corner::outside) {
-    way = outside_corner(first.comp, corner_of(first), piece, next);
-    if (squeezed(j, following(2), way.entry)) close_over(piece, way);
+  const PlanePiece next = moved(ahead_[j]);
+  if (first.comp.stepwise) {
+    bool too_tight = false;
+    way = stepwise_way(first, piece, ahead_[j], cursor_, too_tight);
+    if (too_tight) corner_too_tight(ahead_[j].motion);
     return way;
   }
-  if (kind == Corner::smooth || meet_inside(piece, 1, way) || nearly_tangent(first, queue_[j]))
+  const Corner kind = is_void(next) ? Corner::inside : corner_kind(first, ahead_[j]);
+  if (kind == Corner::outside) {
+    way = outside_corner(first.comp, corner_of(first), piece, next);
+    if (ahead_.squeezed(j, ahead_.following(2), way.entry)) ahead_.close_over(piece, cursor_, way);
     return way;
-  corner_too_tight(queue_[j].motion);
+  }
+  if (kind == Corner::smooth || ahead_.meet_inside(piece, cursor_, 1, way) ||
+      nearly_tangent(first, ahead_[j]))
+    return way;
+  corner_too_tight(ahead_[j].motion);
   return way;
 }
 
 void CompensationStage::corner_too_tight(const Motion& next) {
-  const Compensation& comp = queue_.front().comp;
+  const Compensation& comp = ahead_.front().comp;
   reporter_.add_at(Severity::error, "comp-interference",
                    fmt::format("the tool of radius {:.6g} does not fit into this inside corner{}",
                                comp.radius, comp.two_points ? " (alarm 041)" : ""),
@@ -269,11 +274,11 @@ void CompensationStage::corner_too_tight(const Motion& next) {
 // element ends square to its end, and a line leads to the point square to the next one's start.
 bool CompensationStage::crosses_over(const PlanePiece& piece, CornerWay& way) {
   std::size_t k = 1;
-  while (k < queue_.size() && is_infeed(queue_[k])) ++k;
-  const PathMove& first = queue_.front();
-  if (k >= queue_.size() || !takes_part(queue_[k]) || queue_[k].comp.side == first.comp.side)
+  while (k < ahead_.size() && is_infeed(ahead_[k])) ++k;
+  const PathMove& first = ahead_.front();
+  if (k >= ahead_.size() || !takes_part(ahead_[k]) || ahead_[k].comp.side == first.comp.side)
     return false;
-  const PlanePiece next = moved(queue_[k]);
+  const PlanePiece next = moved(ahead_[k]);
   const Vec2 d = piece.end - piece.start, e = next.end - next.start;
   const double turn = cross(d, e);
   if (first.comp.two_points && !piece.arc && !next.arc && std::abs(turn) > 1e-9) {
@@ -293,13 +298,13 @@ CornerWay CompensationStage::leaving(const PlanePiece& piece) const {
   CornerWay way;
   way.end = piece.end;
   std::size_t k = 1;
-  while (k < queue_.size() && is_infeed(queue_[k])) ++k;
-  if (k >= queue_.size() || queue_[k].comp.side != 0 || !queue_[k].comp.around) return way;
-  const PathMove& first = queue_.front();
-  Compensation comp = queue_[k].comp;  // the corner's form is that of the leaving block
+  while (k < ahead_.size() && is_infeed(ahead_[k])) ++k;
+  if (k >= ahead_.size() || ahead_[k].comp.side != 0 || !ahead_[k].comp.around) return way;
+  const PathMove& first = ahead_.front();
+  Compensation comp = ahead_[k].comp;  // the corner's form is that of the leaving block
   comp.side = first.comp.side;
   comp.radius = first.comp.radius;
-  const Vec2 outer = corner_of(queue_[k]) + first.comp.tip;
+  const Vec2 outer = corner_of(ahead_[k]) + first.comp.tip;
   PlanePiece line;
   if (!behind(comp, end_tangent(piece), corner_of(first), outer) ||
       !touching_line(comp, corner_of(first), outer, true, line))
@@ -337,8 +342,8 @@ void CompensationStage::run_piece(const PathMove& first, PlanePiece piece, Vec2 
 void CompensationStage::run_corner(const PathMove& before, const CornerWay& way) {
   if (way.count == 0) return;
   run_infeeds();
-  if (queue_.size() < 2) return;
-  PathMove between = queue_[1];
+  if (ahead_.size() < 2) return;
+  PathMove between = ahead_[1];
   between.corner = {};
   between.comp = before.comp;
   const double h = dot(at_, between.basis.w);

@@ -1,7 +1,7 @@
 // Radius compensation as a stage between the programmed contour and the sink.
 #pragma once
 
-#include "interp/path/outside_corner.h"
+#include "interp/path/moves_ahead.h"
 
 namespace mrsim {
 
@@ -9,38 +9,24 @@ namespace mrsim {
 class CompensationStage {
  public:
   CompensationStage(Reporter& reporter, NextStage next)
-      : reporter_(reporter), next_(std::move(next)) {}
+      : reporter_(reporter), next_(std::move(next)), ahead_(reporter) {}
   void push(const PathMove& move);
   void flush();
-  bool idle() const { return queue_.empty() && !active_; }
+  bool idle() const { return ahead_.empty() && !active_; }
 
  private:
-  static constexpr std::size_t kLookAhead = 5;  ///< compensated moves seen at once
-
   void same_axes(PathMove& move) const;
-  std::size_t following(std::size_t n) const;
-  bool ready(bool last) const;
   void settle(bool last);
   void enter();
   void enter_beside(double height);
-  void skip_void_entry();
   void follow();
   void leave_void(const PathMove& first, double height);
   void leave_or_shift();
-  bool squeezed(std::size_t i, std::size_t next, Vec2 entered) const;
-  bool meets(const PlanePiece& piece, Vec2 from, std::size_t n, CornerWay& way,
-             std::size_t& keep) const;
-  bool meet_inside(const PlanePiece& piece, std::size_t nearest, CornerWay& way);
-  void close_over(const PlanePiece& piece, CornerWay& way);
-  void skip_before(std::size_t keep);
   CornerWay choose_end(const PlanePiece& piece);
-  CornerWay step_to(const PlanePiece& piece, const PathMove& after);
   void step_onto(const PathMove& first, const PlanePiece& arc);
-  void check_room(const PlanePiece& piece, Vec2 end, const Motion& next);
   void corner_too_tight(const Motion& next);
   bool crosses_over(const PlanePiece& piece, CornerWay& way);
   CornerWay leaving(const PlanePiece& piece) const;
-  PlanePiece reach(std::size_t i, std::size_t next) const;
   void run_infeeds();
   void run_piece(const PathMove& first, PlanePiece piece, Vec2 end, double height);
   void run_corner(const PathMove& before, const CornerWay& way);
@@ -49,8 +35,8 @@ class CompensationStage {
 
   Reporter& reporter_;
   NextStage next_;
-  std::vector<PathMove> queue_;
-  Basis basis_;  ///< of the contour under way
+  MovesAhead ahead_;  ///< the first is the one being run
+  Basis basis_;       ///< of the contour under way
   bool active_ = false;
   bool resumes_ = false;  ///< the last one ran suspended (CUTCONON), or on the other side
   Vec3 at_;               ///< where the last motion given on ended
