@@ -23,12 +23,11 @@ double cone_of(const Tool& tool) {
 }
 
 // The cone meets the wall at the chamfer's foot: the wider the cone at the edge, the farther off.
-std::optional<Chamfering::Cut> Chamfering::cut(const CycleCall& call, std::size_t width,
-                                               std::size_t mode, double edge, double down,
+std::optional<Chamfering::Cut> Chamfering::cut(const CycleCall& call, double edge, double down,
                                                const Word& where) {
   tools_.require(where, true);
   const Tool* tool = tools_.current();
-  const double half = tool ? cone_of(*tool) : 0, size = std::abs(call.get(width)) * scale();
+  const double half = tool ? cone_of(*tool) : 0, size = std::abs(call.get("FS")) * scale();
   if (half <= 0) {
     error("tool-unknown",
           fmt::format("{} chamfers: it needs a cutter with a cone, a chamfer mill or a spot drill",
@@ -36,8 +35,8 @@ std::optional<Chamfering::Cut> Chamfering::cut(const CycleCall& call, std::size_
           where);
     return std::nullopt;
   }
-  const double given = call.get(width + 1) * scale();
-  const double depth = call.digit(mode, 2) == 1 ? std::abs(given) : (given - edge) * down;
+  const double given = call.get("ZFS") * scale();
+  const double depth = call.digit("AMODE", 2) == 1 ? std::abs(given) : (given - edge) * down;
   const SinCos cone = sincos(half);
   Cut out;
   out.bottom = edge + down * depth;

@@ -21,11 +21,10 @@ class Chamfering : public ControlPart {
 
   Chamfering(Control& control, ToolChanger& tools) : ControlPart(control), tools_(tools) {}
 
-  /// `call` has FS, the chamfer's width on the face, at `width` and ZFS, where the tip goes, behind
-  /// it; the hundreds of the value at `mode` say whether ZFS is a level (0) or counts from the edge
-  /// at `edge`. `down`: the sign of the way into the part. None: an error was reported.
-  std::optional<Cut> cut(const CycleCall& call, std::size_t width, std::size_t mode, double edge,
-                         double down, const Word& where);
+  /// `call` has FS, the chamfer's width on the face, and ZFS, where the tip goes; the hundreds of
+  /// AMODE say whether ZFS is a level (0) or counts from the edge at `edge`. `down`: the sign of
+  /// the way into the part. None: an error was reported.
+  std::optional<Cut> cut(const CycleCall& call, double edge, double down, const Word& where);
 
  private:
   ToolChanger& tools_;

@@ -13,9 +13,8 @@ struct CyclePlanes {
   bool cuts() const { return (reference - bottom) * up > 0; }
 };
 
-/// RTP at `first`; `dpr` -1: the list has none. `mode`, the unit of AMODE: 0 DPR counts where it is
+/// `mode`, the unit of AMODE: 0 DPR counts where it is
 /// not 0, 1 the depth counts from the reference plane, 2 it is a level. None: a value is missing.
-std::optional<CyclePlanes> cycle_planes(const CycleCall& call, std::size_t first, int dpr, int mode,
-                                        double unit);
+std::optional<CyclePlanes> cycle_planes(const CycleCall& call, int mode, double unit);
 
 }  // namespace mrsim

@@ -41,19 +41,18 @@ CycleCall FagorPockets::call(const FagorPocket& pocket) const {
   CycleCall call;
   call.name = round ? "POCKET4" : "POCKET3";
   call.written = round ? "G88" : "G87";
-  call.values.resize(18);
-  const auto set = [&](std::size_t at, double value) { call.values[at] = Value::of(value); };
   const double unit = scale();
-  set(0, top / unit);
-  set(1, surface / unit);
-  set(2, pocket.above / unit);
-  set(3, bottom / unit);
-  set(4, (round ? pocket.half_length : 2 * pocket.half_length) / unit);
-  if (!round) set(5, 2 * pocket.half_width / unit);
-  set(round ? 7 : 10, pocket.infeed / unit);
-  set(round ? 12 : 15, pocket.clockwise ? 1 : 0);
-  set(round ? 13 : 16, 11);  // down with the feed
-  set(round ? 14 : 17, pocket.width / unit);
+  call.set("RTP", top / unit);
+  call.set("RFP", surface / unit);
+  call.set("SDIS", pocket.above / unit);
+  call.set("DP", bottom / unit);
+  if (round) call.set("PRAD", pocket.half_length / unit);
+  if (!round) call.set("LENG", 2 * pocket.half_length / unit);
+  if (!round) call.set("WID", 2 * pocket.half_width / unit);
+  call.set("MID", pocket.infeed / unit);
+  call.set("CDIR", pocket.clockwise ? 1 : 0);
+  call.set("VARI", 11);  // down with the feed
+  call.set("MIDA", pocket.width / unit);
   return call;
 }
 

@@ -108,17 +108,14 @@ void MillCycles::swing_down(const Levels& l, const Area& area, double from, doub
 bool MillCycles::spigot() {
   Levels l;
   if (!levels(l)) return false;
-  const bool round = list_->radius >= 0;  // CYCLE77: PRAD is a diameter
-  const double unit = scale(), degrees = value(list_->start);
-  const double length = std::abs(value(round ? list_->radius : list_->length)) * unit;
-  const double width = round ? length : std::abs(value(list_->width)) * unit;
+  const bool round = call_->name == "CYCLE77";
+  const double unit = scale(), degrees = value("STA");
+  const double length = std::abs(round ? value("CDIAM") : value("LENG")) * unit;
+  const double width = round ? length : std::abs(value("WID")) * unit;
   const double corner =
-      round ? length / 2
-            : std::min(std::abs(value(list_->corner)) * unit, std::min(length, width) / 2);
-  const double blank_length = std::max(length, std::abs(value(list_->blank)) * unit);
-  const double blank_width =
-      round ? blank_length
-            : std::max(width, std::abs(value(list_->blank < 0 ? -1 : list_->blank + 1)) * unit);
+      round ? length / 2 : std::min(std::abs(value("CRAD")) * unit, std::min(length, width) / 2);
+  const double blank_length = std::max(length, std::abs(value("AP1")) * unit);
+  const double blank_width = round ? blank_length : std::max(width, std::abs(value("AP2")) * unit);
   if (length <= 0 || width <= 0)
     return fail("value-range", "the length and the width of a spigot must be above 0");
   Vec2 at;
@@ -129,7 +126,7 @@ bool MillCycles::spigot() {
   Area area;
   const double out = length / 2 + reach + 2 * radius_ + std::abs(l.safe - l.reference);
   area.entry = at + turned({out, 0}, degrees);
-  const int direction = static_cast<int>(value(list_->direction));
+  const int direction = static_cast<int>(value("CDIR"));
   const bool opposite = direction == 1 || direction == 3;  // climbing goes clockwise outside
   area.loops = [=, r = radius_](double aside) {
     const double most = std::max(0.0, reach - aside);
@@ -178,26 +175,27 @@ bool MillCycles::face() {
   Levels l;
   Vec2 corner;
   if (!levels(l) || !reference_place(corner)) return false;
-  const bool old = list_->name == "CYCLE71";
-  const double unit = scale(), degrees = old ? value(list_->start) : 0;
-  const auto extent = [&](int at, int digit, double from) {
-    const bool to = !old && call_->digit(15, digit) == 2;
-    return value(at) * unit - (to ? from : 0);
+  const bool old = call_->name == "CYCLE71";
+  const double unit = scale(), degrees = old ? value("STA") : 0;
+  const auto extent = [&](ValueName size, int digit, double from) {
+    const bool to = !old && call_->digit("AMODE", digit) == 2;
+    return value(size) * unit - (to ? from : 0);
   };
-  const double length = extent(list_->length, 2, corner.x);
-  const double width = extent(list_->width, 3, corner.y);
-  const int way = static_cast<int>(value(list_->mode)) / 10 % 10;
+  const double length = extent("LENG", 2, corner.x);
+  const double width = extent("WID", 3, corner.y);
+  const int way = static_cast<int>(value("VARI")) / 10 % 10;
   const bool along_v = way == 2 || way == 4, one_way = way == 1 || way == 2;
   if (length == 0 || width == 0) return fail("value-range", "the face has no length or no width");
   // In the face: from its lower left corner.
   const double lu = std::abs(along_v ? width : length), lv = std::abs(along_v ? length : width);
   const auto limit = [&](bool second, bool high) {
     const int digit = (second ? 2 : 0) + (high ? 1 : 0);
-    return !old && call_->digit(13, digit) == 1;
+    return !old && call_->digit("LIM", digit) == 1;
   };
   const double out = radius_ + std::abs(l.safe - l.reference);
-  const double u0 = limit(along_v, false) ? radius_ : -out - (old ? value(15) * unit : 0);
-  const double u1 = limit(along_v, true) ? lu - radius_ : lu + out + (old ? value(11) * unit : 0);
+  const double u0 = limit(along_v, false) ? radius_ : -out - (old ? value("FDP1") * unit : 0);
+  const double u1 =
+      limit(along_v, true) ? lu - radius_ : lu + out + (old ? value("FDP") * unit : 0);
   const double v0 = limit(!along_v, false) ? radius_ : 0;
   const double v1 = limit(!along_v, true) ? lv - radius_ : lv;
   if (u1 <= u0 || v1 < v0) return fail("value-range", "the cutter is too large for the face");
@@ -220,15 +218,15 @@ bool MillCycles::open_slot() {
   Levels l;
   Vec2 at;
   if (!levels(l) || !reference_place(at)) return false;
-  if (call_->digit(16, 3) > 1)
+  if (call_->digit("GMODE", 3) > 1)
     return fail("not-supported", "CYCLE899: a reference point other than the centre");
-  const double unit = scale(), length = std::abs(value(list_->length)) * unit;
-  const double b = std::abs(value(list_->width)) * unit / 2 - radius_ - (l.finish ? 0 : l.side);
+  const double unit = scale(), length = std::abs(value("LENG")) * unit;
+  const double b = std::abs(value("WID")) * unit / 2 - radius_ - (l.finish ? 0 : l.side);
   if (length <= 0 || b < -kRounding)
     return fail("value-range", "the cutter is too large for the slot (alarm 61105)");
   const double half = length / 2 + radius_ + std::abs(l.safe - l.reference);
   const int n = b < kRounding ? 0 : steps_of(2 * b, l.width);
-  const auto place = [&](double u, double v) { return at + turned({u, v}, value(list_->start)); };
+  const auto place = [&](double u, double v) { return at + turned({u, v}, value("STA")); };
   std::vector<std::pair<Vec2, Vec2>> lines;
   for (int i = 0; i <= n; ++i) {
     const double v = n == 0 ? 0 : -b + 2 * b * i / n;
@@ -243,13 +241,14 @@ bool MillCycles::thread() {
   Levels l;
   Vec2 at;
   if (!depth(l) || !reference_place(at)) return false;
-  const double unit = scale(), pitch = std::abs(call_->get(7)) * unit;
-  const bool outside = call_->get(10) == 1;
-  const double nominal = std::abs(call_->get(5)) * unit / 2;
-  const double wall = outside ? std::abs(call_->get(6)) * unit / 2 + radius_ : nominal - radius_;
+  const double unit = scale(), pitch = std::abs(call_->get("PIT")) * unit;
+  const bool outside = call_->get("TYPTH") == 1;
+  const double nominal = std::abs(call_->get("DIATH")) * unit / 2;
+  const double wall =
+      outside ? std::abs(call_->get("KDIAM")) * unit / 2 + radius_ : nominal - radius_;
   if (pitch <= 0) return fail("thread-lead", "CYCLE90 needs the pitch of the thread, PIT");
   if (wall <= kRounding) return fail("value-range", "the cutter is too large for the thread");
-  const double feed = value(list_->feed) * feed_scale();
+  const double feed = value("FFR") * feed_scale();
   const double down = l.bottom < l.reference ? -1 : 1;
   // Whole turns that begin above the face.
   const double turns = std::ceil(std::abs(l.bottom - l.safe) / pitch);
@@ -259,7 +258,7 @@ bool MillCycles::thread() {
   helix.center = at;
   helix.radius = wall;
   helix.start = helix.end = at + Vec2{wall, 0};
-  helix.sweep = 2 * kPi * turns * (call_->get(9) == 2 ? -1 : 1);
+  helix.sweep = 2 * kPi * turns * (call_->get("CDIR") == 2 ? -1 : 1);
   const Vec2 rest = outside ? at + Vec2{wall + nominal + radius_, 0} : at;
   mover_.rapid_height(l.top);
   mover_.rapid(rest);

@@ -7,6 +7,7 @@
 #include "interp/cycles/cycle_planes.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include <fmt/format.h>
@@ -17,6 +18,9 @@ namespace {
 // Loops no farther apart than this share of the radius leave nothing between them, not even where
 // a corner is sharp: the square root of 2, a little less.
 constexpr double kWidest = 1.4;
+constexpr std::array<std::string_view, 13> kMillCycles = {
+    "POCKET1", "POCKET2", "POCKET3", "POCKET4", "SLOT1",    "SLOT2",  "LONGHOLE",
+    "CYCLE61", "CYCLE71", "CYCLE76", "CYCLE77", "CYCLE899", "CYCLE90"};
 constexpr double kMostSlots = 10'000;
 
 Vec2 polar(double radius, double degrees) {
@@ -26,11 +30,12 @@ Vec2 polar(double radius, double degrees) {
 
 }  // namespace
 
-bool MillCycles::knows(std::string_view name) { return find_mill_list(name) != nullptr; }
+bool MillCycles::knows(std::string_view name) {
+  return std::find(kMillCycles.begin(), kMillCycles.end(), name) != kMillCycles.end();
+}
 
 bool MillCycles::run(const CycleCall& call, const Word& where, bool at_position) {
   call_ = &call;
-  list_ = find_mill_list(call.name);
   where_ = where;
   at_position_ = at_position;
   mover_.begin(where);
@@ -48,8 +53,7 @@ bool MillCycles::run(const CycleCall& call, const Word& where, bool at_position)
 }
 
 bool MillCycles::depth(Levels& l) {
-  const int mode = list_->amode < 0 ? 0 : call_->digit(static_cast<std::size_t>(list_->amode), 0);
-  const auto planes = cycle_planes(*call_, 0, list_->dpr, mode, scale());
+  const auto planes = cycle_planes(*call_, call_->digit("AMODE", 0), scale());
   if (!planes)
     return fail("value-missing",
                 fmt::format("{} needs RTP, RFP and DP, its planes and its depth", call_->shown()));
@@ -67,30 +71,29 @@ bool MillCycles::depth(Levels& l) {
 // The unit of MODE says what is cut, its ten how the tool goes down; POCKET1, POCKET2 and slots
 // know 0, both roughing and finishing.
 bool MillCycles::modes(Levels& l) {
-  const int kind = static_cast<int>(value(list_->mode)) % 10;
+  const double vari = call_->name == "LONGHOLE" ? 0 : value("VARI");  // there it is not read
+  const int kind = static_cast<int>(vari) % 10;
   if (kind == 5 && !chamfer(l)) return false;
   l.rough = kind <= 1;
   l.finish = kind != 1;
-  if (list_->mode < 0 || kind == 0) l.rough = l.finish = true;
+  if (kind == 0) l.rough = l.finish = true;
   if (kind >= 4) l.floor = 0;
-  l.entry = static_cast<int>(value(list_->mode)) / 10 % 10;
-  if (list_->helix < 0) l.entry = list_->name == "SLOT1" && l.entry == 3 ? 3 : 1;
+  l.entry = static_cast<int>(vari) / 10 % 10;
+  if (!call_->lists("RAD1")) l.entry = call_->name == "SLOT1" && l.entry == 3 ? 3 : 1;
   if (l.entry > 3) return fail("value-range", "the way of going down is 0 to 3");
-  l.helix = value(list_->helix);
-  l.helix_lead = value(list_->helix < 0 ? -1 : list_->helix + 1) * scale();
-  const int direction = static_cast<int>(value(list_->direction));
+  l.helix = value("RAD1");
+  l.helix_lead = (call_->lists("RAD1") ? value("DP1") : 0) * scale();
+  const int direction = static_cast<int>(value("CDIR"));
   l.clockwise = direction == 1 || direction == 2;
   return true;
 }
 
 // FS wide, the tip of the tool at ZFS (AMODE: absolute, or below the edge): one cut along the wall.
 bool MillCycles::chamfer(Levels& l) {
-  if (list_->chamfer < 0)
+  if (!call_->lists("FS"))
     return fail("not-supported",
                 fmt::format("{}: chamfering is not supported yet", call_->shown()));
-  const auto cut = chamfering_.cut(*call_, static_cast<std::size_t>(list_->chamfer),
-                                   static_cast<std::size_t>(list_->amode), l.reference,
-                                   l.top < l.reference ? 1 : -1, where_);
+  const auto cut = chamfering_.cut(*call_, l.reference, l.top < l.reference ? 1 : -1, where_);
   if (!cut) return false;
   radius_ = cut->aside;
   l.bottom = cut->bottom;
@@ -101,17 +104,16 @@ bool MillCycles::chamfer(Levels& l) {
 bool MillCycles::levels(Levels& l) {
   if (!depth(l)) return false;
   const double unit = scale();
-  l.infeed = std::abs(value(list_->infeed)) * unit;
-  l.finish_infeed = std::abs(value(list_->finish_infeed)) * unit;
-  l.side = std::abs(value(list_->side)) * unit;
-  l.floor = std::abs(value(list_->floor)) * unit;
-  l.feed = value(list_->feed) * feed_scale();
-  l.plunge = value(list_->plunge) * feed_scale();
+  l.infeed = std::abs(value("MID")) * unit;
+  l.finish_infeed = std::abs(value("MIDF")) * unit;
+  l.side = std::abs(value("FAL")) * unit;
+  l.floor = std::abs(value("FALD")) * unit;
+  l.feed = value("FFP1") * feed_scale();
+  l.plunge = value("FFD") * feed_scale();
   if (l.plunge <= 0) l.plunge = l.feed;
-  double width = std::abs(value(list_->width_step)) * unit;
-  const bool share =
-      list_->amode >= 0 && call_->digit(static_cast<std::size_t>(list_->amode), 1) == 1;
-  if (share) width = width / unit * radius_ / 50;  // per cent of the diameter
+  double width = std::abs(value("MIDA")) * unit;
+  if (call_->digit("AMODE", 1) == 1)
+    width = width / unit * radius_ / 50;  // per cent of the diameter
   l.width = width > 0 ? std::clamp(width, 0.02 * radius_, kWidest * radius_) : kWidest * radius_;
   if (l.feed < 0 || l.plunge < 0) return fail("feed-range", "the feeds must be above 0");
   if (std::abs(l.bottom - l.reference) <= l.floor)
@@ -119,22 +121,24 @@ bool MillCycles::levels(Levels& l) {
   return modes(l);
 }
 
-// PA PO; by MCALL without them the place of the tool.
+// PA PO or CPA CPO; by MCALL without them the place of the tool.
 bool MillCycles::reference_place(Vec2& out) {
-  const auto at = static_cast<std::size_t>(list_->at);
-  out = {call_->get(at) * scale(), call_->get(at + 1) * scale()};
-  const bool given = call_->get(at) != 0 || call_->get(at + 1) != 0;
+  const bool center = call_->lists("CPA");
+  const ValueName u = center ? ValueName("CPA") : ValueName("PA");
+  const ValueName v = center ? ValueName("CPO") : ValueName("PO");
+  out = {value(u) * scale(), value(v) * scale()};
+  const bool given = value(u) != 0 || value(v) != 0;
   if (at_position_ && given)
     return fail("not-supported",
                 fmt::format("MCALL {} with a place of its own is not supported yet", call_->name));
-  if (at_position_ || (!call_->given(at) && !call_->given(at + 1))) out = mover_.place();
+  if (at_position_ || (!call_->given(u) && !call_->given(v))) out = mover_.place();
   return true;
 }
 
 // The centre, where a corner or an end is given.
 bool MillCycles::center(double length, double width, double degrees, Vec2& out) {
   if (!reference_place(out)) return false;
-  const int from = list_->gmode < 0 ? 0 : call_->digit(static_cast<std::size_t>(list_->gmode), 3);
+  const int from = call_->digit("GMODE", 3);
   if (from > 5) return fail("value-range", "GMODE: the reference point is 0 to 5");
   if (from < 2) return true;
   const double x = from % 2 == 0 ? 0.5 : -0.5, y = from < 4 ? 0.5 : -0.5;
@@ -158,8 +162,8 @@ std::vector<Loop> MillCycles::nested(const Levels& l, double last, Vec2 at, doub
 bool MillCycles::rectangle() {
   Levels l;
   if (!levels(l)) return false;
-  const double unit = scale(), degrees = value(list_->start);
-  double length = value(list_->length) * unit, width = value(list_->width) * unit, turn = degrees;
+  const double unit = scale(), degrees = call_->name == "POCKET1" ? value("STA1") : value("STA");
+  double length = value("LENG") * unit, width = value("WID") * unit, turn = degrees;
   if (length <= 0 || width <= 0)
     return fail("value-range", "the length and the width of a pocket must be above 0");
   Vec2 at;
@@ -169,7 +173,7 @@ bool MillCycles::rectangle() {
     turn += 90;
   }
   const double a = length / 2 - radius_, b = width / 2 - radius_;
-  const double corner = std::min(std::abs(value(list_->corner)) * unit, width / 2);
+  const double corner = std::min(std::abs(value("CRAD")) * unit, width / 2);
   const double round = std::max(0.0, corner - radius_);
   if (b - l.side < -kRounding)
     return fail("value-range", "the cutter is too large for the pocket (alarm 61105)");
@@ -191,11 +195,11 @@ bool MillCycles::circle() {
   Levels l;
   Vec2 at;
   if (!levels(l) || !reference_place(at)) return false;
-  if (list_->name == "POCKET4" && value(23) >= 100)
+  if (call_->name == "POCKET4" && value("DMODE") >= 100)
     return fail("not-supported",
                 "POCKET4 with a DMODE of 100 and more, by which its fifth value may be a diameter, "
                 "is not supported yet: write the list up to DP1, with a radius");
-  const double reach = std::abs(value(list_->radius)) * scale() - radius_;
+  const double reach = std::abs(value("PRAD")) * scale() - radius_;
   if (reach - l.side < -kRounding)
     return fail("value-range", "the cutter is too large for the pocket (alarm 61105)");
   Area area;
@@ -206,11 +210,11 @@ bool MillCycles::circle() {
 }
 
 int MillCycles::count(double& first, double& step, double whole) {
-  const double number = call_->given(static_cast<std::size_t>(list_->num)) ? value(list_->num) : 1;
+  const double number = call_->get("NUM", 1);
   if (number < 1 || number > kMostSlots) return 0;
   const int n = static_cast<int>(number);
-  first = value(list_->start);
-  step = value(list_->step);
+  first = value("STA1");
+  step = value("INDA");
   if (step == 0) step = whole / n;
   return n;
 }
@@ -222,18 +226,18 @@ bool MillCycles::slots() {
   if (!levels(l) || !reference_place(middle)) return false;
   double first = 0, step = 0;
   const int n = count(first, step, 360);
-  const double unit = scale(), length = std::abs(value(list_->length)) * unit;
-  const double width = list_->width < 0 ? 2 * radius_ : std::abs(value(list_->width)) * unit;
+  const double unit = scale(), length = std::abs(value("LENG")) * unit;
+  const double width = !call_->lists("WID") ? 2 * radius_ : std::abs(value("WID")) * unit;
   const double b = width / 2 - radius_, a = length / 2 - radius_;
-  const int from = list_->gmode < 0 ? 0 : call_->digit(static_cast<std::size_t>(list_->gmode), 3);
+  const int from = call_->digit("GMODE", 3);
   if (n == 0 || from > 5) return fail("value-range", "the number of slots is 1 to 10000");
   if (b - l.side < -kRounding || length < width)
     return fail("value-range", "the cutter is too large for the slot (alarm 61105)");
-  if (list_->name == "SLOT1") l.helix = std::abs(value(23));  // STA2: the angle of swinging
+  if (call_->name == "SLOT1") l.helix = std::abs(value("STA2"));  // the angle of swinging
   // The centre of the slot: behind its inner end, or as GMODE says.
   static constexpr double kEnd[] = {1, 0, 1, -1, 1, -1};
   const double inset = from == 2 || from == 3 ? width / 2 : 0;
-  const double out = std::abs(value(list_->radius)) * unit + kEnd[from] * (length / 2 - inset);
+  const double out = std::abs(value("RAD")) * unit + kEnd[from] * (length / 2 - inset);
   for (int i = 0; i < n; ++i) {
     const double turn = first + i * step;
     Area area;
@@ -257,9 +261,9 @@ bool MillCycles::arc_slots() {
   if (!levels(l) || !reference_place(middle)) return false;
   double first = 0, step = 0;
   const int n = count(first, step, 360);
-  const double unit = scale(), round = std::abs(value(list_->radius)) * unit;
-  const double b = std::abs(value(list_->width)) * unit / 2 - radius_;
-  const double angle = radians(std::abs(value(list_->length)));
+  const double unit = scale(), round = std::abs(value("RAD")) * unit;
+  const double b = std::abs(value("WID")) * unit / 2 - radius_;
+  const double angle = radians(std::abs(value("AFSL")));
   if (n == 0) return fail("value-range", "the number of slots is 1 to 10000");
   if (b - l.side < -kRounding)
     return fail("value-range", "the cutter is too large for the slot (alarm 61105)");

@@ -6,7 +6,6 @@
 #include "interp/cycles/chamfering.h"
 #include "interp/cycles/cycle_call.h"
 #include "interp/cycles/cycle_mover.h"
-#include "interp/milling/mill_lists.h"
 
 #include <functional>
 #include <string_view>
@@ -44,9 +43,7 @@ class MillCycles : public ControlPart {
     double helix = 0;  ///< the largest radius of a helix at the entry
   };
 
-  double value(int at, double otherwise = 0) const {
-    return at < 0 ? otherwise : call_->get(static_cast<std::size_t>(at), otherwise);
-  }
+  double value(ValueName name) const { return call_->get(name); }
   bool fail(const char* code, const std::string& text) { return error(code, text, where_); }
   bool levels(Levels& out);
   bool depth(Levels& out);
@@ -77,7 +74,6 @@ class MillCycles : public ControlPart {
   CycleMover mover_;
   Chamfering chamfering_;
   const CycleCall* call_ = nullptr;
-  const MillList* list_ = nullptr;
   Word where_;
   bool at_position_ = false;
   double radius_ = 0;  ///< of the cutter, mm

@@ -23,30 +23,31 @@ Vec2 direction(const Motion& m, const Frame& frame, const Basis& b, double at) {
 // KNAME RTP RFP SDIS DP MID FAL FALD FFP1 FFD VARI RL AS1 LP1 FF3 AS2 LP2
 bool ContourMilling::read(Along& l) {
   const double unit = scale();
-  if (!call_.given(1) || !call_.given(2) || !call_.given(4))
+  if (!call_.given("RTP") || !call_.given("RFP") || !call_.given("DP"))
     return error("value-missing", "CYCLE72 needs RTP, RFP and DP, its planes and its depth",
                  where_);
-  l.top = call_.get(1) * unit;
-  l.reference = call_.get(2) * unit;
+  l.top = call_.get("RTP") * unit;
+  l.reference = call_.get("RFP") * unit;
   const double down = l.top < l.reference ? 1 : -1;
-  l.safe = l.reference - down * std::abs(call_.get(3)) * unit;
-  const bool relative = call_.digit(22, 0) == 1;
-  l.bottom = relative ? l.reference + down * std::abs(call_.get(4)) * unit : call_.get(4) * unit;
+  l.safe = l.reference - down * std::abs(call_.get("SDIS")) * unit;
+  const bool relative = call_.digit("AMODE", 0) == 1;
+  l.bottom =
+      relative ? l.reference + down * std::abs(call_.get("DP")) * unit : call_.get("DP") * unit;
   if ((l.bottom - l.reference) * down <= 0)
     return error("value-range",
                  "CYCLE72: the depth does not lie below the reference plane (alarm 61101)", where_);
-  const int kind = call_.digit(10, 0);
-  if (call_.digit(10, 4) != 0)
+  const int kind = call_.digit("VARI", 0);
+  if (call_.digit("VARI", 4) != 0)
     return error("not-supported", "CYCLE72: the contour backwards (VARI) is not supported yet",
                  where_);
   if (kind == 1) {
-    l.allowance = std::abs(call_.get(6)) * unit;
-    l.bottom -= down * std::abs(call_.get(7)) * unit;
+    l.allowance = std::abs(call_.get("FAL")) * unit;
+    l.bottom -= down * std::abs(call_.get("FALD")) * unit;
   }
-  l.infeed = std::abs(call_.get(5)) * unit;
-  l.feed = call_.get(8) * feed_scale();
-  l.plunge = call_.get(9) > 0 ? call_.get(9) * feed_scale() : l.feed;
-  const double rl = call_.get(11, 40);
+  l.infeed = std::abs(call_.get("MID")) * unit;
+  l.feed = call_.get("FFP1") * feed_scale();
+  l.plunge = call_.get("FFD") > 0 ? call_.get("FFD") * feed_scale() : l.feed;
+  const double rl = call_.get("RL", 40);
   if (rl != 40 && rl != 41 && rl != 42)
     return error("value-range", "CYCLE72: RL is 40, 41 or 42", where_);
   l.side = rl == 41 ? 1 : rl == 42 ? -1 : 0;
@@ -54,7 +55,7 @@ bool ContourMilling::read(Along& l) {
       l.side == 0 ? tools_.radius(modal_.edge) : tools_.radius_for("CYCLE72", modal_.edge, where_);
   if (l.side != 0 && radius <= 0) return false;
   if (kind == 5) {  // FS ZFS: one cut, its axis nearer to the contour than the tool's radius
-    const auto cut = chamfering_.cut(call_, 18, 22, l.reference, down, where_);
+    const auto cut = chamfering_.cut(call_, l.reference, down, where_);
     if (!cut) return false;
     if (l.side == 0) return error("value-range", "CYCLE72 chamfers with RL 41 or 42", where_);
     l.bottom = cut->bottom;
@@ -74,7 +75,7 @@ bool ContourMilling::run() {
   for (int i = 1; i <= n; ++i) {
     const double to = i == n ? l.bottom : l.reference + (l.bottom - l.reference) * i / n;
     pass_along(l, from, to);
-    from = call_.digit(10, 2) == 0 ? l.top : l.safe;
+    from = call_.digit("VARI", 2) == 0 ? l.top : l.safe;
     mover_.rapid_height(i == n ? l.top : from);
     if (i < n) from = l.safe;
   }
@@ -116,8 +117,8 @@ void ContourMilling::approach(const Along& l, double level, double from, bool le
   const Vec2 aside = (l.side == 0 ? 0 : l.side) * left_of(t);
   const Vec2 at = in_plane(b, apply_inverse(frames_.total, corner)) + std::abs(l.aside) * aside;
   if (!leaving) t = -1 * t;  // outwards
-  const int kind = l.side == 0 ? 1 : call_.digit(leaving ? 15 : 12, 0);
-  const double reach = std::abs(call_.get(leaving ? 16 : 13)) * scale();
+  const int kind = l.side == 0 ? 1 : call_.digit(leaving ? ValueName("AS2") : ValueName("AS1"), 0);
+  const double reach = std::abs(call_.get(leaving ? ValueName("LP2") : ValueName("LP1"))) * scale();
   PlanePiece arc;
   arc.arc = true;
   arc.center = at + reach * aside;

@@ -15,38 +15,38 @@ constexpr int kRoughing = 1, kFloor = 3, kWall = 4, kChamfer = 5;
 // PRG VARI RP Z0 SC Z1 F FZ DXY DZ UXY UZ CDIR XS YS ER EP EW FS ZFS TR DR UMODE GMODE DMODE AMODE
 bool ContourPocket::read(RegionCutter::Levels& l) {
   const double unit = scale();
-  const int kind = call_.digit(1, 0), plane = call_.digit(24, 0), direction = call_.digit(12, 0);
-  for (const std::size_t i : {1, 2, 3, 5})
-    if (!call_.given(i))
-      return error("value-missing", "CYCLE63 needs VARI, RP, Z0 and Z1: how, its planes, its depth",
-                   where_);
+  const int kind = call_.digit("VARI", 0), plane = call_.digit("DMODE", 0),
+            direction = call_.digit("CDIR", 0);
+  if (!call_.given({"VARI", "RP", "Z0", "Z1"}))
+    return error("value-missing", "CYCLE63 needs VARI, RP, Z0 and Z1: how, its planes, its depth",
+                 where_);
   if (call_.values.size() > 26)
     return error("not-supported", "CYCLE63: a list of more than 26 values", where_);
   if (kind != kRoughing && (kind < kFloor || kind > kChamfer))
     return error("not-supported",
                  fmt::format("CYCLE63: VARI {:g} is not supported; its unit is 1 (roughing), 3 "
                              "(finishing the floor), 4 (the wall) or 5 (chamfering)",
-                             call_.get(1)),
+                             call_.get("VARI")),
                  where_);
   if (plane != 0 && plane != modal_.plane + 1)
     return error("cycle-plane", "CYCLE63: DMODE names another plane than the one in force", where_);
   if (direction > 1)
     return error("value-range", "CYCLE63: CDIR is 0 (climbing) or 1 (conventional)", where_);
-  l.top = call_.get(2) * unit;
-  l.reference = call_.get(3) * unit;
+  l.top = call_.get("RP") * unit;
+  l.reference = call_.get("Z0") * unit;
   const double down = l.top < l.reference ? 1 : -1;
-  l.safe = l.reference - down * std::abs(call_.get(4)) * unit;
-  l.bottom = call_.get(5) * unit;
-  if (call_.digit(25, 0) == 1) l.bottom = l.reference + down * std::abs(l.bottom);
+  l.safe = l.reference - down * std::abs(call_.get("SC")) * unit;
+  l.bottom = call_.get("Z1") * unit;
+  if (call_.digit("AMODE", 0) == 1) l.bottom = l.reference + down * std::abs(l.bottom);
   if ((l.bottom - l.reference) * down <= 0)
     return error("value-range",
                  "CYCLE63: the depth does not lie below the reference plane (alarm 61101)", where_);
-  if (kind != kFloor) l.bottom -= down * std::abs(call_.get(11)) * unit;
+  if (kind != kFloor) l.bottom -= down * std::abs(call_.get("UZ")) * unit;
   if ((l.bottom - l.reference) * down <= 0)
     return error("value-range", "CYCLE63: UZ is larger than the depth", where_);
-  l.infeed = kind == kFloor ? 0 : std::abs(call_.get(9)) * unit;
-  l.feed = call_.get(6) * feed_scale();
-  l.plunge = call_.get(7) > 0 ? call_.get(7) * feed_scale() : l.feed;
+  l.infeed = kind == kFloor ? 0 : std::abs(call_.get("DZ")) * unit;
+  l.feed = call_.get("F") * feed_scale();
+  l.plunge = call_.get("FZ") > 0 ? call_.get("FZ") * feed_scale() : l.feed;
   l.clockwise = direction == 1;
   return true;
 }
@@ -70,11 +70,10 @@ bool ContourPocket::run() {
   std::vector<Loop> loops(contours_.size());
   for (std::size_t i = 0; i < loops.size(); ++i)
     if (!cutter_.closed_loop(contours_[i], 1, loops[i])) return false;
-  const int technology = call_.digit(24, 2), kind = call_.digit(1, 0);
+  const int technology = call_.digit("DMODE", 2), kind = call_.digit("VARI", 0);
   const bool along = kind == kWall || kind == kChamfer;
   if (kind == kChamfer) {
-    const auto cut =
-        chamfering_.cut(call_, 18, 25, l.reference, l.top < l.reference ? 1 : -1, where_);
+    const auto cut = chamfering_.cut(call_, l.reference, l.top < l.reference ? 1 : -1, where_);
     if (!cut) return false;
     radius = cut->aside;
     l.bottom = cut->bottom;
@@ -90,12 +89,12 @@ bool ContourPocket::run() {
               "edge the cutter runs",
               where_, "CYCLE63");
   if (technology == 2 && !along && !surroundings(radius, loops[0], loops[0])) return false;
-  double step = std::abs(call_.get(8)) * scale();
-  if (call_.digit(25, 1) == 1) step = std::abs(call_.get(8)) * radius / 50;  // per cent
+  double step = std::abs(call_.get("DXY")) * scale();
+  if (call_.digit("AMODE", 1) == 1) step = std::abs(call_.get("DXY")) * radius / 50;  // per cent
   const bool border = technology != 2 || !along;
   const Region region(border ? std::optional<Loop>(loops[0]) : std::nullopt, islands);
   if (along) return cutter_.follow(region, radius, 0, l, where_);
-  return cutter_.clear(region, radius, std::abs(call_.get(10)) * scale(), step, l, where_);
+  return cutter_.clear(region, radius, std::abs(call_.get("UXY")) * scale(), step, l, where_);
 }
 
 }  // namespace mrsim

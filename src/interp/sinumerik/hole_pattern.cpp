@@ -35,26 +35,26 @@ bool HolePattern::reads_all_of() {
                  where_);
   };
   const bool grid = call_.name == "CYCLE801";
-  if ((grid || call_.name == "HOLES1" || call_.name == "HOLES2") &&
-      !call_.text(grid ? 11 : 8).empty())
-    return refuse("hidden positions (HIDE)");
-  if (grid && (call_.get(9) != 0 || call_.get(10) != 0)) return refuse("sheared rows (ANG1, ANG2)");
+  if (!call_.text("HIDE").empty()) return refuse("hidden positions (HIDE)");
+  if (grid && (call_.get("ANG1") != 0 || call_.get("ANG2") != 0))
+    return refuse("sheared rows (ANG1, ANG2)");
   if (call_.name != "CYCLE802") return true;
   for (int place = 0; place < 9; ++place)
-    if (call_.digit(0, place) == 2 || call_.digit(1, place) == 2)
+    if (call_.digit("XA", place) == 2 || call_.digit("YA", place) == 2)
       return refuse("incremental positions (a 2 in XA or YA)");
   return true;
 }
 
 // SPCA SPCO STA1 FDIS DBH NUM: holes on a line.
 bool HolePattern::row(std::vector<Vec2>& list) {
-  const double count = call_.get(5), unit = scale();
+  const double count = call_.get("NUM"), unit = scale();
   if (count < 0 || count > kMostHolesOfPattern)
     return error("value-range", "HOLES1: the number of holes is 1 to 10000", where_);
-  const SinCos sc = sincos_deg(call_.get(2));
+  const SinCos sc = sincos_deg(call_.get("STA1"));
   for (int i = 0; i < static_cast<int>(count); ++i) {
-    const double along = (call_.get(3) + i * call_.get(4)) * unit;
-    list.push_back({call_.get(0) * unit + along * sc.cos, call_.get(1) * unit + along * sc.sin});
+    const double along = (call_.get("FDIS") + i * call_.get("DBH")) * unit;
+    list.push_back(
+        {call_.get("SPCA") * unit + along * sc.cos, call_.get("SPCO") * unit + along * sc.sin});
   }
   const Vec2 from = in_plane(basis(), position_.programmed);  // it begins at the end that is nearer
   if (!list.empty() && length(list.back() - from) < length(list.front() - from) - kRounding)
@@ -64,42 +64,44 @@ bool HolePattern::row(std::vector<Vec2>& list) {
 
 // CPA CPO RAD STA1 INDA NUM: holes on a circle; INDA 0: all round.
 bool HolePattern::circle(std::vector<Vec2>& list) {
-  const double count = call_.get(5), unit = scale();
+  const double count = call_.get("NUM"), unit = scale();
   if (count < 1 || count > kMostHolesOfPattern)
     return error("value-range", "HOLES2: the number of holes is 1 to 10000", where_);
-  const double step = call_.get(4) != 0 ? call_.get(4) : 360 / std::floor(count);
+  const double step = call_.get("INDA") != 0 ? call_.get("INDA") : 360 / std::floor(count);
   for (int i = 0; i < static_cast<int>(count); ++i) {
-    const SinCos sc = sincos_deg(call_.get(3) + i * step);
-    list.push_back({(call_.get(0) + call_.get(2) * sc.cos) * unit,
-                    (call_.get(1) + call_.get(2) * sc.sin) * unit});
+    const SinCos sc = sincos_deg(call_.get("STA1") + i * step);
+    list.push_back({(call_.get("CPA") + call_.get("RAD") * sc.cos) * unit,
+                    (call_.get("CPO") + call_.get("RAD") * sc.sin) * unit});
   }
   return true;
 }
 
 // SPCA SPCO STA DIS1 DIS2 NUM1 NUM2: a grid, or its frame alone (VARI 1).
 bool HolePattern::grid(std::vector<Vec2>& list) {
-  const double columns = call_.get(5), rows = call_.get(6), unit = scale();
+  const double columns = call_.get("NUM1"), rows = call_.get("NUM2"), unit = scale();
   if (columns < 1 || rows < 1 || columns * rows > kMostHolesOfPattern)
     return error("value-range", "CYCLE801: the number of holes is 1 to 10000", where_);
-  const bool frame = static_cast<int>(call_.get(7)) % 10 == 1;
+  const bool frame = static_cast<int>(call_.get("VARI")) % 10 == 1;
   const int nu = static_cast<int>(columns), nv = static_cast<int>(rows);
-  const SinCos sc = sincos_deg(call_.get(2));
+  const SinCos sc = sincos_deg(call_.get("STA"));
   for (int j = 0; j < nv; ++j)
     for (int k = 0; k < nu; ++k) {
       const int i = j % 2 ? nu - 1 - k : k;  // there and back
       if (frame && i > 0 && i < nu - 1 && j > 0 && j < nv - 1) continue;
-      const Vec2 d{i * call_.get(3) * unit, j * call_.get(4) * unit};
-      list.push_back({call_.get(0) * unit + d.x * sc.cos - d.y * sc.sin,
-                      call_.get(1) * unit + d.x * sc.sin + d.y * sc.cos});
+      const Vec2 d{i * call_.get("DIS1") * unit, j * call_.get("DIS2") * unit};
+      list.push_back({call_.get("SPCA") * unit + d.x * sc.cos - d.y * sc.sin,
+                      call_.get("SPCO") * unit + d.x * sc.sin + d.y * sc.cos});
     }
   return true;
 }
 
 // CYCLE802: up to nine points, behind the two masks.
 bool HolePattern::points(std::vector<Vec2>& list) {
-  for (std::size_t i = 2; i + 1 < 20; i += 2)
-    if (call_.given(i) && call_.given(i + 1))
-      list.push_back({call_.get(i) * scale(), call_.get(i + 1) * scale()});
+  static constexpr ValueName kPoints[][2] = {{"X0", "Y0"}, {"X1", "Y1"}, {"X2", "Y2"},
+                                             {"X3", "Y3"}, {"X4", "Y4"}, {"X5", "Y5"},
+                                             {"X6", "Y6"}, {"X7", "Y7"}, {"X8", "Y8"}};
+  for (const auto& [x, y] : kPoints)
+    if (call_.given({x, y})) list.push_back({call_.get(x) * scale(), call_.get(y) * scale()});
   return true;
 }
 

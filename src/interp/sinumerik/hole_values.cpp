@@ -19,22 +19,6 @@ constexpr std::array<std::string_view, 10> kCycles = {"CYCLE81", "CYCLE82", "CYC
                                                       "CYCLE85", "CYCLE86", "CYCLE87", "CYCLE88",
                                                       "CYCLE89", "CYCLE840"};
 
-// Where the call has its mode (AMODE): how depth and dwell are written. GMODE and DMODE stand
-// before it.
-std::size_t mode_of(std::string_view cycle) {
-  static constexpr std::array<std::pair<std::string_view, std::size_t>, 7> kModes = {
-      {{"CYCLE81", 8},
-       {"CYCLE82", 8},
-       {"CYCLE83", 19},
-       {"CYCLE84", 23},
-       {"CYCLE85", 10},
-       {"CYCLE86", 13},
-       {"CYCLE840", 19}}};
-  for (const auto& [name, mode] : kModes)
-    if (cycle == name) return mode;
-  return 99;
-}
-
 }  // namespace
 
 bool HoleValues::knows(std::string_view name) {
@@ -45,9 +29,8 @@ bool HoleValues::knows(std::string_view name) {
 // along the normal of the plane in force, which is Y in G18.
 bool HoleValues::choose_plane() {
   constexpr int kNormalTo[3][2] = {{2, 1}, {0, 2}, {1, 0}};
-  const std::size_t axn = call_.name == "CYCLE83" || call_.name == "CYCLE84" ? 12 : 11;
-  const int axis = axn == 12 || call_.name == "CYCLE840" ? static_cast<int>(call_.get(axn)) : 0;
-  const int plane = call_.digit(mode_of(call_.name) - 1, 0);
+  const int axis = static_cast<int>(call_.get("AXN"));
+  const int plane = call_.digit("DMODE", 0);
   if (plane >= 1 && plane <= 3) modal_.plane = plane - 1;
   if (axis == 1 || axis == 2) modal_.plane = kNormalTo[modal_.plane][axis - 1];
   if (!lathe() || modal_.plane != 1) return true;
@@ -62,44 +45,46 @@ bool HoleValues::choose_plane() {
 bool HoleValues::read(Hole& out) {
   if (!knows(call_.name))
     return error("not-supported", fmt::format("MCALL {} is not supported yet", call_.name), where_);
-  if (!call_.given(0) || !call_.given(1))
+  if (!call_.given("RTP") || !call_.given("RFP"))
     return error(
         "value-missing",
         fmt::format("{} needs RTP and RFP, the planes of retraction and reference", call_.name),
         where_);
-  const double unit = scale(), rtp = call_.get(0) * unit, rfp = call_.get(1) * unit;
+  const double unit = scale(), rtp = call_.get("RTP") * unit, rfp = call_.get("RFP") * unit;
   const double down = rtp < rfp ? 1 : -1;
-  out.safe = rfp - down * std::abs(call_.get(2)) * unit;
+  out.safe = rfp - down * std::abs(call_.get("SDIS")) * unit;
   out.end = rtp;
   dwells(out);
-  const bool by_shape = call_.digit(mode_of(call_.name) - 2, 1) == 1;
+  const bool by_shape = call_.digit("GMODE", 1) == 1;
   if (by_shape && call_.name == "CYCLE81") return to_diameter(rfp, down, out.bottom);
-  if (!depth(mode_of(call_.name), rfp, down, out.bottom)) return false;
+  if (!depth(rfp, down, out.bottom)) return false;
   if (by_shape && (call_.name == "CYCLE82" || call_.name == "CYCLE83"))
     out.bottom += down * point_length();
-  if (!call_.written.empty() && call_.name == "CYCLE83") out.feed = call_.get(20) * feed_scale();
+  if (!call_.written.empty() && call_.name == "CYCLE83") out.feed = call_.get("FFR") * feed_scale();
   if (call_.name == "CYCLE83") return strokes(rfp, out);
   if (call_.name == "CYCLE84" || call_.name == "CYCLE840") tapping(out);
   if (call_.name == "CYCLE85") {
-    out.feed = call_.get(6) * feed_scale();
-    out.feed_back = call_.get(7) * feed_scale();
+    out.feed = call_.get("FFR") * feed_scale();
+    out.feed_back = call_.get("RFF") * feed_scale();
   }
   out.feed_out = out.lead != 0 || call_.name == "CYCLE85" || call_.name == "CYCLE89";
-  if (call_.name == "CYCLE86" && (call_.get(7) != 0 || call_.get(8) != 0 || call_.get(9) != 0)) {
+  if (call_.name == "CYCLE86" &&
+      (call_.get("RPA") != 0 || call_.get("RPO") != 0 || call_.get("RPAP") != 0)) {
     const Basis b = basis();
-    out.lift = call_.get(7) * unit * b.u + call_.get(8) * unit * b.v + call_.get(9) * unit * b.w;
+    out.lift = call_.get("RPA") * unit * b.u + call_.get("RPO") * unit * b.v +
+               call_.get("RPAP") * unit * b.w;
   }
   return true;
 }
 
-bool HoleValues::depth(std::size_t mode, double reference, double down, double& bottom) {
-  const int amode = static_cast<int>(call_.get(mode)) % 10;
-  const bool relative = amode == 1 || (amode == 0 && call_.given(4) && call_.get(4) != 0);
-  if (!relative && !call_.given(3))
+bool HoleValues::depth(double reference, double down, double& bottom) {
+  const int amode = static_cast<int>(call_.get("AMODE")) % 10;
+  const bool relative = amode == 1 || (amode == 0 && call_.given("DPR") && call_.get("DPR") != 0);
+  if (!relative && !call_.given("DP"))
     return error("value-missing", fmt::format("{} needs DP or DPR, the depth", call_.name), where_);
   // With a mode, the value stands in DP; without one, DPR counts before DP.
-  const double value = amode == 1 && call_.given(3) ? call_.get(3) : call_.get(4);
-  bottom = relative ? reference + down * std::abs(value) * scale() : call_.get(3) * scale();
+  const double value = amode == 1 && call_.given("DP") ? call_.get("DP") : call_.get("DPR");
+  bottom = relative ? reference + down * std::abs(value) * scale() : call_.get("DP") * scale();
   if ((bottom - reference) * down < 0)
     return error("value-range",
                  fmt::format("{}: the depth lies on the side of the retraction plane (alarm 61101)",
@@ -112,7 +97,8 @@ bool HoleValues::depth(std::size_t mode, double reference, double down, double& 
 bool HoleValues::to_diameter(double reference, double down, double& bottom) {
   tools_.require(where_, true);
   const Tool* tool = tools_.current();
-  const double half = tool ? cone_of(*tool) : 0, wide = std::abs(call_.get(call_.given(3) ? 3 : 4));
+  const double half = tool ? cone_of(*tool) : 0,
+               wide = std::abs(call_.given("DP") ? call_.get("DP") : call_.get("DPR"));
   if (half <= 0)
     return error("tool-unknown", "CYCLE81 to a diameter (GMODE) needs a tool that ends in a cone",
                  where_);
@@ -141,20 +127,21 @@ double HoleValues::point_length() {
 bool HoleValues::strokes(double reference, Hole& hole) {
   const double unit = scale(), total = std::abs(hole.bottom - reference);
   const double down = hole.bottom < reference ? -1 : 1;
-  const bool relative = call_.given(6) && call_.get(6) != 0;
-  const bool said_relative = call_.digit(19, 4) == 1 && call_.given(5);  // of AMODE
-  double stroke = relative        ? std::abs(call_.get(6)) * unit
-                  : said_relative ? std::abs(call_.get(5)) * unit
-                                  : std::abs(call_.get(5) * unit - reference);
-  if (!relative && !call_.given(5)) stroke = total;
-  const bool percent = call_.digit(19, 5) == 2;
-  const double dam = percent ? -std::abs(call_.get(7)) / 100 : call_.get(7);
-  const double least = std::abs(call_.get(13)) * unit;
-  hole.chips_out = call_.get(11) >= 1;
-  if (call_.given(14) && call_.get(14) > 0 && !hole.chips_out)
-    hole.clearance = call_.get(14) * unit;
-  if (!hole.chips_out && !(call_.get(14) > 0)) hole.clearance = 1;
-  if (call_.given(16) && call_.get(16) > 0 && hole.chips_out) hole.clearance = call_.get(16) * unit;
+  const bool relative = call_.given("FDPR") && call_.get("FDPR") != 0;
+  const bool said_relative = call_.digit("AMODE", 4) == 1 && call_.given("FDEP");  // of AMODE
+  double stroke = relative        ? std::abs(call_.get("FDPR")) * unit
+                  : said_relative ? std::abs(call_.get("FDEP")) * unit
+                                  : std::abs(call_.get("FDEP") * unit - reference);
+  if (!relative && !call_.given("FDEP")) stroke = total;
+  const bool percent = call_.digit("AMODE", 5) == 2;
+  const double dam = percent ? -std::abs(call_.get("DAM")) / 100 : call_.get("DAM");
+  const double least = std::abs(call_.get("MDEP")) * unit;
+  hole.chips_out = call_.get("VARI") >= 1;
+  if (call_.given("VRT") && call_.get("VRT") > 0 && !hole.chips_out)
+    hole.clearance = call_.get("VRT") * unit;
+  if (!hole.chips_out && !(call_.get("VRT") > 0)) hole.clearance = 1;
+  if (call_.given("DIS1") && call_.get("DIS1") > 0 && hole.chips_out)
+    hole.clearance = call_.get("DIS1") * unit;
   if (stroke <= 0)
     return error("value-range", "CYCLE83: the first drilling depth must lie below RFP", where_);
   const double smallest = dam > 0 ? std::max(dam * unit, least) : least;
@@ -173,9 +160,9 @@ bool HoleValues::strokes(double reference, Hole& hole) {
 }
 
 // s of a dwell: below 0 it is in turns, unless a digit of the mode says 1 (seconds) or 2 (turns).
-double HoleValues::pause(std::size_t value, int mode_digit) {
+double HoleValues::pause(ValueName value, int mode_digit) {
   const double time = call_.get(value);
-  const int unit = mode_digit > 0 ? call_.digit(mode_of(call_.name), mode_digit) : 0;
+  const int unit = mode_digit > 0 ? call_.digit("AMODE", mode_digit) : 0;
   const bool turns = unit == 2 || (unit == 0 && time < 0);
   return turns ? dwell_.of_turns(std::abs(time), where_) : std::abs(time);
 }
@@ -185,23 +172,22 @@ double HoleValues::pause(std::size_t value, int mode_digit) {
 void HoleValues::dwells(Hole& hole) {
   if (call_.name == "CYCLE87") return;
   if (call_.name != "CYCLE83") {
-    hole.dwell = pause(5, 1);
+    hole.dwell = pause("DTB", 1);
     return;
   }
-  const int other_units = call_.digit(19, 2) + call_.digit(19, 3);
-  if (other_units != 0 && (call_.get(9) > 0 || call_.get(15) > 0))
+  const int other_units = call_.digit("AMODE", 2) + call_.digit("AMODE", 3);
+  if (other_units != 0 && (call_.get("DTS") > 0 || call_.get("DTD") > 0))
     note_once("dwell-unit", "CYCLE83: DTS and DTD above 0 are read as seconds", where_, "CYCLE83");
-  hole.dwell = hole.dwell_stroke = pause(8, 1);
-  hole.dwell_safe = pause(9, 0);
-  if (call_.get(15) != 0) hole.dwell = pause(15, 0);
+  hole.dwell = hole.dwell_stroke = pause("DTB", 1);
+  hole.dwell_safe = pause("DTS", 0);
+  if (call_.get("DTD") != 0) hole.dwell = pause("DTD", 0);
 }
 
 // MPIT (size of the thread) or PIT (its pitch); the sign is the hand.
 void HoleValues::tapping(Hole& hole) {
-  const bool rigid = call_.name == "CYCLE84";
-  const std::size_t mpit = rigid ? 7 : 9, pit = mpit + 1;
-  double lead = call_.get(pit) * scale();
-  if (lead == 0) lead = std::copysign(iso_pitch(std::abs(call_.get(mpit))), call_.get(mpit));
+  const double size = call_.get("MPIT");
+  double lead = call_.get("PIT") * scale();
+  if (lead == 0) lead = std::copysign(iso_pitch(std::abs(size)), size);
   if (lead == 0 && modal_.speed > 0) lead = modal_.feed / modal_.speed;
   hole.lead = lead != 0 ? lead : 1;
   if (lead == 0)

@@ -24,11 +24,11 @@ class HoleValues : public ControlPart {
   bool read(Hole& out);
 
  private:
-  bool depth(std::size_t mode, double reference, double down, double& bottom);
+  bool depth(double reference, double down, double& bottom);
   bool to_diameter(double reference, double down, double& bottom);
   double point_length();
   bool strokes(double reference, Hole& hole);
-  double pause(std::size_t value, int mode_digit);
+  double pause(ValueName value, int mode_digit);
   void dwells(Hole& hole);
   void tapping(Hole& hole);
 

@@ -30,8 +30,8 @@ bool SinumerikContours::run(const CycleCall& call, const Word& where) {
 bool SinumerikContours::name_contour() {
   if (named_used_) named_.clear();
   named_used_ = false;
-  const std::string labels = call_.text(2) + ":" + call_.text(3);
-  const std::string name = call_.text(2).empty() ? call_.text(0) : labels;
+  const std::string labels = call_.text("LAB1") + ":" + call_.text("LAB2");
+  const std::string name = call_.text("LAB1").empty() ? call_.text("NAME") : labels;
   if (name.empty()) return error("value-missing", "CYCLE62 needs the name of a contour", where_);
   named_.push_back(name);
   return true;
@@ -40,7 +40,9 @@ bool SinumerikContours::name_contour() {
 bool SinumerikContours::find_contours() {
   const bool own_name = call_.name == "CYCLE72" || call_.name == "CYCLE95";
   std::vector<std::string> names = named_;
-  if (own_name && !call_.text(0).empty()) names = {call_.text(0)};
+  const std::string own =
+      call_.text(call_.name == "CYCLE72" ? ValueName("KNAME") : ValueName("NPP"));
+  if (own_name && !own.empty()) names = {own};
   if (own_name && names.size() > 1) names = {names.back()};
   if (names.empty()) names = {""};
   named_used_ = true;

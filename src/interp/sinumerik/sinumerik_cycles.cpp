@@ -18,22 +18,6 @@ constexpr std::array<std::string_view, 13> kMeasuring = {
     "CYCLE971", "CYCLE973", "CYCLE974", "CYCLE976", "CYCLE977", "CYCLE978", "CYCLE979",
     "CYCLE982", "CYCLE994", "CYCLE995", "CYCLE996", "CYCLE997", "CYCLE998"};
 
-// Whether value `i` of a cycle may be a text: the name of its contour, of a program or of the
-// swivel data, the text to engrave, the hidden places of a pattern.
-bool takes_text(std::string_view cycle, std::size_t i) {
-  struct Texts {
-    std::string_view cycle;
-    std::size_t first, last;
-  };
-  static constexpr Texts kTexts[] = {{"CYCLE60", 0, 0},  {"CYCLE62", 0, 3},    {"CYCLE63", 0, 0},
-                                     {"CYCLE72", 0, 0},  {"CYCLE95", 0, 0},    {"CYCLE952", 0, 2},
-                                     {"CYCLE800", 1, 1}, {"CYCLE801", 11, 11}, {"HOLES1", 8, 8},
-                                     {"HOLES2", 8, 8}};
-  for (const Texts& row : kTexts)
-    if (row.cycle == cycle) return i >= row.first && i <= row.last;
-  return false;
-}
-
 bool measures(std::string_view name) {
   return std::find(kMeasuring.begin(), kMeasuring.end(), name) != kMeasuring.end();
 }
@@ -60,12 +44,16 @@ bool SinumerikCycles::read_call(Call& call) {
   if (is_cycle_of_802(block_.function_name))
     return read_cycle_of_802(block_.function_name, statements_, where(), call);
   if (!statements_ || !statements_->call_values(block_.argument, call.values)) return false;
-  for (std::size_t i = 0; i < call.values.size(); ++i)
-    if (!call.text(i).empty() && !takes_text(call.name, i))
+  std::string_view rest = list_of_cycle(call.name);
+  for (std::size_t i = 0; i < call.values.size(); ++i) {
+    bool text = false;
+    next_value_name(rest, text);
+    if (call.values[i] && !call.values[i]->text.empty() && !text)
       return error("expression",
                    fmt::format("{}: value {} is a text or an axis, and not a number (alarm 12150)",
                                call.name, i + 1),
                    where());
+  }
   return true;
 }
 
@@ -159,10 +147,11 @@ bool SinumerikCycles::pattern(const Call& call) {
 
 // FR TC ST MODE X0 Y0 Z0 A B C X1 Y1 Z1; MODE says in pairs of bits about which axes A B C turn.
 bool SinumerikCycles::swivel(const Call& call) {
-  const auto mode = static_cast<unsigned>(std::clamp(call.get(3), 0.0, 255.0));
+  const auto mode = static_cast<unsigned>(std::clamp(call.get("MODE"), 0.0, 255.0));
   double angle = 0;
+  static constexpr ValueName kTurns[] = {"A", "B", "C"};
   for (unsigned i = 0; i < 3; ++i) {
-    const double turn = call.get(7 + i);
+    const double turn = call.get(kTurns[i]);
     if (turn != 0 && (mode >= 64 || (mode >> (2 * i) & 3U) != 3)) {
       UnreadModes(control_).begin_swivel();
       return error(
@@ -173,12 +162,12 @@ bool SinumerikCycles::swivel(const Call& call) {
     }
     angle += turn;
   }
-  const auto shift = [&](std::size_t i) {
-    return shift_frame(scale() * Vec3{call.get(i), call.get(i + 1), call.get(i + 2)});
+  const auto shift = [&](ValueName x, ValueName y, ValueName z) {
+    return shift_frame(scale() * Vec3{call.get(x), call.get(y), call.get(z)});
   };
   const Frame turned = angle != 0 ? rotation_frame(2, angle) : Frame{};
-  frame_words_.swivel(compose(compose(shift(4), turned), shift(10)), call.digit(2, 0) == 1,
-                      where());
+  frame_words_.swivel(compose(compose(shift("X0", "Y0", "Z0"), turned), shift("X1", "Y1", "Z1")),
+                      call.digit("ST", 0) == 1, where());
   return true;
 }
 

@@ -15,26 +15,8 @@
 namespace mrsim {
 namespace {
 
-// TEXT RTP RFP SDIS DP DPR PA PO STA CP1 CP2 WID DF FFD FFP1 VARI CODEP UMODE GMODE DMODE AMODE
-enum : std::size_t {
-  kText,
-  kRtp,
-  kDpr = 5,
-  kPlace = 6,
-  kAngle = 8,
-  kCenter = 9,
-  kHeight = 11,
-  kSpacing = 12,
-  kPlunge = 13,
-  kFeed = 14,
-  kForm = 15,
-  kCodePage = 16,
-  kUmode = 17,
-  kGmode = 18,
-  kDmode = 19,
-  kAmode = 20,
-  kValues = 21
-};
+constexpr std::size_t kValues = 21;
+
 // Digits of VARI.
 enum : int { kPolar, kAlong, kReserved, kAcross, kUp, kSpacingBy, kPolarCenter, kMirror };
 
@@ -60,7 +42,7 @@ std::vector<std::vector<Vec2>> set_letters(std::string_view letters, double heig
 }  // namespace
 
 bool SinumerikEngraving::read_letters(std::string& out) {
-  out = call_->text(kText);
+  out = call_->text("TEXT");
   if (out.empty())
     return fail("value-missing", "CYCLE60 needs its text, in quotes, as its first value");
   if (out.find('<') != std::string::npos)
@@ -80,35 +62,35 @@ bool SinumerikEngraving::reads_all() {
     return fail("not-supported", fmt::format("CYCLE60: {} is not supported", what));
   };
   if (call_->values.size() > kValues) return refuse("a list of more than 21 values");
-  if (call_->given(kCodePage) && call_->get(kCodePage) != 0 && call_->get(kCodePage) != 1252)
+  if (call_->given("CODEP") && call_->get("CODEP") != 0 && call_->get("CODEP") != 1252)
     return refuse("a code page (CODEP) other than 1252");
-  if (call_->get(kUmode) != 0) return refuse("a UMODE other than 0");
-  if (call_->get(kGmode) != 0) return refuse("a GMODE other than 0");
-  if (call_->get(kDmode) < 0 || call_->get(kDmode) > 3) return refuse("a DMODE above 3");
-  if (call_->get(kAmode) < 0 || call_->get(kAmode) > 2) return refuse("an AMODE above 2");
-  const int plane = call_->digit(kDmode, 0);
+  if (call_->get("UMODE") != 0) return refuse("a UMODE other than 0");
+  if (call_->get("GMODE") != 0) return refuse("a GMODE other than 0");
+  if (call_->get("DMODE") < 0 || call_->get("DMODE") > 3) return refuse("a DMODE above 3");
+  if (call_->get("AMODE") < 0 || call_->get("AMODE") > 2) return refuse("an AMODE above 2");
+  const int plane = call_->digit("DMODE", 0);
   return plane == 0 || plane == modal_.plane + 1 ||
          fail("cycle-plane", "CYCLE60: DMODE names another plane than the one in force");
 }
 
-Vec2 SinumerikEngraving::point(std::size_t at, bool polar) const {
-  const double a = call_->get(at), b = call_->get(at + 1);
+Vec2 SinumerikEngraving::point(ValueName u, ValueName v, bool polar) const {
+  const double a = call_->get(u), b = call_->get(v);
   if (!polar) return {a * scale(), b * scale()};
   const SinCos turn = sincos_deg(b);
   return {a * scale() * turn.cos, a * scale() * turn.sin};
 }
 
 bool SinumerikEngraving::read_form(Layout& out) {
-  const double form = call_->get(kForm);
-  out.arc = call_->digit(kForm, kAlong);
-  out.across = call_->digit(kForm, kAcross);
-  out.up = call_->digit(kForm, kUp);
-  out.spacing_by = call_->digit(kForm, kSpacingBy);
-  const int mirror = call_->digit(kForm, kMirror);
+  const double form = call_->get("VARI");
+  out.arc = call_->digit("VARI", kAlong);
+  out.across = call_->digit("VARI", kAcross);
+  out.up = call_->digit("VARI", kUp);
+  out.spacing_by = call_->digit("VARI", kSpacingBy);
+  const int mirror = call_->digit("VARI", kMirror);
   out.mirrored = mirror == 1;
-  if (form < 0 || form >= 1e8 || form != std::floor(form) || call_->digit(kForm, kPolar) > 1 ||
-      out.arc > 2 || call_->digit(kForm, kReserved) != 0 || out.across > 2 || out.up > 2 ||
-      out.spacing_by > 2 || call_->digit(kForm, kPolarCenter) > 1 || mirror > 2)
+  if (form < 0 || form >= 1e8 || form != std::floor(form) || call_->digit("VARI", kPolar) > 1 ||
+      out.arc > 2 || call_->digit("VARI", kReserved) != 0 || out.across > 2 || out.up > 2 ||
+      out.spacing_by > 2 || call_->digit("VARI", kPolarCenter) > 1 || mirror > 2)
     return fail("value-range", fmt::format("CYCLE60: VARI {} has a digit that is not known: "
                                            "units 0-1, tens 0-2, thousands 0-2, ten thousands "
                                            "0-2, hundred thousands 0-2, millions 0-1, ten "
@@ -119,7 +101,7 @@ bool SinumerikEngraving::read_form(Layout& out) {
                 "CYCLE60: VARI gives a whole width (1) to a text on a line only, an angle (2) to "
                 "one on an arc only (hundred thousands)");
   // About which line the control mirrors is not confirmed: a centred text is the same for all.
-  if (out.mirrored && (out.across != 1 || (out.arc == 0 && call_->get(kAngle) != 0)))
+  if (out.mirrored && (out.across != 1 || (out.arc == 0 && call_->get("STA") != 0)))
     return fail("not-supported",
                 "CYCLE60: mirror writing is supported only about a centred reference point "
                 "(thousands of VARI 1) and without an angle (STA)");
@@ -128,15 +110,15 @@ bool SinumerikEngraving::read_form(Layout& out) {
 
 bool SinumerikEngraving::read(Layout& out) {
   if (!reads_all() || !read_letters(out.letters) || !read_form(out)) return false;
-  if (!call_->given(kHeight) || !call_->given(kSpacing))
+  if (!call_->given("WID") || !call_->given("DF"))
     return fail("value-missing", "CYCLE60 needs WID, the letters' height, and DF, their spacing");
-  out.height = call_->get(kHeight) * scale();
-  out.spacing = call_->get(kSpacing) * (out.spacing_by == 2 ? 1 : scale());
+  out.height = call_->get("WID") * scale();
+  out.spacing = call_->get("DF") * (out.spacing_by == 2 ? 1 : scale());
   if (!(out.height > 0) || out.spacing < 0)
     return fail("value-range", "CYCLE60: WID is a height above 0, DF a spacing from 0");
-  out.place = point(kPlace, call_->digit(kForm, kPolar) == 1);
-  out.turn = call_->get(kAngle);
-  if (out.arc != 0) out.center = point(kCenter, call_->digit(kForm, kPolarCenter) == 1);
+  out.place = point("PA", "PO", call_->digit("VARI", kPolar) == 1);
+  out.turn = call_->get("STA");
+  if (out.arc != 0) out.center = point("CP1", "CP2", call_->digit("VARI", kPolarCenter) == 1);
   return true;
 }
 
@@ -209,7 +191,7 @@ bool SinumerikEngraving::run(const CycleCall& call, const Word& where) {
   Layout layout;
   Strokes lines;
   if (!read(layout) || !strokes(layout, lines)) return false;
-  const auto planes = cycle_planes(call, kRtp, kDpr, call.digit(kAmode, 0), scale());
+  const auto planes = cycle_planes(call, call.digit("AMODE", 0), scale());
   if (!planes)
     return fail("value-missing", "CYCLE60 needs RTP, RFP and DP, its planes and its depth");
   if (!planes->cuts())
@@ -218,8 +200,8 @@ bool SinumerikEngraving::run(const CycleCall& call, const Word& where) {
   LetterCutter::Levels levels;
   levels.safe = planes->safe;
   levels.depth = planes->bottom;
-  levels.feed = call.get(kFeed) * feed_scale();
-  levels.plunge = call.given(kPlunge) ? call.get(kPlunge) * feed_scale() : levels.feed;
+  levels.feed = call.get("FFP1") * feed_scale();
+  levels.plunge = call.given("FFD") ? call.get("FFD") * feed_scale() : levels.feed;
   if (levels.feed < 0 || levels.plunge < 0) return fail("feed-range", "the feeds must be above 0");
   cutter_.begin(where);
   cutter_.mover().rapid_height(planes->top);

@@ -41,7 +41,7 @@ class SinumerikEngraving : public ControlPart {
   bool read_letters(std::string& out);
   bool read_form(Layout& out);
   bool reads_all();
-  Vec2 point(std::size_t at, bool polar) const;
+  Vec2 point(ValueName u, ValueName v, bool polar) const;
   bool strokes(const Layout& l, Strokes& out);
   bool on_line(const Layout& l, double gap, double width, Strokes& out);
   bool on_arc(const Layout& l, double gap, double width, double radius, Strokes& out);

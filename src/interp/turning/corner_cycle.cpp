@@ -12,31 +12,30 @@ namespace mrsim {
 // SPD SPL EPD EPL ZPD ZPL LAGE MID FALX FALZ VARI RF1 RF2 RF3 SDIS FF1 NR DMODE AMODE
 bool CornerCycle::read(Corner& c) {
   const double unit = scale();
-  for (const std::size_t i : {0, 1, 2, 3, 10})
-    if (!call_.given(i))
-      return fail("value-missing", "CYCLE951 needs its two corners and VARI, how it cuts");
+  if (!call_.given({"SPD", "SPL", "EPD", "EPL", "VARI"}))
+    return fail("value-missing", "CYCLE951 needs its two corners and VARI, how it cuts");
   if (call_.values.size() > 19) return refuse("a list of more than 19 values");
-  if (call_.get(16) != 0) return refuse("a stock removal with an oblique or rounded corner (NR)");
-  if (std::fmod(std::abs(call_.get(18)), 10'000) != 0)
+  if (call_.get("NR") != 0) return refuse("a stock removal with an oblique or rounded corner (NR)");
+  if (std::fmod(std::abs(call_.get("AMODE")), 10'000) != 0)
     return refuse("an incremental end point (AMODE)");
-  const int way = call_.digit(10, 0), work = call_.digit(10, 1);
-  if (way < 1 || way > 2 || work < 1 || work > 2 || call_.get(10) > 22)
+  const int way = call_.digit("VARI", 0), work = call_.digit("VARI", 1);
+  if (way < 1 || way > 2 || work < 1 || work > 2 || call_.get("VARI") > 22)
     return fail("not-supported",
                 "CYCLE951: VARI other than 11, 12 (roughing), 21, 22 (finishing) is not supported");
-  c.start = {call_.get(0) * unit / 2, 0, call_.get(1) * unit};
-  c.end = {call_.get(2) * unit / 2, 0, call_.get(3) * unit};
+  c.start = {call_.get("SPD") * unit / 2, 0, call_.get("SPL") * unit};
+  c.end = {call_.get("EPD") * unit / 2, 0, call_.get("EPL") * unit};
   c.u = way == 1 ? 0 : 2;
   c.v = 2 - c.u;
-  c.clear = std::abs(call_.get(14)) * unit;
-  c.depth = std::abs(call_.get(7)) * unit;
+  c.clear = std::abs(call_.get("SDIS")) * unit;
+  c.depth = std::abs(call_.get("MID")) * unit;
   const Vec3 whole = c.end - c.start;
   if (component(whole, c.u) == 0 || component(whole, c.v) == 0)
     return fail("value-range", "CYCLE951: the two corners have the same X or the same Z");
   c.down = sign_of(component(whole, c.u));
   c.run = sign_of(component(whole, c.v));
   if (work == 1) {
-    c.allowance = {-sign_of(whole.x) * std::abs(call_.get(8)) * unit, 0,
-                   -sign_of(whole.z) * std::abs(call_.get(9)) * unit};
+    c.allowance = {-sign_of(whole.x) * std::abs(call_.get("FALX")) * unit, 0,
+                   -sign_of(whole.z) * std::abs(call_.get("FALZ")) * unit};
     if (c.depth <= 0) return fail("value-missing", "CYCLE951 needs MID, the depth of a pass");
     if (std::abs(component(whole, c.u)) / c.depth > kMostTurningPasses)
       return fail("value-range", "too many passes");
@@ -48,8 +47,8 @@ bool CornerCycle::run() {
   Corner c;
   if (!read(c)) return false;
   const double before = modal_.feed;
-  if (call_.get(15) > 0) modal_.feed = call_.get(15) * feed_scale();
-  if (call_.digit(10, 1) == 1)
+  if (call_.get("FF1") > 0) modal_.feed = call_.get("FF1") * feed_scale();
+  if (call_.digit("VARI", 1) == 1)
     rough(c);
   else
     finish(c);

@@ -15,29 +15,29 @@ namespace mrsim {
 // SPD SPL WIDG DIAG STA1 ANG1 ANG2 RCO1 RCO2 RCI1 RCI2 FAL1 FAL2 IDEP DTB VARI VRT DN
 bool GrooveCycles::groove_values(Groove& g) {
   const double unit = scale();
-  for (const std::size_t i : {0, 1, 2, 3, 15})
-    if (!call_.given(i))
-      return fail("value-missing", "CYCLE93 needs SPD, SPL, WIDG, DIAG and VARI");
+  if (!call_.given({"SPD", "SPL", "WIDG", "DIAG", "VARI"}))
+    return fail("value-missing", "CYCLE93 needs SPD, SPL, WIDG, DIAG and VARI");
   if (call_.values.size() > 18) return refuse("a list of more than 18 values");
-  const double vari = call_.get(15), kind = vari > 10 ? vari - 10 : vari;
+  const double vari = call_.get("VARI"), kind = vari > 10 ? vari - 10 : vari;
   if (kind < 1 || kind > 8 || kind != std::floor(kind))
     return fail("value-range", "CYCLE93: VARI is 1 to 8 or 11 to 18 (alarm 61002)");
   if (std::fmod(kind, 2) == 0) return refuse("a groove in a face (VARI)");
-  if (call_.get(4) != 0) return refuse("a groove in a cone (STA1)");
-  if (call_.get(5) != 0 || call_.get(6) != 0) return refuse("an oblique flank (ANG1, ANG2)");
+  if (call_.get("STA1") != 0) return refuse("a groove in a cone (STA1)");
+  if (call_.get("ANG1") != 0 || call_.get("ANG2") != 0)
+    return refuse("an oblique flank (ANG1, ANG2)");
   const bool inside = kind == 3 || kind == 7, right = kind > 4;
-  const double in = inside ? 1 : -1, depth = std::abs(call_.get(3)) * unit;
+  const double in = inside ? 1 : -1, depth = std::abs(call_.get("DIAG")) * unit;
   Word diameter;
-  diameter.value = call_.get(0);
+  diameter.value = call_.get("SPD");
   g.top = std::abs(axis_value(0, diameter, false));
   g.bottom = g.top + in * depth;
-  g.retract = call_.get(16) > 0 ? call_.get(16) * unit : 1;
+  g.retract = call_.get("VRT") > 0 ? call_.get("VRT") * unit : 1;
   g.clear = g.top - in;
-  g.base_allowance = std::abs(call_.get(11)) * unit;
-  g.flank_allowance = std::abs(call_.get(12)) * unit;
-  g.infeed = std::abs(call_.get(13)) * unit;
-  g.dwell = call_.get(14);
-  const double width = std::abs(call_.get(2)) * unit, at = call_.get(1) * unit;
+  g.base_allowance = std::abs(call_.get("FAL1")) * unit;
+  g.flank_allowance = std::abs(call_.get("FAL2")) * unit;
+  g.infeed = std::abs(call_.get("IDEP")) * unit;
+  g.dwell = call_.get("DTB");
+  const double width = std::abs(call_.get("WIDG")) * unit, at = call_.get("SPL") * unit;
   if (depth <= g.base_allowance || g.bottom < 0)
     return fail("value-range", "CYCLE93: DIAG is the depth, above FAL1 and not beyond the axis");
   const double low = right ? at - width : at;
@@ -51,19 +51,20 @@ bool GrooveCycles::groove_values(Groove& g) {
 // (VARI below 10) or by its leg. The centre of the blade's corner keeps its radius off them.
 bool GrooveCycles::groove_corners(Groove& g, double width) {
   const double apart = g.nose * (2 - std::sqrt(2.0));  // of the legs, where a chamfer is offset
+  static constexpr ValueName kEdges[] = {"RCO1", "RCO2"}, kCorners[] = {"RCI1", "RCI2"};
   double beside[2] = {0, 0}, below = 0;
   for (const std::size_t side : {0, 1}) {
     Flank& flank = g.flanks[side];
-    const auto size = [&](std::size_t i, bool& round, bool convex) {
-      const double value = call_.get(i + side) * scale();
+    const auto size = [&](const ValueName(&names)[2], bool& round, bool convex) {
+      const double value = call_.get(names[side]) * scale();
       round = value > 0;
       if (value == 0) return 0.0;
       if (round) return convex ? value + g.nose : std::max(0.0, value - g.nose);
-      const double leg = call_.get(15) > 10 ? -value : -value / std::sqrt(2.0);
+      const double leg = call_.get("VARI") > 10 ? -value : -value / std::sqrt(2.0);
       return convex ? leg + apart : std::max(0.0, leg - apart);
     };
-    flank.edge = size(7, flank.edge_round, true);
-    flank.corner = size(9, flank.corner_round, false);
+    flank.edge = size(kEdges, flank.edge_round, true);
+    flank.corner = size(kCorners, flank.corner_round, false);
     beside[side] = flank.corner;
     below = std::max(below, flank.edge + flank.corner);
   }
@@ -176,20 +177,19 @@ bool GrooveCycles::groove() {
 // SPD SPL DIAG1 DIAG2 RC SDIS SV1 SV2 SDAC FF1 FF2 SS2 DIAGM VARI DN DMODE AMODE
 bool GrooveCycles::parting_values(Groove& g) {
   const double unit = scale();
-  for (const std::size_t i : {0, 1, 3})
-    if (!call_.given(i))
-      return fail("value-missing", "CYCLE92 needs X0, Z0 and X2: where it cuts, and how deep");
+  if (!call_.given({"SPD", "SPL", "DIAG2"}))
+    return fail("value-missing", "CYCLE92 needs X0, Z0 and X2: where it cuts, and how deep");
   if (call_.values.size() > 17) return refuse("a list of more than 17 values");
-  if (call_.get(4) != 0) return refuse("a rounding or a chamfer of the edge (RC)");
-  if (call_.digit(16, 0) > 1 || call_.digit(16, 1) > 1) return refuse("this AMODE");
-  g.top = std::abs(call_.get(0)) * unit / 2;
-  const auto depth = [&](std::size_t value, int digit) {
+  if (call_.get("RC") != 0) return refuse("a rounding or a chamfer of the edge (RC)");
+  if (call_.digit("AMODE", 0) > 1 || call_.digit("AMODE", 1) > 1) return refuse("this AMODE");
+  g.top = std::abs(call_.get("SPD")) * unit / 2;
+  const auto depth = [&](ValueName value, int digit) {
     const double size = call_.get(value) * unit;
-    return call_.digit(16, digit) == 1 ? g.top - std::abs(size) : size / 2;
+    return call_.digit("AMODE", digit) == 1 ? g.top - std::abs(size) : size / 2;
   };
-  g.bottom = depth(3, 1);
-  g.infeed = call_.given(2) ? depth(2, 0) : g.bottom;  // where the feed changes
-  g.clear = g.top + std::abs(call_.get(5)) * unit;
+  g.bottom = depth("DIAG2", 1);
+  g.infeed = call_.given("DIAG1") ? depth("DIAG1", 0) : g.bottom;  // where the feed changes
+  g.clear = g.top + std::abs(call_.get("SDIS")) * unit;
   if (g.bottom >= g.top) return fail("value-range", "CYCLE92: X2 does not lie below X0");
   return true;
 }
@@ -200,14 +200,14 @@ bool GrooveCycles::parting() {
   tools_.require(where_, true);
   const Tool* tool = tools_.current();
   if (!parting_values(g)) return false;
-  const double z = call_.get(1) * scale(), width = tool ? tool->width : 0;
+  const double z = call_.get("SPL") * scale(), width = tool ? tool->width : 0;
   if (!blade(g, z - width, z)) return false;
   const double before = modal_.feed;
   to(g.clear, position_.programmed.z, MotionKind::rapid);
   to(g.clear, g.flanks[0].place, MotionKind::rapid);
-  if (call_.get(9) > 0) modal_.feed = call_.get(9) * feed_scale();
+  if (call_.get("FF1") > 0) modal_.feed = call_.get("FF1") * feed_scale();
   to(std::clamp(g.infeed, g.bottom, g.top), g.flanks[0].place, MotionKind::line);
-  if (call_.get(10) > 0) modal_.feed = call_.get(10) * feed_scale();
+  if (call_.get("FF2") > 0) modal_.feed = call_.get("FF2") * feed_scale();
   to(g.bottom, g.flanks[0].place, MotionKind::line);
   modal_.feed = before;
   to(g.clear, g.flanks[0].place, MotionKind::rapid);

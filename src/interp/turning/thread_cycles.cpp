@@ -15,13 +15,12 @@ bool ThreadCycles::run() {
   return call_.name == "CYCLE98" ? thread_chain() : thread_turning();
 }
 
-// TDEP FAL at `at`, NRC NID at `cuts`, and VARI: equal depths, or equal cross-sections; the
+// TDEP FAL NRC NID, and VARI: equal depths, or equal cross-sections; the
 // finishing cut and NID more.
-bool ThreadCycles::thread_depths(Thread& t, std::size_t at, std::size_t cuts, int kind, bool rough,
-                                 bool finish) {
-  const double unit = scale(), full = std::abs(call_.get(at)) * unit;
-  const double left = full - std::abs(call_.get(at + 1)) * unit;
-  const double number = call_.get(cuts), spare = call_.get(cuts + 1);
+bool ThreadCycles::thread_depths(Thread& t, int kind, bool rough, bool finish) {
+  const double unit = scale(), full = std::abs(call_.get("TDEP")) * unit;
+  const double left = full - std::abs(call_.get("FAL")) * unit;
+  const double number = call_.get("NRC"), spare = call_.get("NID");
   if (full <= 0 || left <= 0)
     return fail("value-range", fmt::format("{} needs TDEP, its depth, above FAL", call_.name));
   if (number < 1 || number > 1000 || spare < 0 || spare > 1000)
@@ -40,68 +39,72 @@ bool ThreadCycles::thread_depths(Thread& t, std::size_t at, std::size_t cuts, in
 
 // PIT MPIT SPL FPL DM1 DM2 APP ROP TDEP FAL IANG NSP NRC NID VARI NUMT VRT
 bool ThreadCycles::thread_list() {
-  const double unit = scale(), kind = call_.get(14, 1);
-  double pitch = std::abs(call_.get(0)) * unit;
-  if (pitch == 0) pitch = iso_pitch(std::abs(call_.get(1)));
+  const double unit = scale(), kind = call_.get("VARI", 1);
+  double pitch = std::abs(call_.get("PIT")) * unit;
+  if (pitch == 0) pitch = iso_pitch(std::abs(call_.get("MPIT")));
   if (kind < 1 || kind > 4 || kind != std::floor(kind))
     return fail("not-supported", fmt::format("CYCLE97: VARI {:g} is not supported yet", kind));
   Thread t;
-  t.points = {{call_.get(4) * unit / 2, 0, call_.get(2) * unit},
-              {call_.get(5) * unit / 2, 0, call_.get(3) * unit}};
+  t.points = {{call_.get("DM1") * unit / 2, 0, call_.get("SPL") * unit},
+              {call_.get("DM2") * unit / 2, 0, call_.get("FPL") * unit}};
   t.pitches = {pitch};
-  t.run_in = std::abs(call_.get(6)) * unit;
-  t.run_out = std::abs(call_.get(7)) * unit;
-  t.flank = call_.get(10);
-  t.starts = std::clamp(static_cast<int>(call_.get(15, 1)), 1, 100);
-  t.clear = call_.get(16) > 0 ? call_.get(16) * unit : 1;
-  return thread_depths(t, 8, 12, static_cast<int>(kind), true, true) && thread(t);
+  t.run_in = std::abs(call_.get("APP")) * unit;
+  t.run_out = std::abs(call_.get("ROP")) * unit;
+  t.flank = call_.get("IANG");
+  t.starts = std::clamp(static_cast<int>(call_.get("NUMT", 1)), 1, 100);
+  t.clear = call_.get("VRT") > 0 ? call_.get("VRT") * unit : 1;
+  return thread_depths(t, static_cast<int>(kind), true, true) && thread(t);
 }
 
 // PO1 DM1 PO2 DM2 PO3 DM3 PO4 DM4 APP ROP TDEP FAL IANG NSP NRC NID PP1 PP2 PP3 VARI NUMT VRT
 bool ThreadCycles::thread_chain() {
-  const double unit = scale(), kind = call_.get(19, 1);
+  const double unit = scale(), kind = call_.get("VARI", 1);
   if (call_.values.size() > 22) return refuse("a list of more than 22 values");
   if (kind < 1 || kind > 4 || kind != std::floor(kind))
     return fail("not-supported", fmt::format("CYCLE98: VARI {:g} is not supported yet", kind));
   Thread t;
-  for (std::size_t i = 0; i < 4; ++i) {
-    if (!call_.given(2 * i) || !call_.given(2 * i + 1))
+  static constexpr ValueName kPoints[][2] = {
+      {"PO1", "DM1"}, {"PO2", "DM2"}, {"PO3", "DM3"}, {"PO4", "DM4"}};
+  for (const auto& [place, diameter] : kPoints) {
+    if (!call_.given({place, diameter}))
       return fail("value-missing", "CYCLE98 needs four points, PO1 DM1 to PO4 DM4");
-    t.points.push_back({call_.get(2 * i + 1) * unit / 2, 0, call_.get(2 * i) * unit});
+    t.points.push_back({call_.get(diameter) * unit / 2, 0, call_.get(place) * unit});
   }
-  for (std::size_t i = 16; i < 19; ++i) t.pitches.push_back(std::abs(call_.get(i)) * unit);
-  t.run_in = std::abs(call_.get(8)) * unit;
-  t.run_out = std::abs(call_.get(9)) * unit;
-  t.flank = call_.get(12);
-  t.starts = std::clamp(static_cast<int>(call_.get(20, 1)), 1, 100);
-  t.clear = call_.get(21) > 0 ? call_.get(21) * unit : 1;
-  return thread_depths(t, 10, 14, static_cast<int>(kind), true, true) && thread(t);
+  for (const ValueName pitch : std::initializer_list<ValueName>{"PP1", "PP2", "PP3"})
+    t.pitches.push_back(std::abs(call_.get(pitch)) * unit);
+  t.run_in = std::abs(call_.get("APP")) * unit;
+  t.run_out = std::abs(call_.get("ROP")) * unit;
+  t.flank = call_.get("IANG");
+  t.starts = std::clamp(static_cast<int>(call_.get("NUMT", 1)), 1, 100);
+  t.clear = call_.get("VRT") > 0 ? call_.get("VRT") * unit : 1;
+  return thread_depths(t, static_cast<int>(kind), true, true) && thread(t);
 }
 
 // SPL SPD FPL FPD APP ROP TDEP FAL IANG NSP NRC NID PIT VARI NUMTH SDIS MID GDEP PIT1 FDEP GST GUD
 // IFLANK PITA PITM PTAB PTABA DMODE AMODE
 bool ThreadCycles::thread_turning() {
   const double unit = scale();
-  const int kind = call_.digit(13, 0), work = call_.digit(13, 5);
-  for (const std::size_t i : {0, 1, 2, 12, 13})
-    if (!call_.given(i)) return fail("value-missing", "CYCLE99 needs SPL, SPD, FPL, PIT and VARI");
+  const int kind = call_.digit("VARI", 0), work = call_.digit("VARI", 5);
+  if (!call_.given({"SPL", "SPD", "FPL", "PIT", "VARI"}))
+    return fail("value-missing", "CYCLE99 needs SPL, SPD, FPL, PIT and VARI");
   if (call_.values.size() > 29) return refuse("a list of more than 29 values");
-  if (call_.get(28) != 0) return refuse("an incremental end point or run-in (AMODE)");
-  if (call_.get(18) != 0) return refuse("a pitch that changes (PIT1)");
-  if (call_.get(23) > 1) return refuse("a pitch in threads per inch or modules (PITA)");
-  if (call_.digit(13, 4) != 0) return refuse("passes by the first infeed (VARI)");
+  if (call_.get("AMODE") != 0) return refuse("an incremental end point or run-in (AMODE)");
+  if (call_.get("PIT1") != 0) return refuse("a pitch that changes (PIT1)");
+  if (call_.get("PITA") > 1) return refuse("a pitch in threads per inch or modules (PITA)");
+  if (call_.digit("VARI", 4) != 0) return refuse("passes by the first infeed (VARI)");
   if (kind < 1 || kind > 4 || work > 3) return refuse("this VARI");
   Thread t;
-  const double from = call_.get(1) * unit / 2;
-  t.points = {{from, 0, call_.get(0) * unit},
-              {call_.given(3) ? call_.get(3) * unit / 2 : from, 0, call_.get(2) * unit}};
-  t.pitches = {std::abs(call_.get(12)) * unit};
-  t.run_in = std::abs(call_.get(4)) * unit;
-  t.run_out = std::abs(call_.get(5)) * unit;
-  t.flank = call_.get(8);
-  t.starts = std::clamp(static_cast<int>(call_.get(14, 1)), 1, 100);
-  t.clear = call_.get(15) > 0 ? call_.get(15) * unit : 1;
-  return thread_depths(t, 6, 10, kind, work != 2, work != 1) && thread(t);
+  const double from = call_.get("SPD") * unit / 2;
+  t.points = {
+      {from, 0, call_.get("SPL") * unit},
+      {call_.given("FPD") ? call_.get("FPD") * unit / 2 : from, 0, call_.get("FPL") * unit}};
+  t.pitches = {std::abs(call_.get("PIT")) * unit};
+  t.run_in = std::abs(call_.get("APP")) * unit;
+  t.run_out = std::abs(call_.get("ROP")) * unit;
+  t.flank = call_.get("IANG");
+  t.starts = std::clamp(static_cast<int>(call_.get("NUMTH", 1)), 1, 100);
+  t.clear = call_.get("SDIS") > 0 ? call_.get("SDIS") * unit : 1;
+  return thread_depths(t, kind, work != 2, work != 1) && thread(t);
 }
 
 bool ThreadCycles::thread(const Thread& t) {

@@ -30,8 +30,7 @@ class ThreadCycles : public TurnCall {
   bool thread_list();
   bool thread_chain();
   bool thread_turning();
-  bool thread_depths(Thread& out, std::size_t at, std::size_t cuts, int kind, bool rough,
-                     bool finish);
+  bool thread_depths(Thread& out, int kind, bool rough, bool finish);
   bool thread(const Thread& thread);
 };
 
