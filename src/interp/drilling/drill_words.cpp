@@ -13,7 +13,6 @@ namespace {
 
 constexpr long kMostRepeats = 99'999;
 constexpr double kLeastLead = 0.1;  // mm: of a tap
-constexpr double kLongPeck = 50;    // Q5000 counts thousandths
 
 }  // namespace
 
@@ -84,7 +83,7 @@ bool DrillWords::read_words(const Basis& b) {
   if (is(Dialect::ngc) && !cycle.dwells && (g == 82 || g == 86 || g == 89))
     return error("value-missing", fmt::format("G{} needs P, its dwell", g), block_.words.front());
   const Word* q = take('Q');
-  return !q || peck(*q);
+  return !q || pecks_.read(*q);
 }
 
 // Brother's G77 and G78: I or J, and L, the speed on the way back. J of Haas is how many times as
@@ -110,20 +109,6 @@ bool DrillWords::read_tap() {
   return cycle.lead > 0 ||
          error("value-missing", "the tap needs I, its lead, or J, threads per inch",
                block_.words.front());
-}
-
-// Q, whose sign FANUC ignores; without a point it counts least increments where it is long.
-bool DrillWords::peck(const Word& q) {
-  if (q.value <= 0 && is(Dialect::ngc))
-    return error("value-range", "Q, the depth of a stroke, must be above 0", q);
-  modal_.drill.peck = std::abs(q.value) * length_unit(q);
-  modal_.drill.first = 0;
-  if (q.point || std::abs(q.value) < kLongPeck || !is(Dialect::fanuc) || options_.least_increments)
-    return true;
-  modal_.drill.peck *= modal_.least_increment();
-  note_once("number-without-point",
-            fmt::format("{} without a decimal point counts least increments", text_of(q)), q, "Q");
-  return true;
 }
 
 // K (FANUC) or L: how often the block is run.
@@ -313,7 +298,7 @@ bool DrillWords::fill(Hole& hole, bool haas_words) {
   fill_dwells(g, hole);
   if (g != 73 && g != 83) return true;
   hole.chips_out = g == 83;
-  return fill_pecks(hole, haas_words);
+  return pecks_.fill(hole, haas_words);
 }
 
 // Which cycles know P; FANUC taps wait at R, too.
@@ -336,60 +321,6 @@ double DrillWords::end_level(double safe, bool up) const {
     default:
       return up ? std::min(initial, safe) : std::max(initial, safe);
   }
-}
-
-bool DrillWords::fill_pecks(Hole& hole, bool haas_words) {
-  const double depth = std::abs(hole.safe - hole.bottom);
-  const double along = hole.bottom < hole.safe ? -1 : 1;
-  if (modal_.okuma)
-    for (const char c : {'I', 'J'}) take(c);  // how far back
-  else if (haas_words && !modal_.drill.fagor && peek('I'))
-    read_haas_strokes();
-  if (modal_.drill.first != 0) return haas_pecks(hole);
-  const double q = modal_.drill.peck;
-  const Word& where = block_.motion_code ? *block_.motion_code : block_.words.front();
-  if (q <= 0) {
-    if (is(Dialect::ngc))
-      return error("value-missing", fmt::format("G{} needs Q", modal_.drill.number), where);
-    reporter_.once(Severity::warning, "value-missing", "no Q: the hole is drilled in one stroke",
-                   where, "Q");
-    return true;
-  }
-  if (depth / q > static_cast<double>(kMostStrokes))
-    return error("value-range", fmt::format("Q{:g} makes more than {} strokes", q, kMostStrokes),
-                 where);
-  for (std::size_t i = 1; static_cast<double>(i) * q < depth - kRounding; ++i)
-    hole.strokes.push_back(hole.safe + along * static_cast<double>(i) * q);
-  return true;
-}
-
-// Haas: the first stroke is I, each next one less by J, the least K. They hold for the points that
-// follow, too.
-void DrillWords::read_haas_strokes() {
-  DrillCycle& cycle = modal_.drill;
-  const auto value = [&](char c, double otherwise) {
-    const Word* word = take(c);
-    return word ? word->value * length_unit(*word) : otherwise;
-  };
-  cycle.first = value('I', 0);
-  cycle.less = value('J', 0);
-  cycle.least = value('K', cycle.first);
-}
-
-bool DrillWords::haas_pecks(Hole& hole) {
-  const DrillCycle& cycle = modal_.drill;
-  const Word& where = block_.motion_code ? *block_.motion_code : block_.words.front();
-  const double depth = std::abs(hole.safe - hole.bottom);
-  const double along = hole.bottom < hole.safe ? -1 : 1;
-  double stroke = cycle.first;
-  if (stroke <= 0 || cycle.least <= 0 || cycle.less < 0 ||
-      depth / std::min(stroke, cycle.least) > static_cast<double>(kMostStrokes))
-    return error("value-range", "I J K: the strokes of the cycle must be above 0", where);
-  for (double at = stroke; at < depth - kRounding; at += stroke) {
-    hole.strokes.push_back(hole.safe + along * at);
-    stroke = std::max(stroke - cycle.less, cycle.least);
-  }
-  return true;
 }
 
 bool DrillWords::is_no_lead(double lead) { return lead > 0 && lead < kLeastLead; }

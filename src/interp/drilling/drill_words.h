@@ -4,6 +4,7 @@
 #pragma once
 
 #include "interp/cycles/hole_maker.h"
+#include "interp/drilling/peck_words.h"
 #include "interp/words/dwell_time.h"
 
 namespace mrsim {
@@ -11,7 +12,7 @@ namespace mrsim {
 class DrillWords : public ControlPart {
  public:
   DrillWords(Control& control, AxisWords& axes, HoleMaker& holes)
-      : ControlPart(control), axes_(axes), holes_(holes), dwell_(control) {}
+      : ControlPart(control), axes_(axes), holes_(holes), dwell_(control), pecks_(control) {}
 
   /// A cycle is in force, and the block has words for it.
   bool wants_block() const;
@@ -28,7 +29,6 @@ class DrillWords : public ControlPart {
   bool depth_in_i() const;
   bool read_fagor(const Basis& b);
   bool read_words(const Basis& b);
-  bool peck(const Word& q);
   bool read_tap();
   bool repeats(long& count);
   double level_aside(const Hole& hole) const;
@@ -36,15 +36,13 @@ class DrillWords : public ControlPart {
   bool fill(Hole& hole, bool haas_words = true);
   void fill_dwells(int g, Hole& hole) const;
   double end_level(double safe, bool up) const;
-  bool fill_pecks(Hole& hole, bool haas_words);
-  void read_haas_strokes();
-  bool haas_pecks(Hole& hole);
   double tapping_lead() const;
   static bool is_no_lead(double lead);
 
   AxisWords& axes_;
   HoleMaker& holes_;
   DwellTime dwell_;
+  PeckWords pecks_;
 };
 
 }  // namespace mrsim

@@ -1,0 +1,85 @@
+#include "interp/drilling/peck_words.h"
+
+#include "core/rounding.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+
+namespace mrsim {
+namespace {
+
+constexpr double kLongPeck = 50;  // Q5000 counts thousandths
+
+}  // namespace
+
+// Q, whose sign FANUC ignores; without a point it counts least increments where it is long.
+bool PeckWords::read(const Word& q) {
+  if (q.value <= 0 && is(Dialect::ngc))
+    return error("value-range", "Q, the depth of a stroke, must be above 0", q);
+  modal_.drill.peck = std::abs(q.value) * length_unit(q);
+  modal_.drill.first = 0;
+  if (q.point || std::abs(q.value) < kLongPeck || !is(Dialect::fanuc) || options_.least_increments)
+    return true;
+  modal_.drill.peck *= modal_.least_increment();
+  note_once("number-without-point",
+            fmt::format("{} without a decimal point counts least increments", text_of(q)), q, "Q");
+  return true;
+}
+
+bool PeckWords::fill(Hole& hole, bool haas_words) {
+  const double depth = std::abs(hole.safe - hole.bottom);
+  const double along = hole.bottom < hole.safe ? -1 : 1;
+  if (modal_.okuma)
+    for (const char c : {'I', 'J'}) take(c);  // how far back
+  else if (haas_words && !modal_.drill.fagor && peek('I'))
+    read_haas_strokes();
+  if (modal_.drill.first != 0) return haas_pecks(hole);
+  const double q = modal_.drill.peck;
+  const Word& where = block_.motion_code ? *block_.motion_code : block_.words.front();
+  if (q <= 0) {
+    if (is(Dialect::ngc))
+      return error("value-missing", fmt::format("G{} needs Q", modal_.drill.number), where);
+    reporter_.once(Severity::warning, "value-missing", "no Q: the hole is drilled in one stroke",
+                   where, "Q");
+    return true;
+  }
+  if (depth / q > static_cast<double>(kMostStrokes))
+    return error("value-range", fmt::format("Q{:g} makes more than {} strokes", q, kMostStrokes),
+                 where);
+  for (std::size_t i = 1; static_cast<double>(i) * q < depth - kRounding; ++i)
+    hole.strokes.push_back(hole.safe + along * static_cast<double>(i) * q);
+  return true;
+}
+
+// Haas: the first stroke is I, each next one less by J, the least K. They hold for the points that
+// follow, too.
+void PeckWords::read_haas_strokes() {
+  DrillCycle& cycle = modal_.drill;
+  const auto value = [&](char c, double otherwise) {
+    const Word* word = take(c);
+    return word ? word->value * length_unit(*word) : otherwise;
+  };
+  cycle.first = value('I', 0);
+  cycle.less = value('J', 0);
+  cycle.least = value('K', cycle.first);
+}
+
+bool PeckWords::haas_pecks(Hole& hole) {
+  const DrillCycle& cycle = modal_.drill;
+  const Word& where = block_.motion_code ? *block_.motion_code : block_.words.front();
+  const double depth = std::abs(hole.safe - hole.bottom);
+  const double along = hole.bottom < hole.safe ? -1 : 1;
+  double stroke = cycle.first;
+  if (stroke <= 0 || cycle.least <= 0 || cycle.less < 0 ||
+      depth / std::min(stroke, cycle.least) > static_cast<double>(kMostStrokes))
+    return error("value-range", "I J K: the strokes of the cycle must be above 0", where);
+  for (double at = stroke; at < depth - kRounding; at += stroke) {
+    hole.strokes.push_back(hole.safe + along * at);
+    stroke = std::max(stroke - cycle.less, cycle.least);
+  }
+  return true;
+}
+
+}  // namespace mrsim

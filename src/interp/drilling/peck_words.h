@@ -1,0 +1,23 @@
+// The strokes in which a hole is drilled: Q, or I J K of Haas. Private to src/interp.
+#pragma once
+
+#include "interp/cycles/hole_maker.h"
+
+namespace mrsim {
+
+class PeckWords : public ControlPart {
+ public:
+  explicit PeckWords(Control& control) : ControlPart(control) {}
+
+  /// Q, which stays in force. False: an error was reported.
+  bool read(const Word& q);
+  /// The strokes of the cycle in force, between the levels of `hole`; `haas_words`: I J K may say
+  /// them. False: an error was reported.
+  bool fill(Hole& hole, bool haas_words);
+
+ private:
+  void read_haas_strokes();
+  bool haas_pecks(Hole& hole);
+};
+
+}  // namespace mrsim
