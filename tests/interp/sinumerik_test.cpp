@@ -243,5 +243,13 @@ TEST(Sinumerik, FramesAndCyclesOf802) {
             pocket("POCKET3(5,0,1,-3,40,30,6,1,2,0,2,0,0,90,50,3,11)"));
 }
 
+TEST(SinumerikCycles, ATextInThePlaceOfANumberIsNamed) {
+  const Program p =
+      read_text("T=\"A\"\nCYCLE81(10,0,\"X\",-5)\nM30\n", at_origin(Dialect::sinumerik));
+  ASSERT_EQ(codes(p), "expression");
+  EXPECT_NE(p.diagnostics.back().text.find("CYCLE81: value 3, SDIS, is a text"), std::string::npos)
+      << p.diagnostics.back().text;
+}
+
 }  // namespace
 }  // namespace mrsim

@@ -47,11 +47,12 @@ bool SinumerikCycles::read_call(Call& call) {
   std::string_view rest = list_of_cycle(call.name);
   for (std::size_t i = 0; i < call.values.size(); ++i) {
     bool text = false;
-    next_value_name(rest, text);
+    const std::string_view name = next_value_name(rest, text);
     if (call.values[i] && !call.values[i]->text.empty() && !text)
       return error("expression",
-                   fmt::format("{}: value {} is a text or an axis, and not a number (alarm 12150)",
-                               call.name, i + 1),
+                   fmt::format("{}: value {}{} is a text or an axis, and not a number (alarm "
+                               "12150)",
+                               call.name, i + 1, name.empty() ? "" : fmt::format(", {},", name)),
                    where());
   }
   return true;
