@@ -5,6 +5,7 @@
 #include "core/memory_limit.h"
 #include "core/text_io.h"
 #include "interp/interpreter.h"
+#include "interp/show/event_text.h"
 #include "interp/show/motion_text.h"
 #include <mrsim/memory.h>
 #include <mrsim/mrsim.h>

@@ -2,6 +2,7 @@
 #include "interp/comments/tool_comment.h"
 
 #include "core/units.h"
+#include "interp/comments/tool_hint.h"
 
 #include <string>
 #include <utility>

@@ -3,6 +3,7 @@
 
 #include "core/units.h"
 #include "interp/comments/tool_comment.h"
+#include "interp/comments/tool_hint.h"
 
 #include <string>
 #include <vector>

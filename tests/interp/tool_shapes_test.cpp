@@ -1,6 +1,7 @@
 // Comments about tools other than plain mills and drills: router bits, discs, tapers, and shapes
 // that a comment can not give.
 #include "interp/comments/form_outline.h"
+#include "interp/comments/tool_hint.h"
 #include "interp/tool_readings.h"
 
 namespace mrsim {

@@ -5,6 +5,7 @@
 #include "interp/comments/comment_tokens.h"
 #include "interp/comments/tool_facts.h"
 #include "interp/comments/tool_listing.h"
+#include "interp/comments/tool_settle.h"
 #include "interp/comments/turret_name.h"
 
 #include <cmath>

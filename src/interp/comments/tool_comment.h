@@ -3,7 +3,7 @@
 //
 // Guarantees: only whole words count; a register (D239 beside H239, DIA. OFF. - 41) is no diameter;
 // where two readings of a comment differ no tool is made and the reason is told. Does not know the
-// units of the program: fill_tool() is given them.
+// units of the program: fill_tool() of tool_hint.h is given them.
 #pragma once
 
 #include "interp/comments/tool_kind.h"
@@ -81,16 +81,5 @@ bool sized_in_inches(const ToolHint& hint);
 
 /// `bytes` in whatever encoding they came.
 ToolHint read_tool_comment(std::string_view bytes);
-
-/// Adds what a second comment about the same tool says; a contradiction becomes a doubt.
-void merge_hint(ToolHint& into, const ToolHint& more);
-
-/// The tool that the hint describes in a program whose unit is `unit` mm. False when it says too
-/// little or too much: `why` then completes "the comment ... ".
-bool fill_tool(const ToolHint& hint, double unit, bool lathe, Tool& out, std::string& why);
-
-/// What a hint leaves open, filled in by the documented defaults: a turning tool without data is a
-/// sharp 35 degree finishing insert, lead angle 93 degrees, edge 16 mm.
-void complete_turning_tool(Tool& tool);
 
 }  // namespace mrsim

@@ -1,6 +1,6 @@
 // What the words and numbers of a comment say, each as what it is: a diameter, a radius, an angle,
-// a thread, or a size without a name. Nothing is settled here: settle_tool() does, by the kind of
-// tool.
+// a thread, or a size without a name. Nothing is settled here: settle_tool() of tool_settle.h
+// does, by the kind of tool.
 #pragma once
 
 #include "interp/comments/blade_code.h"
@@ -82,8 +82,5 @@ struct ToolFacts {
 };
 
 ToolFacts read_tool_facts(std::vector<CommentToken> tokens);
-
-/// Makes a tool's data of the facts, or a doubt.
-void settle_tool(const ToolFacts& facts, ToolHint& hint);
 
 }  // namespace mrsim

@@ -1,9 +1,9 @@
-// From what comments say to a tool, or to the reason why there is none.
+#include "interp/comments/tool_hint.h"
+
 #include "core/tip_orientation.h"
 #include "core/trig.h"
 #include "core/units.h"
 #include "interp/comments/form_outline.h"
-#include "interp/comments/tool_comment.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,7 +1,7 @@
-// From facts to a tool: the kind says how sizes without a name are to be read.
+#include "interp/comments/tool_settle.h"
+
 #include "core/units.h"
 #include "interp/comments/insert_code.h"
-#include "interp/comments/tool_facts.h"
 #include "interp/comments/tool_sizes.h"
 
 #include <algorithm>

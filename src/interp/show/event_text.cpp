@@ -1,3 +1,5 @@
+#include "interp/show/event_text.h"
+
 #include "core/json_text.h"
 #include "interp/show/motion_text.h"
 

@@ -12,10 +12,6 @@ namespace mrsim {
 /// never -0.
 std::string number_text(double value);
 
-/// An event as a line of the trace, as JSON and for people.
-std::string event_json(const Program& program, const Event& event);
-std::string event_text(const Program& program, const Event& event);
-
 /// The tool's id; of -1 nothing.
 std::string tool_of(const Program& program, int tool);
 /// File and calls of what stands in a subprogram, as JSON and for people; else nothing.

@@ -3,6 +3,7 @@
 #include "core/text_io.h"
 #include "interp/language/operations.h"
 #include "interp/text/characters.h"
+#include "interp/text/code_names.h"
 
 #include <cmath>
 

@@ -1,5 +1,4 @@
-// SINUMERIK's functions by name, and the names of what is not read yet.
-#include "interp/text/codes.h"
+#include "interp/text/code_names.h"
 
 namespace mrsim {
 namespace {

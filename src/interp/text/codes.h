@@ -1,14 +1,11 @@
-// The function words of the controls as tables: number or name -> meaning and group. No logic.
+// The function words of the controls as tables: number -> meaning and group. No logic.
 #pragma once
 
 #include <mrsim/types.h>
 
 #include <array>
 #include <cstdint>
-#include <span>
 #include <string_view>
-#include <utility>
-#include <vector>
 
 namespace mrsim {
 
@@ -200,19 +197,5 @@ std::string_view unsupported_code(Dialect dialect, int number_by_10);
 
 using CodeTable = std::array<CodeEntry, 1000>;  ///< find_g_code for G0 to G999, made once
 const CodeTable& code_table(Dialect dialect, MachineKind machine);
-
-/// The meaning of a name ("TRANS", "CIP"), upper case; SINUMERIK only.
-CodeEntry find_function(std::string_view name);
-
-/// All names that find_function() knows.
-std::vector<std::pair<std::string_view, CodeEntry>> function_names();
-
-/// SINUMERIK calls whose arguments the interpreter reads, upper case.
-std::span<const std::string_view> read_calls();
-/// Cycles without brackets, whose values stand in R parameters.
-std::span<const std::string_view> cycles_of_802();
-
-/// What an upper-case name (WHEN, CYCLE64) announces that this reader does not do yet; or empty.
-std::string_view unsupported_name(std::string_view name);
 
 }  // namespace mrsim

@@ -2,6 +2,7 @@
 
 #include "core/text_io.h"
 #include "interp/text/characters.h"
+#include "interp/text/code_names.h"
 #include "interp/text/codes.h"
 
 #include <algorithm>

@@ -1,6 +1,7 @@
 #include "interp/text/special_words.h"
 
 #include "interp/text/characters.h"
+#include "interp/text/code_names.h"
 #include "interp/text/codes.h"
 
 #include <algorithm>

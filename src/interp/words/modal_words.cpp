@@ -2,6 +2,7 @@
 
 #include "core/rounding.h"
 #include "interp/text/characters.h"
+#include "interp/text/code_names.h"
 
 #include <algorithm>
 #include <cmath>
