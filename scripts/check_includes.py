@@ -13,16 +13,9 @@ ROOT = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..")
 INCLUDE = re.compile(r'^\s*#\s*include\s*[<"]([^>"]+)[>"]', re.M)
 
 # Folder of src -> the other folders (or single headers of them) that its files may include; each folder may include itself.
-# Stages and rooms come in the order of the pipeline: a folder may name earlier ones only, so there are no circles.
+# Stages and rooms come in the order of the pipeline: a folder may name earlier ones only, so there are no circles. A folder
+# that no include uses is a breach, too; core/ alone is open to all.
 CORE = ("core/",)
-LANGUAGE = CORE + ("interp/text/", "interp/comments/", "interp/path/", "interp/language/")
-CONTROL = LANGUAGE + ("interp/control/",)
-WORDS = CONTROL + ("interp/frames/", "interp/tools/", "interp/moves/", "interp/words/")
-CYCLES = WORDS + ("interp/calls/", "interp/statements/", "interp/cycles/")
-SOLID = CORE + ("removal/field/",)
-FORMS = SOLID + ("removal/tool/", "removal/simd/")
-SWEEPS = FORMS + ("removal/forms/", "removal/columns/", "removal/sweep/")
-SURFACE = SOLID + ("mesh/solid/", "mesh/points/", "mesh/cells/")
 ROOMS = {
     "core": (),
     "interp/text": CORE,
@@ -31,18 +24,22 @@ ROOMS = {
     "interp/language": CORE + ("interp/text/", "interp/comments/", "interp/path/"),
     "interp/recognise": CORE + ("interp/text/", "interp/comments/", "interp/language/"),
     "interp/show": CORE + ("interp/text/", "interp/path/"),
-    "interp/control": LANGUAGE,
-    "interp/frames": CONTROL,
-    "interp/tools": CONTROL,
-    "interp/moves": CONTROL + ("interp/frames/", "interp/tools/"),
-    "interp/words": CONTROL + ("interp/frames/", "interp/tools/", "interp/moves/"),
-    "interp/calls": CONTROL,
-    "interp/statements": WORDS + ("interp/calls/",),
-    "interp/cycles": WORDS + ("interp/calls/",),
-    "interp/drilling": WORDS + ("interp/calls/", "interp/cycles/"),
-    "interp/milling": CYCLES,
-    "interp/turning": CYCLES,
-    "interp/sinumerik": CYCLES + ("interp/drilling/", "interp/milling/", "interp/turning/"),
+    "interp/control": CORE + ("interp/text/", "interp/path/"),
+    "interp/frames": CORE + ("interp/control/",),
+    "interp/tools": CORE + ("interp/text/", "interp/comments/", "interp/path/", "interp/control/"),
+    "interp/moves": CORE + ("interp/text/", "interp/path/", "interp/control/", "interp/frames/", "interp/tools/"),
+    "interp/words": CORE + ("interp/text/", "interp/comments/", "interp/control/", "interp/frames/", "interp/tools/",
+        "interp/moves/"),
+    "interp/calls": CORE + ("interp/text/", "interp/language/", "interp/control/"),
+    "interp/statements": CORE + ("interp/text/", "interp/path/", "interp/language/", "interp/control/",
+        "interp/frames/", "interp/tools/", "interp/words/", "interp/calls/"),
+    "interp/cycles": CORE + ("interp/path/", "interp/language/", "interp/tools/", "interp/moves/", "interp/calls/"),
+    "interp/drilling": CORE + ("interp/words/", "interp/cycles/"),
+    "interp/milling": CORE + ("interp/path/", "interp/frames/", "interp/statements/", "interp/cycles/"),
+    "interp/turning": CORE + ("interp/path/", "interp/tools/", "interp/moves/", "interp/statements/", "interp/cycles/"),
+    "interp/sinumerik": CORE + ("interp/text/", "interp/path/", "interp/control/", "interp/frames/", "interp/tools/",
+        "interp/moves/", "interp/words/", "interp/statements/", "interp/cycles/", "interp/milling/",
+        "interp/turning/"),
     "interp": CORE + ("interp/",),
     "timing": CORE,
     "setup": CORE,
@@ -50,29 +47,33 @@ ROOMS = {
     "removal/tool": CORE + ("removal/field/",),
     "removal/simd": CORE + ("removal/field/", "removal/tool/"),
     "removal/stock": CORE + ("removal/field/",),
-    "removal/forms": FORMS,
-    "removal/columns": FORMS + ("removal/forms/",),
-    "removal/sweep": FORMS + ("removal/forms/", "removal/columns/"),
-    "removal/prune": SWEEPS,
-    "removal/part": SWEEPS + ("removal/stock/", "removal/prune/"),
-    "removal/collision": SWEEPS + ("removal/prune/", "removal/part/"),
-    "removal/history": SWEEPS + ("removal/stock/", "removal/prune/", "removal/part/"),
-    "removal/vdb": CORE + ("removal/",),
-    "mesh/solid": SOLID,
-    "mesh/draw": SOLID + ("mesh/solid/",),
-    "mesh/format": SOLID + ("mesh/solid/", "mesh/draw/"),
-    "mesh/points": SOLID + ("mesh/solid/",),
-    "mesh/cells": SOLID + ("mesh/solid/", "mesh/points/"),
-    "mesh/surface": SURFACE,
-    "mesh/simplify": SURFACE + ("mesh/surface/",),
-    "mesh/tiles": SURFACE + ("mesh/surface/",),
-    "mesh/turned": SURFACE,
-    "mesh/reduce": SOLID + ("mesh/solid/",),
-    "mesh": SURFACE + ("mesh/surface/", "mesh/simplify/", "mesh/tiles/", "mesh/turned/", "removal/part/stock.h"),
-    "compare/step": CORE + ("mesh/",),
-    "compare": CORE + ("mesh/", "compare/step/"),
+    "removal/forms": CORE + ("removal/field/", "removal/tool/", "removal/simd/"),
+    "removal/columns": CORE + ("removal/tool/", "removal/simd/", "removal/forms/"),
+    "removal/sweep": CORE + ("removal/field/", "removal/tool/", "removal/simd/", "removal/forms/", "removal/columns/"),
+    "removal/prune": CORE + ("removal/simd/", "removal/columns/", "removal/sweep/"),
+    "removal/part": CORE + ("removal/field/", "removal/tool/", "removal/simd/", "removal/stock/", "removal/forms/",
+        "removal/columns/", "removal/sweep/", "removal/prune/"),
+    "removal/collision": CORE + ("removal/field/", "removal/tool/", "removal/forms/", "removal/sweep/",
+        "removal/part/"),
+    "removal/history": CORE + ("removal/field/", "removal/tool/", "removal/simd/", "removal/stock/",
+        "removal/columns/", "removal/sweep/", "removal/part/"),
+    "removal/vdb": CORE + ("removal/field/", "removal/simd/", "removal/prune/", "removal/part/", "removal/history/"),
+    "mesh/solid": CORE + ("removal/field/",),
+    "mesh/draw": CORE + ("mesh/solid/",),
+    "mesh/format": CORE + ("mesh/solid/", "mesh/draw/"),
+    "mesh/points": CORE + ("removal/field/", "mesh/solid/"),
+    "mesh/cells": CORE + ("removal/field/", "mesh/solid/", "mesh/points/"),
+    "mesh/surface": CORE + ("removal/field/", "mesh/solid/", "mesh/points/", "mesh/cells/"),
+    "mesh/simplify": CORE + ("removal/field/", "mesh/solid/", "mesh/points/", "mesh/cells/", "mesh/surface/"),
+    "mesh/tiles": CORE + ("removal/field/", "mesh/solid/", "mesh/cells/", "mesh/surface/"),
+    "mesh/turned": CORE + ("removal/field/", "mesh/solid/", "mesh/points/", "mesh/cells/"),
+    "mesh/reduce": CORE + ("mesh/solid/",),
+    "mesh": CORE + ("removal/field/", "mesh/solid/", "mesh/cells/", "mesh/surface/", "mesh/simplify/", "mesh/tiles/",
+        "mesh/turned/", "removal/part/stock.h"),
+    "compare/step": CORE,
+    "compare": CORE + ("mesh/solid/", "mesh/format/", "compare/step/"),
     "cli": CORE,
-    "": ("core/", "interp/", "timing/", "setup/", "removal/", "mesh/", "compare/"),
+    "": ("core/", "interp/", "setup/", "removal/", "mesh/", "compare/"),
 }
 # What tests of a stage may include besides its own rooms.
 TESTED = {"core": CORE, "interp": CORE + ("interp/",), "timing": CORE + ("timing/",), "setup": CORE + ("setup/",), "removal": CORE + ("removal/",),
@@ -88,7 +89,6 @@ THIRD_PARTY = {
     "CGAL/": r"src/mesh/solid/(solid_repair|wrap)\.cpp|tests/.*|bench/compare_bench\.cpp",
     "OpenMesh/": r"src/mesh/reduce/decimation\.cpp|tests/.*",
     "tbb/": r"src/core/parallel\.cpp|tests/.*|bench/.*",
-    "oneapi/": r"src/core/parallel\.cpp|tests/.*|bench/.*",
     "embree3/": r"src/(mesh/draw|compare)/[^/]*\.cpp",
     "STEPControl_": r"src/compare/step/.*|tests/(compare|cli)/.*",
     "BRep": r"src/compare/step/.*|tests/(compare|cli)/.*",
@@ -98,7 +98,7 @@ THIRD_PARTY = {
     "zlib.h": r"src/core/zip\.cpp|src/mesh/.*|tests/.*",
 }
 # Public header -> the public headers that it may include.
-PUBLIC = {"events.h": set(), "types.h": {"events.h"}, "files.h": set(), "memory.h": {"types.h"}, "options.h": {"types.h"}, "collisions.h": {"types.h"}, "solid_files.h": {"types.h", "options.h", "compare.h"},
+PUBLIC = {"events.h": set(), "types.h": {"events.h"}, "files.h": set(), "memory.h": {"types.h"}, "options.h": {"types.h"}, "collisions.h": {"types.h"}, "solid_files.h": {"compare.h"},
           "play.h": {"types.h"}, "mrsim.h": {"files.h", "types.h", "options.h", "collisions.h", "cycle_time.h", "history.h", "play.h"}, "job_file.h": {"types.h"},
           "compare.h": {"types.h", "options.h", "cycle_time.h", "play.h"}, "cycle_time.h": {"types.h"}, "history.h": {"types.h", "cycle_time.h"},
           "rest.h": {"types.h", "options.h"}}
@@ -134,7 +134,7 @@ def may_include(path, header, allowed):
     return os.path.exists(os.path.join(ROOT, os.path.dirname(path), header))  # a test's helper beside it
 
 
-def check(path, breaches):
+def check(path, breaches, used):
     with open(os.path.join(ROOT, path), encoding="utf-8") as file:
         included = INCLUDE.findall(file.read())
     allowed = own_headers_allowed(path)
@@ -142,6 +142,7 @@ def check(path, breaches):
         breaches.append(f"{path}: its folder is missing in ROOMS of scripts/check_includes.py")
         return
     for header in included:
+        used.setdefault(room_of(path), set()).update(p for p in allowed or () if header.startswith(p))
         for prefix, where in THIRD_PARTY.items():
             if header.startswith(prefix) and not re.fullmatch(where, path):
                 breaches.append(f"{path}: <{header}> is not allowed here")
@@ -153,6 +154,12 @@ def check(path, breaches):
         ours = header.split("/")[0] in STAGES or os.path.exists(os.path.join(ROOT, "src", header))
         if ours and allowed is not None and not may_include(path, header, allowed):
             breaches.append(f'{path}: "{header}" is not allowed here')
+
+
+def check_used(breaches, used):
+    for room, allowed in ROOMS.items():
+        for prefix in set(allowed) - set(CORE) - used.get(room, set()):
+            breaches.append(f'{room}: no include uses "{prefix}" in ROOMS of scripts/check_includes.py')
 
 
 def check_order(breaches):
@@ -181,10 +188,12 @@ def check_public(breaches):
 
 def main():
     breaches = []
+    used = {}
     count = 0
     for path in files("src", "tests", "bench", "include"):
         count += 1
-        check(path, breaches)
+        check(path, breaches, used)
+    check_used(breaches, used)
     check_order(breaches)
     check_public(breaches)
     for breach in breaches:
