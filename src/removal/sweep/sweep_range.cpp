@@ -3,6 +3,7 @@
 
 #include "removal/field/face_range.h"
 #include "removal/sweep/sweep_faces.h"
+#include "removal/tool/profile_range.h"
 
 #include <algorithm>
 #include <cmath>
@@ -130,7 +131,7 @@ class RangeOf {
         arc ? arc_envelope(c, local_, tool.round() > 0, side) : line_envelope(c, local_);
     if (!rho.is_known) return {};
     const Section s = section_of(rho, height);
-    return tool.is_rounded() ? slab_range(tool, s) : tool.face_range(s, face);
+    return tool.is_rounded() ? slab_range(tool, s) : profile_face_range(tool, s, face);
   }
 
   // Beyond an end of its path a convex tool stands still: that is convex, too.

@@ -1,6 +1,7 @@
 #include "removal/tool/profile.h"
 
 #include "core/error.h"
+#include "removal/tool/profile_pieces.h"
 
 #include <algorithm>
 #include <cmath>
@@ -140,7 +141,8 @@ void Profile::find_flags() {
   rising_ = open_top_ && !falling;
   find_slab();
   find_disc();
-  if (!is_convex_) pieces_ = std::make_shared<const std::vector<Profile>>(make_pieces());
+  if (!is_convex_)
+    pieces_ = std::make_shared<const std::vector<Profile>>(convex_pieces_of(edges_, corners_));
 }
 
 // Flat, bull-nose and ball: [disc of `core`] [quarter circle of `round`] wall [top].
@@ -329,6 +331,37 @@ Vec2 Profile::corner_direction(int corner) const {
   const ProfileEdge &before = edges_[corner - 1], &after = edges_[corner];
   const Vec2 in = tangent_at(before, after.a), out = tangent_at(after, after.a);
   return {in.y + out.y, -in.x - out.x};
+}
+
+double Profile::support(Vec2 n) const {
+  if (open_top_ && n.y > 0) return std::numeric_limits<double>::infinity();
+  const double size = length(n);
+  double most = -std::numeric_limits<double>::infinity();
+  for (const ProfileEdge& e : edges_) {
+    most = std::max(most, dot(n, e.a));
+    if (!std::isinf(e.b.y)) most = std::max(most, dot(n, e.b));
+    if (!e.is_arc() || !e.convex || size == 0) continue;
+    // A value of the whole circle counts only where its point in this direction lies on the arc.
+    const Vec2 far = e.center + (e.radius / size) * n;
+    if (far.y >= e.a.y && far.y <= e.b.y) most = std::max(most, dot(n, far));
+  }
+  return most;
+}
+
+// Chains come first among the pieces.
+const Profile& Profile::piece_of_edge(std::size_t edge) const {
+  const auto begin = corners_.begin() + 1, end = begin + static_cast<std::ptrdiff_t>(edge);
+  return (*pieces_)[static_cast<std::size_t>(std::count(begin, end, Corner::reflex))];
+}
+
+const Profile& Profile::piece_of_patch(std::int32_t patch) const {
+  std::size_t edge = 0;
+  while (edge + 1 < edges_.size() && edges_[edge].patch != patch) ++edge;
+  return piece_of_edge(edge);
+}
+
+const Profile& Profile::piece_of_corner(int corner) const {
+  return piece_of_edge(std::min(static_cast<std::size_t>(corner), edges_.size() - 1));
 }
 
 }  // namespace mrsim

@@ -16,9 +16,6 @@
 
 namespace mrsim {
 
-struct FaceRange;  // removal/field/field.h
-struct Section;    // removal/field/face_range.h
-
 /// A piece of a profile: the solid lies on the left of its direction.
 struct ProfileEdge {
   Vec2 a, b;               ///< ends, x = r, y = z; b.y is infinite on a ray towards the shank
@@ -55,10 +52,6 @@ class Profile {
   Vec2 gradient(Vec2 q, std::int32_t patch) const;
   /// Signed distance to that edge, continued beyond its ends: what gradient() is the gradient of.
   double face_distance(Vec2 q, std::int32_t patch) const;
-
-  /// Encloses face_distance() of all (r, z) in a section; infinite where its nearest edge may
-  /// change with a jump.
-  FaceRange face_range(const Section& s, std::int32_t patch) const;
 
   /// Largest n.p over the solid's points p, n having the parts `n.x` >= 0 across the axis and `n.y`
   /// along it. Infinite for n.y > 0 and an open top.
@@ -127,7 +120,6 @@ class Profile {
   void find_flags();
   void find_slab();
   void find_disc();
-  std::vector<Profile> make_pieces() const;
   const Profile& piece_of_edge(std::size_t edge) const;
 
   std::vector<ProfileEdge> edges_;

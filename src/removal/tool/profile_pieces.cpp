@@ -1,4 +1,4 @@
-#include "removal/tool/profile.h"
+#include "removal/tool/profile_pieces.h"
 
 #include <algorithm>
 #include <cmath>
@@ -67,11 +67,12 @@ std::vector<Chain> chains_of(const std::vector<ProfileEdge>& edges,
 
 }  // namespace
 
-std::vector<Profile> Profile::make_pieces() const {
-  if (std::any_of(edges_.begin(), edges_.end(),
+std::vector<Profile> convex_pieces_of(const std::vector<ProfileEdge>& edges,
+                                      const std::vector<Profile::Corner>& corners) {
+  if (std::any_of(edges.begin(), edges.end(),
                   [](const ProfileEdge& e) { return e.radius > 0 && !e.convex; }))
     return {};
-  const std::vector<Chain> chains = chains_of(edges_, corners_);
+  const std::vector<Chain> chains = chains_of(edges, corners);
   std::vector<Chain> pieces = chains;
   for (std::size_t k = 0; k + 1 < chains.size(); ++k) {
     const Vec2 corner = chains[k + 1].front().a;
@@ -95,22 +96,6 @@ std::vector<Profile> Profile::make_pieces() const {
     out.push_back(std::move(*solid));
   }
   return out;
-}
-
-// Chains come first among the pieces.
-const Profile& Profile::piece_of_edge(std::size_t edge) const {
-  const auto begin = corners_.begin() + 1, end = begin + static_cast<std::ptrdiff_t>(edge);
-  return (*pieces_)[static_cast<std::size_t>(std::count(begin, end, Corner::reflex))];
-}
-
-const Profile& Profile::piece_of_patch(std::int32_t patch) const {
-  std::size_t edge = 0;
-  while (edge + 1 < edges_.size() && edges_[edge].patch != patch) ++edge;
-  return piece_of_edge(edge);
-}
-
-const Profile& Profile::piece_of_corner(int corner) const {
-  return piece_of_edge(std::min(static_cast<std::size_t>(corner), edges_.size() - 1));
 }
 
 }  // namespace mrsim

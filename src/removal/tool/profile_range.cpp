@@ -1,6 +1,4 @@
-// Enclosures of the faces of a tool at rest: chains of lines and arcs that join smoothly.
-#include "removal/field/face_range.h"
-#include "removal/tool/profile.h"
+#include "removal/tool/profile_range.h"
 
 #include <algorithm>
 #include <cmath>
@@ -41,11 +39,12 @@ Vec2 end_of(const ProfileEdge& e) { return along(e, e.b); }
 // plane when the ends are continued: the distance is that from the region, a convex function. True
 // where the nearest point of its border is not on what is added: between the normals at the ends,
 // less deep than an arc's centre.
-FaceRange Profile::face_range(const Section& s, std::int32_t patch) const {
+FaceRange profile_face_range(const Profile& profile, const Section& s, std::int32_t patch) {
+  const std::vector<ProfileEdge>& edges = profile.edges();
   const auto of_patch = [patch](const ProfileEdge& e) { return e.patch == patch; };
-  const auto first = std::find_if(edges_.begin(), edges_.end(), of_patch);
-  if (first == edges_.end()) return {};
-  const auto last = std::prev(std::find_if_not(first, edges_.end(), of_patch));
+  const auto first = std::find_if(edges.begin(), edges.end(), of_patch);
+  if (first == edges.end()) return {};
+  const auto last = std::prev(std::find_if_not(first, edges.end(), of_patch));
   if (std::all_of(first, last + 1,
                   [&](const ProfileEdge& e) { return &e == &*first || same_circle(*first, e); }))
     return edge_range(*first, s);
@@ -60,24 +59,9 @@ FaceRange Profile::face_range(const Section& s, std::int32_t patch) const {
     if (!std::isinf(last->b.y) && dot(q - last->b, end_of(*last)) > kBorder) return {};
   }
   const FaceRange range = convex_section_range(
-      s, least_radius, [&](Vec2 q) { return face_distance(q, patch); },
-      [&](Vec2 q) { return gradient(q, patch); });
+      s, least_radius, [&](Vec2 q) { return profile.face_distance(q, patch); },
+      [&](Vec2 q) { return profile.gradient(q, patch); });
   return range.lo > -least_radius ? range : FaceRange{};
-}
-
-double Profile::support(Vec2 n) const {
-  if (open_top_ && n.y > 0) return std::numeric_limits<double>::infinity();
-  const double size = length(n);
-  double most = -std::numeric_limits<double>::infinity();
-  for (const ProfileEdge& e : edges_) {
-    most = std::max(most, dot(n, e.a));
-    if (!std::isinf(e.b.y)) most = std::max(most, dot(n, e.b));
-    if (!e.is_arc() || !e.convex || size == 0) continue;
-    // A value of the whole circle counts only where its point in this direction lies on the arc.
-    const Vec2 far = e.center + (e.radius / size) * n;
-    if (far.y >= e.a.y && far.y <= e.b.y) most = std::max(most, dot(n, far));
-  }
-  return most;
 }
 
 }  // namespace mrsim
