@@ -2,6 +2,7 @@
 #include "core/text_io.h"
 #include "core/vec.h"
 #include "mesh/draw/picture.h"
+#include "mesh/draw/picture_text.h"
 #include "tool_outlines.h"
 #include <mrsim/mrsim.h>
 

@@ -2,6 +2,7 @@
 
 #include "mesh/draw/lying.h"
 #include "mesh/draw/picture.h"
+#include "mesh/draw/picture_text.h"
 #include "mesh/draw/view.h"
 #include "mesh/solid/creases.h"
 #include "mesh/solid/half_edges.h"

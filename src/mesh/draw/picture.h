@@ -1,11 +1,10 @@
-// A picture in linear light with anti-aliased strokes and letters, written as PNG.
+// A picture in linear light with anti-aliased strokes, written as PNG.
 #pragma once
 
 #include "core/text_io.h"
 #include "core/vec.h"
 #include "mesh/draw/palette.h"
 
-#include <string_view>
 #include <vector>
 
 namespace mrsim {
@@ -39,12 +38,6 @@ class Picture {
 
 /// How much of a pixel with its centre at `p` a line of that width covers, 0 to 1.
 double stroke_coverage(Vec2 p, Vec2 from, Vec2 to, double width);
-
-/// Letters of strokes, `height` pixels from base line to capitals' top; `at` is the left end of the
-/// base line. Printable ASCII; other characters show as a box. Returns the width.
-double draw_text(Picture& picture, Vec2 at, double height, std::string_view text,
-                 const Color& color);
-double text_width(std::string_view text, double height);
 
 /// 8 bit sRGB; no time stamp, so equal pictures are equal files.
 void write_png(const Picture& picture, const ByteSink& out);

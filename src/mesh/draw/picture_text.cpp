@@ -1,6 +1,4 @@
-// A font of straight strokes on a grid 4 wide and 6 high (descenders reach -2), drawn with the same
-// anti-aliased lines as the edges of the part, so that it is sharp at any size.
-#include "mesh/draw/picture.h"
+#include "mesh/draw/picture_text.h"
 
 namespace mrsim {
 namespace {

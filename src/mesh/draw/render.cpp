@@ -4,6 +4,7 @@
 #include "mesh/draw/lying.h"
 #include "mesh/draw/palette.h"
 #include "mesh/draw/picture.h"
+#include "mesh/draw/picture_text.h"
 #include "mesh/draw/ray_image.h"
 #include "mesh/draw/ray_scene.h"
 #include "mesh/solid/check.h"

@@ -1,8 +1,9 @@
-// The deepest point of one mover, by branch and bound with the best bound first. With d_k the
+// Branch and bound with the best bound first. With d_k the
 // material at the mover's moment and c the mover, h(p) = -d_k(p) - max(0, d_c(p)) is at most the
 // depth of the mover's nearest point, for any p; its greatest value is the depth searched for.
+#include "removal/collision/collision_depth.h"
+
 #include "core/vec.h"
-#include "removal/collision/collision_search.h"
 
 #include <algorithm>
 #include <cmath>

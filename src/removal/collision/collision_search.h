@@ -91,23 +91,6 @@ class CollisionDetector {
   std::span<const std::uint32_t> all_cuts_, all_movers_;
 };
 
-struct DeepPoint {
-  double depth = 0;  ///< mm, never more than the mover's real depth
-  Vec3 place;
-};
-
-/// The deepest point of the mover of a hit, beginning at the hit's own. The search ends when
-/// nothing can be deeper by a 32nd, or after a few thousand boxes; then the best point is improved
-/// in steps. `box` holds all places where the mover can meet material; flat in y for turned parts.
-DeepPoint deepest_point(const CollisionScene& scene, const CollisionHit& hit, const Box3& box);
-
-/// mm: how deep the place of a hit lies in the material of its moment, at most the mover's depth.
-double depth_of_hit(const CollisionScene& scene, const CollisionHit& hit);
-
-/// The cuts of motions up to `time` that come nearer to the box than any point in it can be deep,
-/// ascending. Cost: that of the blocks about the box, whatever the length of the program.
-Candidates cuts_before(const CollisionScene& scene, std::int32_t time, const Box3& box);
-
 /// A point of sweep i near p, on its surface unless p is in it.
 Vec3 drawn_onto(const SweepTable& sweeps, std::uint32_t i, const Vec3& p);
 

@@ -1,6 +1,7 @@
 #include "removal/collision/collision_volume.h"
 
 #include "core/vec.h"
+#include "removal/collision/collision_depth.h"
 
 #include <algorithm>
 #include <cmath>

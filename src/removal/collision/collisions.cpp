@@ -3,6 +3,7 @@
 #include "core/error.h"
 #include "core/parallel.h"
 #include "core/vec.h"
+#include "removal/collision/collision_depth.h"
 #include "removal/collision/collision_probe.h"
 #include "removal/collision/collision_search.h"
 #include "removal/collision/collision_volume.h"

@@ -10,6 +10,7 @@
 #pragma once
 
 #include "core/vec.h"
+#include "removal/tool/insert.h"
 #include "removal/tool/profile.h"
 #include <mrsim/types.h>
 
@@ -17,13 +18,6 @@
 #include <vector>
 
 namespace mrsim {
-
-/// Convex core polygon of an insert, counter-clockwise in (x = X, y = Z), and its thickness.
-struct InsertOutline {
-  std::vector<Vec2> core;  ///< about the programmed point; one point for a round insert
-  double round = 0;        ///< nose radius, mm
-  bool inside = false;     ///< works on the inside (boring): never reaches beyond the spindle axis
-};
 
 struct ToolShape {
   bool turning = false;
@@ -37,9 +31,8 @@ struct ToolShape {
 /// The checked shape of a tool. Throws Error "tool-invalid", naming the tool and what is missing.
 ToolShape make_tool_shape(const Tool& tool);
 
-/// make_tool_shape() for a milling cutter, and for a turning insert.
+/// make_tool_shape() for a milling cutter.
 Profile make_cutter(const Tool& tool);
-InsertOutline make_insert(const Tool& tool);
 
 [[noreturn]] void invalid_tool(const Tool& tool, const std::string& why);
 
