@@ -113,7 +113,7 @@ TEST(CandidateKernels, QuartersHaveTheStripsNearestToThem) {
   }
 }
 
-// All levels run the same operations in the same order.
+// All instruction sets run the same operations in the same order.
 TEST(CandidateKernels, EveryInstructionSetKeepsTheSame) {
   Random r(3);
   for (int round = 0; round < 200; ++round)
@@ -121,9 +121,9 @@ TEST(CandidateKernels, EveryInstructionSetKeepsTheSame) {
       const Table table = random_columns(r, form);
       const std::size_t n = 1 + static_cast<std::size_t>(r.pick(kSlots));
       const std::vector<float> plain =
-          one_step(*candidate_kernels(SimdLevel::scalar), table, form, n);
-      for (const SimdLevel level : {SimdLevel::avx2, SimdLevel::avx512}) {
-        const CandidateKernels* set = candidate_kernels(level);
+          one_step(*candidate_kernels(InstructionSet::scalar), table, form, n);
+      for (const InstructionSet isa : {InstructionSet::avx2, InstructionSet::avx512}) {
+        const CandidateKernels* set = candidate_kernels(isa);
         if (set == nullptr) continue;
         const std::vector<float> wide = one_step(*set, table, form, n);
         ASSERT_EQ(plain.size(), wide.size()) << "form " << form;

@@ -311,15 +311,15 @@ TEST(Heights, AreTheSameOnEveryInstructionSet) {
     const auto same = [](const float* a, const float* b, std::size_t count) {
       return std::memcmp(a, b, count * sizeof(float)) == 0;
     };
-    const Result plain = run(*candidate_kernels(SimdLevel::scalar));
-    for (const SimdLevel level : {SimdLevel::avx2, SimdLevel::avx512}) {
-      const CandidateKernels* set = candidate_kernels(level);
+    const Result plain = run(*candidate_kernels(InstructionSet::scalar));
+    for (const InstructionSet isa : {InstructionSet::avx2, InstructionSet::avx512}) {
+      const CandidateKernels* set = candidate_kernels(isa);
       if (set == nullptr) continue;
       const Result other = run(*set);
       ASSERT_TRUE(same(plain.lower.data(), other.lower.data(), n))
-          << "level " << static_cast<int>(level);
+          << "instruction set " << static_cast<int>(isa);
       ASSERT_TRUE(same(plain.level.data(), other.level.data(), n))
-          << "level " << static_cast<int>(level);
+          << "instruction set " << static_cast<int>(isa);
       ASSERT_TRUE(same(&plain.least, &other.least, 1) &&
                   same(&plain.least_level, &other.least_level, 1));
       ASSERT_EQ(plain.count, other.count);

@@ -203,8 +203,9 @@ TEST(BallHeights, SixteenPlacesAreEachAsOne) {
       if (k == 0) places.x[k] = move.c[0], places.y[k] = move.c[1];
     }
     const double wide = r.pick(3) == 0 ? 0.01 : r(0, 4);
-    for (const SimdLevel level : {SimdLevel::scalar, SimdLevel::avx2, SimdLevel::avx512}) {
-      const SweepKernels* set = sweep_kernels(level);
+    for (const InstructionSet isa :
+         {InstructionSet::scalar, InstructionSet::avx2, InstructionSet::avx512}) {
+      const SweepKernels* set = sweep_kernels(isa);
       if (set == nullptr) continue;
       const std::uint32_t below = set->ball_heights(move, places, out);
       PlanPlaces bounded = places;
@@ -257,9 +258,9 @@ TEST(BallHeights, AreTheSameBitsOnEveryInstructionSet) {
       a.kept = set.ball_bounds(move, 0.3, a.places, a.least);
       return a;
     };
-    const auto one = asked(*sweep_kernels(SimdLevel::scalar));
-    for (const SimdLevel level : {SimdLevel::avx2, SimdLevel::avx512}) {
-      const SweepKernels* set = sweep_kernels(level);
+    const auto one = asked(*sweep_kernels(InstructionSet::scalar));
+    for (const InstructionSet isa : {InstructionSet::avx2, InstructionSet::avx512}) {
+      const SweepKernels* set = sweep_kernels(isa);
       if (set == nullptr) continue;
       const auto other = asked(*set);
       ASSERT_EQ(one.below, other.below);

@@ -138,14 +138,14 @@ TEST(LevelMoves, OwnTheFloorByTheFirstOfThemThatCoversIt) {
 }
 
 template <class Record>
-void expect_equal_levels(FormKernels<Record> SweepKernels::*form, std::vector<Record> records) {
+void expect_equal_sets(FormKernels<Record> SweepKernels::*form, std::vector<Record> records) {
   Random r(5);
   std::vector<std::uint32_t> rows;
   for (std::size_t i = 0; i < records.size(); i += 1 + r.pick(3))
     rows.push_back(static_cast<std::uint32_t>(i));
-  const FormKernels<Record>& plain = sweep_kernels(SimdLevel::scalar)->*form;
-  for (SimdLevel level : {SimdLevel::avx2, SimdLevel::avx512}) {
-    const SweepKernels* set = sweep_kernels(level);
+  const FormKernels<Record>& plain = sweep_kernels(InstructionSet::scalar)->*form;
+  for (InstructionSet isa : {InstructionSet::avx2, InstructionSet::avx512}) {
+    const SweepKernels* set = sweep_kernels(isa);
     if (set == nullptr) continue;
     for (int round = 0; round < 200; ++round) {
       const Vec3 p = {r(-5, 15), r(-5, 15), r(-5, 5)};
@@ -171,9 +171,9 @@ TEST(SweepKernels, BoresAreTheSameOnEveryInstructionSet) {
     PointColumns one = random_points(r, 8 << round % 4);
     for (std::size_t k = 0; k < one.count; k += 2) one.least[k] = r(-1, 3), one.nearest[k] = 7;
     const PointColumns before = one;
-    const auto open = sweep_kernels(SimdLevel::scalar)->bore(bore, 5, one);
-    for (SimdLevel level : {SimdLevel::avx2, SimdLevel::avx512}) {
-      const SweepKernels* set = sweep_kernels(level);
+    const auto open = sweep_kernels(InstructionSet::scalar)->bore(bore, 5, one);
+    for (InstructionSet isa : {InstructionSet::avx2, InstructionSet::avx512}) {
+      const SweepKernels* set = sweep_kernels(isa);
       if (set == nullptr) continue;
       PointColumns other = before;
       ASSERT_EQ(set->bore(bore, 5, other), open) << set->name;
@@ -203,13 +203,13 @@ TEST(SweepKernels, HelicesAreTheSameOnEveryInstructionSet) {
     const PointColumns before = one;
     std::uint64_t open = ~std::uint64_t(0) >> (PointColumns::kMost - one.count);
     for (int k = round % 5; k > 0; --k) open &= ~(std::uint64_t(1) << r.pick(64));
-    sweep_kernels(SimdLevel::scalar)->helix(helix, 5, open, one);
+    sweep_kernels(InstructionSet::scalar)->helix(helix, 5, open, one);
     for (std::size_t k = 0; k < one.count; ++k)
       if ((open >> k & 1u) == 0) {
         ASSERT_TRUE(same_bits(one.least[k], before.least[k]));
       }
-    for (SimdLevel level : {SimdLevel::avx2, SimdLevel::avx512}) {
-      const SweepKernels* set = sweep_kernels(level);
+    for (InstructionSet isa : {InstructionSet::avx2, InstructionSet::avx512}) {
+      const SweepKernels* set = sweep_kernels(isa);
       if (set == nullptr) continue;
       PointColumns other = before;
       set->helix(helix, 5, open, other);
@@ -230,9 +230,9 @@ TEST(SweepKernels, SlantsAreTheSameOnEveryInstructionSet) {
     for (std::size_t k = 0; k < one.count; k += 2) one.least[k] = r(-1, 3), one.nearest[k] = 7;
     if (round % 8 == 0) one.x[0] = slant.x, one.y[0] = slant.y;
     const PointColumns before = one;
-    sweep_kernels(SimdLevel::scalar)->slant(slant, 5, one);
-    for (SimdLevel level : {SimdLevel::avx2, SimdLevel::avx512}) {
-      const SweepKernels* set = sweep_kernels(level);
+    sweep_kernels(InstructionSet::scalar)->slant(slant, 5, one);
+    for (InstructionSet isa : {InstructionSet::avx2, InstructionSet::avx512}) {
+      const SweepKernels* set = sweep_kernels(isa);
       if (set == nullptr) continue;
       PointColumns other = before;
       set->slant(slant, 5, other);
@@ -260,9 +260,9 @@ TEST(SweepKernels, ChainsAreTheSameOnEveryInstructionSet) {
     if (round % 8 == 0) one.x[0] = line.x, one.y[0] = line.y;
     if (round % 8 == 1) one.x[1] = line.x, one.y[1] = line.y, one.z[1] = line.z + tool.tip;
     const PointColumns before = one;
-    sweep_kernels(SimdLevel::scalar)->chain(tool, line, 5, one);
-    for (SimdLevel level : {SimdLevel::avx2, SimdLevel::avx512}) {
-      const SweepKernels* set = sweep_kernels(level);
+    sweep_kernels(InstructionSet::scalar)->chain(tool, line, 5, one);
+    for (InstructionSet isa : {InstructionSet::avx2, InstructionSet::avx512}) {
+      const SweepKernels* set = sweep_kernels(isa);
       if (set == nullptr) continue;
       PointColumns other = before;
       set->chain(tool, line, 5, other);
@@ -317,11 +317,11 @@ TEST(SweepKernels, BoundsAreTheSameOnEveryInstructionSet) {
       out.insert(out.end(), some.begin(), some.begin() + static_cast<std::ptrdiff_t>(rows.size()));
       return out;
     };
-    const std::vector<double> one = found(*sweep_kernels(SimdLevel::scalar));
+    const std::vector<double> one = found(*sweep_kernels(InstructionSet::scalar));
     for (std::size_t k = 0; k < rows.size(); ++k)
       ASSERT_LE(one[k + rows.size()], slant_minimum(slants[rows[k]], p).distance + 1e-8);
-    for (SimdLevel level : {SimdLevel::avx2, SimdLevel::avx512}) {
-      const SweepKernels* set = sweep_kernels(level);
+    for (InstructionSet isa : {InstructionSet::avx2, InstructionSet::avx512}) {
+      const SweepKernels* set = sweep_kernels(isa);
       if (set == nullptr) continue;
       const std::vector<double> other = found(*set);
       ASSERT_EQ(std::memcmp(one.data(), other.data(), one.size() * sizeof(double)), 0) << set->name;
@@ -342,9 +342,9 @@ TEST(SweepKernels, EveryInstructionSetGivesTheSameBits) {
     arcs.push_back({{r(0, 10), r(0, 10), r(0, 5), c, s, std::cos(h), std::sin(h), r(-1, 1), r(0, 3),
                      r(0, 1), i % 3 == 0 ? INFINITY : r(4, 6)}});
   }
-  expect_equal_levels(&SweepKernels::ball_line, balls);
-  expect_equal_levels(&SweepKernels::plane_line, lines);
-  expect_equal_levels(&SweepKernels::plane_arc, arcs);
+  expect_equal_sets(&SweepKernels::ball_line, balls);
+  expect_equal_sets(&SweepKernels::plane_line, lines);
+  expect_equal_sets(&SweepKernels::plane_arc, arcs);
 }
 
 }  // namespace

@@ -44,7 +44,7 @@ TEST(UprightArcs, AreTheSameOnEveryInstructionSet) {
     PointColumns one = some_points(r, 8 << round % 4);
     if (round % 8 == 0) one.x[0] = arc[0].x, one.y[0] = arc[0].y;  // under the centre
     const PointColumns before = one;
-    sweep_kernels(SimdLevel::scalar)->upright(arc.data(), arc.size(), 5, one);
+    sweep_kernels(InstructionSet::scalar)->upright(arc.data(), arc.size(), 5, one);
     for (int k = 0; k < 4; ++k)
       for (const UprightRecord& quarter : random_quarters(r)) arc.push_back(quarter);
     std::vector<std::uint32_t> rows(arc.size());
@@ -56,10 +56,12 @@ TEST(UprightArcs, AreTheSameOnEveryInstructionSet) {
       out.resize(rows.size());
       return out;
     };
-    const std::vector<double> list = listed(*sweep_kernels(SimdLevel::scalar), INFINITY, false);
+    const std::vector<double> list =
+        listed(*sweep_kernels(InstructionSet::scalar), INFINITY, false);
     const double least = *std::min_element(list.begin(), list.end()), limit = least + r(0, 3);
-    for (SimdLevel level : {SimdLevel::scalar, SimdLevel::avx2, SimdLevel::avx512}) {
-      const SweepKernels* set = sweep_kernels(level);
+    for (InstructionSet isa :
+         {InstructionSet::scalar, InstructionSet::avx2, InstructionSet::avx512}) {
+      const SweepKernels* set = sweep_kernels(isa);
       if (set == nullptr) continue;
       PointColumns other = before;
       set->upright(arc.data(), quarters, 5, other);

@@ -209,9 +209,9 @@ TEST(TurnTree, EveryInstructionSetGivesTheSameBits) {
       }
     for (double& v : round_of) v = r(0, 1);
     const double x = r(-4, 4), y = r(-4, 4);
-    sweep_kernels(SimdLevel::scalar)->polygons(sides, 4, round_of, x, y, plain);
-    for (const SimdLevel level : {SimdLevel::avx2, SimdLevel::avx512}) {
-      const SweepKernels* set = sweep_kernels(level);
+    sweep_kernels(InstructionSet::scalar)->polygons(sides, 4, round_of, x, y, plain);
+    for (const InstructionSet isa : {InstructionSet::avx2, InstructionSet::avx512}) {
+      const SweepKernels* set = sweep_kernels(isa);
       if (set == nullptr) continue;
       set->polygons(sides, 4, round_of, x, y, wide);
       for (int k = 0; k < 8; ++k)

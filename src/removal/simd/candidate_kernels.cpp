@@ -179,18 +179,18 @@ MRSIM_LANE std::size_t compress(float* out, V v, M m) {
 
 #endif  // MRSIM_X86
 
-const CandidateKernels* candidate_kernels(SimdLevel level) {
+const CandidateKernels* candidate_kernels(InstructionSet isa) {
 #ifdef MRSIM_X86
   return kernels_at<CandidateKernels>(
-      level,
+      isa,
       {&candidates_scalar::kKernels, &candidates_avx2::kKernels, &candidates_avx512::kKernels});
 #else
-  return kernels_at<CandidateKernels>(level, {&candidates_scalar::kKernels, nullptr, nullptr});
+  return kernels_at<CandidateKernels>(isa, {&candidates_scalar::kKernels, nullptr, nullptr});
 #endif
 }
 
 const CandidateKernels& candidate_kernels() {
-  static const CandidateKernels& best = *candidate_kernels(best_simd_level());
+  static const CandidateKernels& best = *candidate_kernels(best_instruction_set());
   return best;
 }
 

@@ -13,7 +13,7 @@
 
 namespace mrsim {
 
-enum class SimdLevel;
+enum class InstructionSet;
 
 inline constexpr std::size_t kCandidateColumns = 10, kIdColumn = 9, kPackColumn = 8;
 inline constexpr float kFloatInfinity = std::numeric_limits<float>::infinity();
@@ -149,8 +149,8 @@ struct CandidateKernels {
                            const Beater& j, float limit, float within, float* ids, bool& reaches);
 };
 
-/// The kernels of a level, null where the machine or the compiler has none.
-const CandidateKernels* candidate_kernels(SimdLevel level);
+/// The kernels of an instruction set, null where the machine or the compiler has none.
+const CandidateKernels* candidate_kernels(InstructionSet isa);
 /// The best ones; chosen once.
 const CandidateKernels& candidate_kernels();
 

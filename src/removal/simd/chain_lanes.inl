@@ -281,22 +281,23 @@ MRSIM_LANE V chain_tolerance(V f) { return splat(1e-13) * (splat(1.0) + vabs(f))
 // Between a with a falling F and b with a rising one. Tangents find kinks at once, the secant of
 // the slopes smooth minima; halving bounds both.
 static inline ChainPlace chain_search(const ChainObjective& F, ChainPlace a, ChainPlace b, V limit,
-                                      M open) {
+                                      M active) {
   const V zero = splat(0.0);
   for (int i = 0; i < 80; ++i) {
     const V gain = b.slope - a.slope, best = vmin(a.f, b.f);
     const V met = (a.f - b.f + b.slope * b.t - a.slope * a.t) / gain;
     const V cut = vmin(vmax(met, a.t), b.t), floor = a.f + a.slope * (cut - a.t);
-    open = both(open, both(less(chain_tolerance(best), best - floor), less_equal(floor, limit)));
+    active =
+        both(active, both(less(chain_tolerance(best), best - floor), less_equal(floor, limit)));
     const V half = splat(0.5) * (a.t + b.t);
     V t = i % 3 == 0 ? cut : i % 3 == 1 ? a.t - a.slope * (b.t - a.t) / gain : half;
     t = select(between(a.t, t, b.t), t, half);
-    open = both(open, between(a.t, t, b.t));
-    if (!any(open)) break;
+    active = both(active, between(a.t, t, b.t));
+    if (!any(active)) break;
     const ChainPlace m = F(t);
     const M falls = less(m.slope, zero);
-    a = choose(both(open, falls), m, a), b = choose(except(open, falls), m, b);
-    open = both(open, either(falls, less(zero, m.slope)));
+    a = choose(both(active, falls), m, a), b = choose(except(active, falls), m, b);
+    active = both(active, either(falls, less(zero, m.slope)));
   }
   return choose(less(a.f, b.f), a, b);
 }
@@ -306,32 +307,32 @@ static inline ChainPlace chain_search(const ChainObjective& F, ChainPlace a, Cha
 static inline ChainPlace chain_least(const ChainObjective& F, V limit, M wanted) {
   const V zero = splat(0.0), one = splat(1.0);
   const ChainObjective::Closed closed = F.closed();
-  M open = except(wanted, closed.holds);
+  M active = except(wanted, closed.holds);
   ChainPlace x{closed.t, closed.f, zero};
-  if (!any(open)) return x;
+  if (!any(active)) return x;
   if (F.tool.tipped && F.tool.core > 0) {
-    const ChainObjective::Closed tip = F.at_flat_tip(open);
-    x = choose(both(open, tip.holds), ChainPlace{tip.t, tip.f, zero}, x);
-    open = except(open, tip.holds);
-    if (!any(open)) return x;
+    const ChainObjective::Closed tip = F.at_flat_tip(active);
+    x = choose(both(active, tip.holds), ChainPlace{tip.t, tip.f, zero}, x);
+    active = except(active, tip.holds);
+    if (!any(active)) return x;
     if (F.tool.ball == 0 && F.tool.flank_count > 0) {
       const ChainObjective::Closed floor = F.at_floor();
-      x = choose(both(open, floor.holds), ChainPlace{floor.t, floor.f, zero}, x);
-      open = except(open, floor.holds);
-      if (!any(open)) return x;
+      x = choose(both(active, floor.holds), ChainPlace{floor.t, floor.f, zero}, x);
+      active = except(active, floor.holds);
+      if (!any(active)) return x;
     }
   }
-  x = choose(open, F(closed.t), x);
+  x = choose(active, F(closed.t), x);
   const V gap = vmax(x.slope * x.t, x.slope * (x.t - one));
-  open = both(open, both(less(chain_tolerance(x.f), gap), less_equal(x.f - gap, limit)));
-  if (!any(open)) return x;
+  active = both(active, both(less(chain_tolerance(x.f), gap), less_equal(x.f - gap, limit)));
+  if (!any(active)) return x;
   const M falls = less(x.slope, zero);
   const ChainPlace end = F(select(falls, one, zero));
   const M beyond =
       either(both(falls, less_equal(end.slope, zero)), except(less_equal(zero, end.slope), falls));
-  const ChainPlace best = choose(both(open, beyond), end, x);
-  open = except(open, beyond);
-  if (!any(open)) return best;
+  const ChainPlace best = choose(both(active, beyond), end, x);
+  active = except(active, beyond);
+  if (!any(active)) return best;
   const ChainPlace a = choose(falls, x, end), b = choose(falls, end, x);
-  return choose(open, chain_search(F, a, b, limit, open), best);
+  return choose(active, chain_search(F, a, b, limit, active), best);
 }

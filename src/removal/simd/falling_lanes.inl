@@ -50,20 +50,21 @@ static inline Place crossing(const Stretch& s, const Place& a, const Place& b, M
   const V secant = low - fa / (fb - fa) * (high - low);
   if (const M in = both(wanted, between(low, secant, high)); any(in))
     x = choose(in, s.at(secant, x, in), x);
-  M open = wanted;
+  M active = wanted;
   for (int k = 0; k < 60; ++k) {
     const V v = x.dr - x.dz, slope = x.dr_slope - x.dz_slope;
-    open = except(open, both(less_equal(v, splat(0.0)), less_equal(splat(0.0), v)));
+    active = except(active, both(less_equal(v, splat(0.0)), less_equal(splat(0.0), v)));
     const M below = less(v, splat(0.0));
     low = select(below, x.t, low), high = select(below, high, x.t);
     V t = select(less(splat(0.0), slope), x.t - v / slope, low);
     const M newton = between(low, t, high);
     t = select(newton, t, splat(0.5) * (low + high));
-    open = both(open, between(low, t, high));
-    if (!any(open)) break;
+    active = both(active, between(low, t, high));
+    if (!any(active)) break;
     const V step = t - x.t;
-    x = choose(open, s.at(t, x, open), x);
-    open = except(open, both(newton, less(step * step, splat(1e-16))));  // the next: below rounding
+    x = choose(active, s.at(t, x, active), x);
+    active =
+        except(active, both(newton, less(step * step, splat(1e-16))));  // the next: below rounding
   }
   return x;
 }
@@ -81,9 +82,9 @@ static inline Place best_place(const Stretch& s, M wanted) {
   const Place first = s.first(), last = s.last();
   const M wall = is_wall(first);
   Place best = choose(wall, first, last);
-  M open = except(except(wanted, wall), is_floor(last));
-  if (!any(open)) return best;
-  const M under = except(open, is_corner(first));  // the tool: dr <= 0
+  M active = except(except(wanted, wall), is_floor(last));
+  if (!any(active)) return best;
+  const M under = except(active, is_corner(first));  // the tool: dr <= 0
   M inside = both(under, less_equal(last.dr, zero));
   Place from = first, end = last;
   if (const M rim = except(under, inside); any(rim)) {
@@ -93,9 +94,9 @@ static inline Place best_place(const Stretch& s, M wanted) {
     inside = either(inside, below);
   }
   if (any(inside)) best = choose(inside, s.level(first, end, inside), best);
-  open = except(open, inside);
-  if (!any(open)) return best;
-  if (const M ground = both(open, less(last.dz, zero)); any(ground))
+  active = except(active, inside);
+  if (!any(active)) return best;
+  if (const M ground = both(active, less(last.dz, zero)); any(ground))
     end = choose(ground, s.ground(from, last, ground), end);
-  return choose(open, s.corner(from, end, open), best);
+  return choose(active, s.corner(from, end, active), best);
 }

@@ -127,50 +127,50 @@ class FallingTurn {
   // First zero of the slope at or behind a; b if there is none.
   Place stationary(const Place& a, const Place& b, M wanted) const {
     const V zero = splat(0.0), quarter = splat(kPi / 2);
-    M open = except(wanted, less_equal(zero, slope(a)));
-    M late = both(open, less_equal(quarter, a.t));  // the zero lies behind a quarter turn
-    open = except(open, late);
+    M active = except(wanted, less_equal(zero, slope(a)));
+    M late = both(active, less_equal(quarter, a.t));  // the zero lies behind a quarter turn
+    active = except(active, late);
     Place x = a;
     V low = a.t, high = vmin(quarter, b.t);
-    M known = except(open, open);  // slope(high) > 0
-    for (int k = 0; k < 60 && any(open); ++k) {
+    M known = except(active, active);  // slope(high) > 0
+    for (int k = 0; k < 60 && any(active); ++k) {
       const V v = slope(x), s = bend(x);
       const M before = less(v, zero);
       low = select(before, x.t, low), high = select(before, high, x.t);
-      known = either(known, except(open, before));
+      known = either(known, except(active, before));
       V t = select(less(zero, s), x.t - v / s, high);
-      if (const M unsure = except(except(open, less(t, high)), known); any(unsure)) {
+      if (const M unsure = except(except(active, less(t, high)), known); any(unsure)) {
         const M whole = less_equal(b.t, high);
         Place end = b;
         if (const M inner = except(unsure, whole); any(inner)) end = choose(inner, at(high), b);
         const M down = both(unsure, less(slope(end), zero));
         x = choose(down, end, x);
         late = either(late, except(down, whole));
-        open = except(open, down);
+        active = except(active, down);
         known = either(known, unsure);
       }
       const M newton = between(low, t, high);
       t = select(newton, t, splat(0.5) * (low + high));
-      open = both(open, between(low, t, high));
-      if (!any(open)) break;
+      active = both(active, between(low, t, high));
+      if (!any(active)) break;
       const V step = t - x.t;
-      x = choose(open, at(t, x, open), x);
-      open = except(open, both(newton, is_last(step)));
+      x = choose(active, at(t, x, active), x);
+      active = except(active, both(newton, is_last(step)));
     }
     return any(late) ? behind(x, b, late) : x;
   }
 
   // Behind a quarter turn Newton's method climbs a concave slope towards its first zero.
-  Place behind(Place x, const Place& b, M open) const {
+  Place behind(Place x, const Place& b, M active) const {
     for (int k = 0; k < 60; ++k) {
       const V v = slope(x), s = bend(x), step = v / s;
-      open = both(open, less(v, splat(0.0)));
+      active = both(active, less(v, splat(0.0)));
       const M next = both(less(splat(0.0), s), less(x.t - step, b.t));
-      x = choose(except(open, next), b, x);
-      open = both(open, next);
-      if (!any(open)) break;
-      x = choose(open, at(x.t - step, x, open), x);
-      open = except(open, is_last(step));
+      x = choose(except(active, next), b, x);
+      active = both(active, next);
+      if (!any(active)) break;
+      x = choose(active, at(x.t - step, x, active), x);
+      active = except(active, is_last(step));
     }
     return x;
   }
@@ -192,14 +192,14 @@ static inline HelixLeast helix_least(const HelixRecord& r, V px, V py, V pz, M w
   // No position is lower than the last one.
   const Place last = helix.place(zero, zero, zero, one, r.end, less_equal(zero, zero));
   HelixLeast best{value_of(last, round), splat(r.end.t)};
-  const M open =
+  const M active =
       both(except(wanted, is_floor(last)), less(slab(near, last.dz, round), best.distance));
-  if (!any(open)) return best;
+  if (!any(active)) return best;
   const V facing = helix.facing();
   for (const double back : {0.0, kTwoPi}) {
     const V look = facing - splat(back);
     const V from = vmax(splat(r.begin.t) - look, zero), to = vmin(half, splat(r.end.t) - look);
-    const M found = both(both(open, less_equal(from, to)),
+    const M found = both(both(active, less_equal(from, to)),
                          less(slab(near, helix.dz(look + to), round), best.distance));
     if (!any(found)) continue;
     const Place first = helix.place(look, from, zero, one, r.begin, less(zero, from));

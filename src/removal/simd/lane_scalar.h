@@ -15,19 +15,7 @@
 namespace mrsim::lane {
 
 #define MRSIM_LANE inline
-#include "removal/simd/sweep_lanes.inl"
-//
-#include "removal/simd/falling_lanes.inl"
-//
-#include "removal/simd/helix_lanes.inl"
-//
-#include "removal/simd/slant_lanes.inl"
-//
-#include "removal/simd/upright_lanes.inl"
-//
-#include "removal/simd/chain_lanes.inl"
-//
-#include "removal/simd/ball_height_lanes.inl"
+#include "removal/simd/all_lanes.inl"
 #undef MRSIM_LANE
 
 }  // namespace mrsim::lane

@@ -122,18 +122,18 @@ static void plan_least_of(const Record* records, const std::uint32_t* rows,
         least[l] = points.least[at[l] + k], nearest[l] = points.nearest[at[l] + k];
       const V height = heights(k), d = section_distance(section, lowest, height);
       V own_least = read(least), own_nearest = read(nearest);
-      M open =
+      M active =
           either(less(d, own_least), both(less_equal(d, own_least), less(own_first, own_nearest)));
-      if (bits(open) == 0) continue;
+      if (bits(active) == 0) continue;
       const V most = farthest_equal(section, lowest, height);
-      for (std::size_t i = 0; i < count && bits(open) != 0; ++i) {
-        const M likely = both(open, less_equal(rho[i], most));
+      for (std::size_t i = 0; i < count && bits(active) != 0; ++i) {
+        const M likely = both(active, less_equal(rho[i], most));
         if (bits(likely) == 0) continue;
         const M found = both(likely, less_equal(section_distance(section, rho[i], height), d));
         const V id = splat(static_cast<double>(ids[i]));
         const M closer = both(found, either(less(d, own_least), less(id, own_nearest)));
         own_least = select(closer, d, own_least), own_nearest = select(closer, id, own_nearest);
-        open = except(open, found);
+        active = except(active, found);
       }
       store(least, own_least), store(nearest, own_nearest);
       for (std::size_t l = 0; l < kLanes; ++l)

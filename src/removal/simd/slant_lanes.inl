@@ -82,21 +82,21 @@ class SlantStretch {
   Place corner(const Place& a, const Place& b, M wanted) const {
     const V zero = splat(0.0);
     Place x = choose(less(zero, slope(b)), a, b);
-    M open = except(except(wanted, less_equal(zero, slope(a))), less_equal(slope(b), zero));
+    M active = except(except(wanted, less_equal(zero, slope(a))), less_equal(slope(b), zero));
     x = choose(less_equal(zero, slope(a)), a, x);
     V low = a.t, high = b.t;
-    for (int k = 0; k < 60 && any(open); ++k) {
+    for (int k = 0; k < 60 && any(active); ++k) {
       const V v = slope(x), s = bend(x);
       const M before = less(v, zero);
       low = select(before, x.t, low), high = select(before, high, x.t);
       V t = select(less(zero, s), x.t - v / s, high);
       const M newton = between(low, t, high);
       t = select(newton, t, splat(0.5) * (low + high));
-      open = both(open, between(low, t, high));
-      if (!any(open)) break;
+      active = both(active, between(low, t, high));
+      if (!any(active)) break;
       const V step = t - x.t;
-      x = choose(open, at(t), x);
-      open = except(open, both(newton, less(step * step, splat(kLastStep * kLastStep))));
+      x = choose(active, at(t), x);
+      active = except(active, both(newton, less(step * step, splat(kLastStep * kLastStep))));
     }
     return x;
   }

@@ -137,17 +137,7 @@ MRSIM_LANE void store_some(double* out, V v, std::size_t n) {
 }
 #include "core/trig_lanes.inl"
 //
-#include "removal/simd/sweep_lanes.inl"
-//
-#include "removal/simd/falling_lanes.inl"
-//
-#include "removal/simd/helix_lanes.inl"
-#include "removal/simd/slant_lanes.inl"
-#include "removal/simd/upright_lanes.inl"
-//
-#include "removal/simd/chain_lanes.inl"
-//
-#include "removal/simd/ball_height_lanes.inl"
+#include "removal/simd/all_lanes.inl"
 //
 #include "removal/simd/sweep_kernels.inl"
 
@@ -227,17 +217,7 @@ MRSIM_LANE void store_some(double* out, V v, std::size_t n) {
 }
 #include "core/trig_lanes.inl"
 //
-#include "removal/simd/sweep_lanes.inl"
-//
-#include "removal/simd/falling_lanes.inl"
-//
-#include "removal/simd/helix_lanes.inl"
-#include "removal/simd/slant_lanes.inl"
-#include "removal/simd/upright_lanes.inl"
-//
-#include "removal/simd/chain_lanes.inl"
-//
-#include "removal/simd/ball_height_lanes.inl"
+#include "removal/simd/all_lanes.inl"
 //
 #include "removal/simd/sweep_kernels.inl"
 
@@ -251,23 +231,23 @@ MRSIM_LANE void store_some(double* out, V v, std::size_t n) {
 
 #endif  // MRSIM_X86
 
-bool has_simd(SimdLevel level) {
+bool has_simd(InstructionSet isa) {
 #ifdef MRSIM_X86
-  if (level == SimdLevel::avx512) return __builtin_cpu_supports("avx512f");
-  if (level == SimdLevel::avx2) return __builtin_cpu_supports("avx2");
+  if (isa == InstructionSet::avx512) return __builtin_cpu_supports("avx512f");
+  if (isa == InstructionSet::avx2) return __builtin_cpu_supports("avx2");
 #endif
-  return level == SimdLevel::scalar;
+  return isa == InstructionSet::scalar;
 }
 
-const SweepKernels* sweep_kernels(SimdLevel level) {
+const SweepKernels* sweep_kernels(InstructionSet isa) {
 #ifdef MRSIM_X86
-  return kernels_at<SweepKernels>(level, {&lane::kKernels, &avx2::kKernels, &avx512::kKernels});
+  return kernels_at<SweepKernels>(isa, {&lane::kKernels, &avx2::kKernels, &avx512::kKernels});
 #else
-  return kernels_at<SweepKernels>(level, {&lane::kKernels, nullptr, nullptr});
+  return kernels_at<SweepKernels>(isa, {&lane::kKernels, nullptr, nullptr});
 #endif
 }
 
-SimdLevel best_simd_level() {
+InstructionSet best_instruction_set() {
   static constexpr std::string_view kNames[] = {"scalar", "avx2", "avx512"};
   const char* set = std::getenv("MRSIM_SIMD");
   const std::string_view most = set == nullptr || *set == 0 ? kNames[2] : set;
@@ -277,13 +257,13 @@ SimdLevel best_simd_level() {
                 fmt::format("MRSIM_SIMD={} in the environment is none of scalar, avx2 and avx512{}",
                             most, suggestion(most, kNames)),
                 Error::Kind::usage);
-  auto level = static_cast<int>(name - std::begin(kNames));
-  while (!has_simd(static_cast<SimdLevel>(level))) --level;
-  return static_cast<SimdLevel>(level);
+  auto isa = static_cast<int>(name - std::begin(kNames));
+  while (!has_simd(static_cast<InstructionSet>(isa))) --isa;
+  return static_cast<InstructionSet>(isa);
 }
 
 const SweepKernels& sweep_kernels() {
-  static const SweepKernels& best = *sweep_kernels(best_simd_level());
+  static const SweepKernels& best = *sweep_kernels(best_instruction_set());
   return best;
 }
 

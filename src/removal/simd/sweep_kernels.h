@@ -62,8 +62,8 @@ struct SweepKernels {
   /// Brings the points beside the wall of a bore up to date with sweep `id`; a bit for each of the
   /// others.
   std::uint64_t (*bore)(const LineRecord& record, std::uint32_t id, PointColumns& points);
-  /// Brings the points `open`, a bit each, up to date with sweep `id`, a lowest turn.
-  void (*helix)(const HelixRecord& record, std::uint32_t id, std::uint64_t open,
+  /// Brings the points `active`, a bit each, up to date with sweep `id`, a lowest turn.
+  void (*helix)(const HelixRecord& record, std::uint32_t id, std::uint64_t active,
                 PointColumns& points);
   /// Bounds of the distances of p from slanted lines, not above them but for rounding (1e-8 mm);
   /// `out` has room for a multiple of PointColumns::kPad.
@@ -105,23 +105,23 @@ struct SweepKernels {
   std::uint32_t (*ball_bounds)(const LineRecord& move, double r, PlanPlaces& places, double* least);
 };
 
-enum class SimdLevel { scalar, avx2, avx512 };
+enum class InstructionSet { scalar, avx2, avx512 };
 
 /// The machine has the instructions.
-bool has_simd(SimdLevel level);
+bool has_simd(InstructionSet isa);
 
-/// The kernels of a level, null where the machine or the compiler has none.
-const SweepKernels* sweep_kernels(SimdLevel level);
+/// The kernels of an instruction set, null where the machine or the compiler has none.
+const SweepKernels* sweep_kernels(InstructionSet isa);
 /// The best ones; chosen once.
 const SweepKernels& sweep_kernels();
-/// The best level of this machine; with MRSIM_SIMD=scalar, avx2 or avx512 in the environment none
+/// The best one of this machine; with MRSIM_SIMD=scalar, avx2 or avx512 in the environment none
 /// above that (tests and benchmarks compare them). Throws Error "simd-unknown" for any other value.
-SimdLevel best_simd_level();
-/// The entry for a level that this build and this machine have, else null: tables are scalar, AVX2,
+InstructionSet best_instruction_set();
+/// The entry for the one that this build and this machine have, else null: tables are scalar, AVX2,
 /// AVX-512, null where the build has none.
 template <class Kernels>
-const Kernels* kernels_at(SimdLevel level, const Kernels* const (&tables)[3]) {
-  return has_simd(level) ? tables[static_cast<int>(level)] : nullptr;
+const Kernels* kernels_at(InstructionSet isa, const Kernels* const (&tables)[3]) {
+  return has_simd(isa) ? tables[static_cast<int>(isa)] : nullptr;
 }
 
 }  // namespace mrsim

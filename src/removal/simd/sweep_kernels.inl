@@ -43,7 +43,7 @@ static std::uint64_t bore_least(const LineRecord& record, std::uint32_t id, Poin
   V c[8];
   for (std::size_t j = 0; j < 8; ++j) c[j] = splat(record.c[j]);
   const V own = splat(static_cast<double>(id));
-  std::uint64_t open = 0;
+  std::uint64_t active = 0;
   for (std::size_t k = 0; k < points.count; k += kLanes) {
     const Bore b = bore(c, read(points.x + k), read(points.y + k), read(points.z + k));
     const V least = read(points.least + k), nearest = read(points.nearest + k);
@@ -52,20 +52,20 @@ static std::uint64_t bore_least(const LineRecord& record, std::uint32_t id, Poin
         either(less(b.distance, least), both(less_equal(b.distance, least), less(own, nearest))));
     store(points.least + k, select(closer, b.distance, least));
     store(points.nearest + k, select(closer, own, nearest));
-    open |= std::uint64_t(bits(b.decided) ^ ((1u << kLanes) - 1)) << k;
+    active |= std::uint64_t(bits(b.decided) ^ ((1u << kLanes) - 1)) << k;
   }
-  return open;
+  return active;
 }
 
 // The last of the points is repeated where they do not fill a register.
-static void helix_least_of(const HelixRecord& record, std::uint32_t id, std::uint64_t open,
+static void helix_least_of(const HelixRecord& record, std::uint32_t id, std::uint64_t active,
                            PointColumns& points) {
   const M all = less_equal(splat(0.0), splat(0.0));
-  while (open != 0) {
+  while (active != 0) {
     alignas(64) double x[kLanes], y[kLanes], z[kLanes], distance[kLanes];
     std::size_t at[kLanes], n = 0;
-    for (; open != 0 && n < kLanes; open &= open - 1)
-      at[n++] = static_cast<std::size_t>(std::countr_zero(open));
+    for (; active != 0 && n < kLanes; active &= active - 1)
+      at[n++] = static_cast<std::size_t>(std::countr_zero(active));
     for (std::size_t k = 0; k < kLanes; ++k) {
       const std::size_t i = at[k < n ? k : n - 1];
       x[k] = points.x[i], y[k] = points.y[i], z[k] = points.z[i];

@@ -138,29 +138,29 @@ class UprightStretch {
   }
   Place stationary_above(const Place& a, const Place& b, M wanted) const {
     const V zero = splat(0.0), one = splat(1.0);
-    M open = both(wanted, less(zero, z_));
-    V tangent = (x_ + core_ * lean(radius_ * b.wx - x_).value) / select(open, z_, one);
-    M found = both(open, less(zero, tangent));
+    M active = both(wanted, less(zero, z_));
+    V tangent = (x_ + core_ * lean(radius_ * b.wx - x_).value) / select(active, z_, one);
+    M found = both(active, less(zero, tangent));
     const M at_end = both(found, less_equal(b.wx, tangent * b.wy));
     found = except(found, at_end);
-    open = found;
+    active = found;
     // The zero is mostly near that of a fixed lean. Before it a step leads beyond it, G being
     // convex.
-    if (any(open)) {
+    if (any(active)) {
       const V near = leaning(b) / z_;
       const Slope s = slope_above(near);
       const V step = near - vmin(s.value, zero) / select(less(zero, s.slope), s.slope, one);
-      const M nearer = both(both(open, less(zero, s.slope)), between(zero, step, tangent));
+      const M nearer = both(both(active, less(zero, s.slope)), between(zero, step, tangent));
       tangent = select(nearer, step, tangent);
     }
-    for (int k = 0; k < 60 && any(open); ++k) {
+    for (int k = 0; k < 60 && any(active); ++k) {
       const Slope s = slope_above(tangent);
-      open = both(open, both(less(zero, s.value), less(zero, s.slope)));
+      active = both(active, both(less(zero, s.value), less(zero, s.slope)));
       const V step = s.value / s.slope;
-      tangent = select(open, tangent - step, tangent);
+      tangent = select(active, tangent - step, tangent);
       found = except(found, less_equal(tangent, zero));
-      open = both(both(open, found),
-                  less_equal(last_step_ * (one + tangent) * (one + tangent), step * step));
+      active = both(both(active, found),
+                    less_equal(last_step_ * (one + tangent) * (one + tangent), step * step));
     }
     const V cosine = one / vsqrt(one + tangent * tangent), t = tangent * cosine / (one + cosine);
     Place x = choose(at_end, b, a);
@@ -173,13 +173,13 @@ class UprightStretch {
   Place stationary_below(const Place& a, const Place& b, M wanted) const {
     const V zero = splat(0.0), one = splat(1.0), two = splat(2.0);
     const M before = less_equal(zero, slope_at(a)), behind = less_equal(slope_at(b), zero);
-    M open = except(except(wanted, before), behind);
-    const M found = open;
+    M active = except(except(wanted, before), behind);
+    const M found = active;
     V low = zero - b.t, high = zero - a.t;
     const V near = leaning(b);
     V h = near / (vsqrt(near * near + z_ * z_) - z_);
     h = select(between(low, h, high), h, splat(0.5) * (low + high));
-    for (int k = 0; k < 60 && any(open); ++k) {
+    for (int k = 0; k < 60 && any(active); ++k) {
       const V rest = one - h * h, size = one / (one + h * h);
       const Lean l = lean(radius_ * two * h * size - x_);
       const V reach = x_ + core_ * l.value, run = two * radius_ * rest * size * size;
@@ -189,10 +189,10 @@ class UprightStretch {
       high = select(over, h, high), low = select(over, low, h);
       V next = select(less(zero, s), h - v / s, low);
       next = select(between(low, next, high), next, splat(0.5) * (low + high));
-      open = both(open, between(low, next, high));
+      active = both(active, between(low, next, high));
       const V step = next - h;
-      h = select(open, next, h);
-      open = both(open, less_equal(last_step_, step * step));
+      h = select(active, next, h);
+      active = both(active, less_equal(last_step_, step * step));
     }
     return choose(found, at(zero - h), choose(before, a, b));
   }
@@ -219,8 +219,8 @@ static inline UprightLeast upright_least(const V* c, V px, V py, V pz, V limit, 
   const UprightStretch stretch(c, px, py, pz, limit);
   const V round = c[UprightColumn::round];
   const V bound = lower_bound(stretch.first(), stretch.last(), round);
-  const M open = both(wanted, less_equal(bound, limit));
-  if (!any(open)) return {bound, stretch.last()};
-  const Place x = best_place(stretch, open);
-  return {select(open, value_of(x, round), bound), x};
+  const M active = both(wanted, less_equal(bound, limit));
+  if (!any(active)) return {bound, stretch.last()};
+  const Place x = best_place(stretch, active);
+  return {select(active, value_of(x, round), bound), x};
 }
