@@ -1,6 +1,7 @@
 // Whether a run would take a program: its findings, and the sweeps that can not be made.
 #include "cone_height.h"
 #include "core/error.h"
+#include "core/rounding.h"
 #include "interp/interpreter.h"
 #include "removal/part/default_stock.h"
 #include "removal/sweep/sweep_table.h"
@@ -46,7 +47,7 @@ void CheckSink::motion(const Motion& m) {
   if (!is_cut(m) || m.tool < 0) return;
   ++cuts;
   threads_.add(*program_, m);
-  const bool leaves_plane = std::abs(m.start.y) > 1e-9 || std::abs(m.end.y) > 1e-9;
+  const bool leaves_plane = std::abs(m.start.y) > kRounding || std::abs(m.end.y) > kRounding;
   if (tried_.insert({m.file, m.tool, m.kind, leaves_plane}).second) try_sweep(m);
 }
 

@@ -20,7 +20,9 @@ constexpr double kSpiralApart = 0.0282842712, kSpiralApartInch = 0.00282842712 *
 // sqrt(0.001) radians, 1.8 degrees: by how much moving the centre may turn the start of an arc
 // (SINUMERIK, alarm 14040).
 constexpr double kMostTurn = 0.0316227766;
-constexpr double kMostMoved = 0.10;  // of the radius: how far other controls move the centre
+constexpr double kNoRadius = 1e-6;       // mm: a centre this near to the start is the start
+constexpr double kLeastDivisor = 1e-12;  // mm: no division by the radius 0
+constexpr double kMostMoved = 0.10;      // of the radius: how far other controls move the centre
 
 }  // namespace
 
@@ -230,7 +232,7 @@ bool ArcSolver::near_half_circle(const PlaneArc& arc, const Word& word) {
 }
 
 bool ArcSolver::center_arc(ArcBlock& arc, Vec2 center, SolvedArc& out) {
-  if (length(arc.start - center) <= 1e-6) {
+  if (length(arc.start - center) <= kNoRadius) {
     if (is(Dialect::codesys))
       return straight("arc-center-is-start", "the centre is the start point", arc, out);
     return error("arc-center-is-start", "the centre is the start point", *arc.where);
@@ -260,11 +262,12 @@ bool ArcSolver::check_center(ArcBlock& arc, Vec2 c, SolvedArc& out) {
     if (apart || differ > 100 * least) return error("arc-radii-differ", radii(), *arc.where);
   }
   if (is(Dialect::sinumerik)) {
-    const double turn = std::abs(cross(moved - s, c - s)) / (rs * std::max(r_moved, 1e-12));
+    const double turn = std::abs(cross(moved - s, c - s)) / (rs * std::max(r_moved, kLeastDivisor));
     if (!near || turn > kMostTurn)
       return error("arc-radii-differ", radii() + " (alarm 14040)", *arc.where);
   } else if (differ > tolerance) {
-    const double share = is(Dialect::codesys) ? shift / std::max(r_moved, 1e-12) : differ / rs;
+    const double share =
+        is(Dialect::codesys) ? shift / std::max(r_moved, kLeastDivisor) : differ / rs;
     if (is(Dialect::fanuc)) return error("arc-radii-differ", radii() + " (alarm 020)", *arc.where);
     if (share > kMostMoved && !is(Dialect::codesys))
       return error("arc-radii-differ", radii(), *arc.where);
@@ -311,7 +314,7 @@ bool ArcSolver::angle_arc(ArcBlock& arc, const Word& word, bool centered, Vec2 c
 
 // The end follows from centre and angle.
 bool ArcSolver::turned_arc(ArcBlock& arc, Vec2 center, double angle, SolvedArc& out) {
-  if (length(arc.start - center) <= 1e-6) {
+  if (length(arc.start - center) <= kNoRadius) {
     if (is(Dialect::codesys))
       return straight("arc-center-is-start", "the centre is the start point", arc, out);
     return error("arc-center-is-start", "the centre is the start point", *arc.where);

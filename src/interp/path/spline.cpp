@@ -44,7 +44,7 @@ class Approximation {
   // Unit direction of travel; where the derivative vanishes, that of a point close by.
   Vec2 tangent(double t, double towards) const {
     Vec2 d = curve_.derivative(t);
-    if (length(d) < 1e-9) {
+    if (length(d) < kRounding) {
       const Vec2 chord = point(t + (towards - t) * 1e-3) - point(t);
       d = towards > t ? chord : Vec2{} - chord;
     }
@@ -58,7 +58,7 @@ class Approximation {
     const double vt = dot(v, t), denominator = 2 * (1 - dot(ta, tb)), vv = dot(v, v);
     if (vv == 0) return false;
     double d = 0;
-    if (denominator > 1e-9) {
+    if (denominator > kTurnRounding) {
       d = (std::sqrt(vt * vt + denominator * vv) - vt) / denominator;
     } else {
       const double along = dot(v, tb);

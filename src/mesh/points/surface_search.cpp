@@ -126,7 +126,7 @@ SmoothSearch::SmoothSearch(const ExactField& field, const Box3& room, const Vec3
 
 // Newton's iteration on one face.
 void SmoothSearch::follow(const ExactField& field, const FieldSample& face, FacePlane plane) {
-  for (int i = 0; i < 3 && std::abs(plane.distance) > 1e-10; ++i) {
+  for (int i = 0; i < 3 && std::abs(plane.distance) > kCrossing; ++i) {
     point_ = point_ - plane.distance * plane.normal;
     plane = field.face_plane(point_, face);
   }

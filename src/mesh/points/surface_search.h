@@ -139,23 +139,24 @@ void run_together(const Probe& probe, std::span<Search> searches) {
     return;
   }
   struct Memory {
-    std::vector<std::size_t> open;
+    std::vector<std::size_t> unfinished;
     std::vector<Vec3> points;
     std::vector<FieldSample> samples;
   };
   static thread_local Memory memory;
-  auto& [open, points, samples] = memory;
-  open.clear();
-  for (std::size_t k = 0; k < searches.size(); ++k) open.push_back(k);
-  while (!open.empty()) {
+  auto& [unfinished, points, samples] = memory;
+  unfinished.clear();
+  for (std::size_t k = 0; k < searches.size(); ++k) unfinished.push_back(k);
+  while (!unfinished.empty()) {
     points.clear();
-    for (const std::size_t k : open) points.push_back(searches[k].point());
+    for (const std::size_t k : unfinished) points.push_back(searches[k].point());
     samples.resize(points.size());
     probe.field.samples(points, probe.candidates, samples.data());
     std::size_t left = 0;
-    for (std::size_t i = 0; i < open.size(); ++i)
-      if (!searches[open[i]].take(probe.field, samples[i])) open[left++] = open[i];
-    open.resize(left);
+    for (std::size_t i = 0; i < unfinished.size(); ++i)
+      if (!searches[unfinished[i]].take(probe.field, samples[i]))
+        unfinished[left++] = unfinished[i];
+    unfinished.resize(left);
   }
 }
 
