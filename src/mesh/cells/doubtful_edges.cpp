@@ -9,7 +9,8 @@
 namespace mrsim::detail {
 namespace {
 
-constexpr double kEven = 0.3;  ///< of a voxel: second differences of an even run of distances
+constexpr double kEven =
+    0.3;  ///< of a voxel: the largest second difference of distances that run evenly
 
 // A part of a cell in voxels, both ends included.
 struct DoubtfulPart {
@@ -17,8 +18,9 @@ struct DoubtfulPart {
   std::int32_t side(int axis) const { return hi[axis] - lo[axis] + 1; }
 };
 
-// Edges of the voxel lattice in a cell, eighth by eighth, without those parts that the surface does
-// not pass. Of the points next to a part those in the cell are looked at as well.
+// Finds the doubtful edges of the voxel lattice in a cell. It splits the cell into eighths and
+// drops those that the surface does not pass. Whether distances run evenly across an edge takes the
+// points beside its ends, too: the points beside a part are sampled as far as they lie in the cell.
 class DoubtfulSearch {
  public:
   DoubtfulSearch(const ExactField& field, const Lattice& lattice, const LatticePoint& origin,
@@ -60,7 +62,7 @@ class DoubtfulSearch {
     }
   }
 
-  // One owner alone can decide d: edges with different owners there are none.
+  // Only one owner can decide d in the box: no edge in it has ends with different owners.
   bool is_alone(const Box3& box, std::span<const std::uint32_t> candidates) const {
     static thread_local Candidates names;
     const double room = 0.5 * length(box.hi - box.lo) + kSurfaceBand;
@@ -104,7 +106,8 @@ class DoubtfulSearch {
     out.stride[2] = 1;
   }
 
-  // The points next to the part are asked where an edge in it may be doubtful.
+  // Samples the part alone first. Only where an edge in it may be doubtful are the points beside
+  // the part sampled as well.
   void look_closely(const DoubtfulPart& part, const DoubtfulPart& near,
                     std::span<const std::uint32_t> candidates) const {
     Samples samples;

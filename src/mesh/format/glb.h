@@ -1,10 +1,10 @@
 // GLB (binary glTF 2.0), for browsers and Blender.
 //
 // Positions are exact, in mm; normals have 8 bit (KHR_mesh_quantization) and are split at edges.
-// The part stands in metres with Y up, as glTF wants it, by its node's matrix. Faces carry their
-// owner in the vertex attribute _OWNER (float, -1 = stock), what owners stand for is in the mesh's
-// extras: {"mrsim": {"files": [..], "tools": [..], "origins": [[owner, file, line, tool], ..]}},
-// with "legend": [[r, g, b, text], ..] where vertices have colours.
+// glTF wants metres with Y up: the matrix of the part's node scales and turns it. Faces carry their
+// owner in the vertex attribute _OWNER (float, -1 = stock); the mesh's extras say what owners are:
+// {"mrsim": {"files": [..], "tools": [..], "origins": [[owner, file, line, tool], ..]}}, with
+// "legend": [[r, g, b, text], ..] where vertices have colours.
 #pragma once
 
 #include "core/text_io.h"

@@ -1,4 +1,4 @@
-// OFF, the text form.
+// OFF files in their text form.
 #pragma once
 
 #include "core/text_io.h"
@@ -14,8 +14,8 @@ namespace mrsim {
 /// Error "off-syntax", "off-truncated", "off-index", "off-nan", "off-polygon", "off-empty".
 TriMesh parse_off(std::string_view text, const std::string& name);
 
-/// Numbers are the shortest that read back to the same float. Owners are lost; colours are not
-/// written, for many readers take them for vertices.
+/// Numbers are the shortest that read back to the same float. Owners are lost. Colours are not
+/// written: many readers would take them for indices of vertices.
 void write_off(const MeshSource& mesh, const ByteSink& out, int threads = 0);
 inline void write_off(const TriMesh& mesh, const ByteSink& out) {
   write_off(MemoryMesh(mesh), out);

@@ -1,5 +1,5 @@
-// The paths of sweeps without a closed form, by row. Most are lines, which take a fifth of the room
-// of arcs.
+// The paths of those sweeps that have no closed form, by row. Lines are stored apart from arcs:
+// most paths are lines, and a line takes a fifth of the memory of an arc.
 #pragma once
 
 #include "core/heap.h"
@@ -42,7 +42,7 @@ class PathColumn {
   const Line& line(std::size_t row) const { return lines_[places_[row]]; }
   /// Requires: not is_line(row).
   const ToolPath& arc(std::size_t row) const { return arcs_[places_[row] & ~kArc]; }
-  /// The position at t, and the last t.
+  /// The position at parameter t, which runs from 0 to end(): 1, or the angle of an arc in radians.
   PathPoint point(std::size_t row, double t) const {
     if (!is_line(row)) return path_point(arc(row), t);
     return {line(row).start + t * line(row).travel, line(row).travel};

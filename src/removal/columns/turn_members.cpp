@@ -6,10 +6,12 @@
 namespace mrsim {
 namespace {
 
-// mm: of a distance from the line of a side, with room for rounding of coordinates up to 10 m.
+// mm: a point this far from the line of a side is surely on that side of it. Rounding of
+// coordinates up to 10 m is less.
 constexpr double kSure = 1e-9;
 
-// How far two points lie beyond the line of a side. Between them it is linear.
+// How far two points lie beyond the line of a side. Between them that is linear: what holds for
+// both holds for all between.
 struct Beyond {
   double from = 0, to = 0;
   bool above(double x) const { return from > x && to > x; }
@@ -44,9 +46,10 @@ void least_of(TurnRows turns, std::span<const TurnMember> members, PointColumns&
   }
 }
 
-// Of a polygon's distance at a point beyond some side, those sides tell that the point is beyond:
-// what is surely on the inner side of a line, all the way, need not ask for it. At a point inside
-// the nearest line tells: a line that is always farther than another one never does.
+// Keeps the sides of a polygon that can decide its distance somewhere between `from` and `to`.
+// Outside the polygon only those sides decide that the point is beyond: a side is dropped if the
+// whole way surely lies on the inner side of its line. Inside, the nearest line decides: a side is
+// dropped if its line is farther than another one all the way.
 FacingMember facing(TurnRows turns, const TurnMember& member, double from, double to, double z,
                     TurnSides& sides) {
   const TurnSweep& s = turns[member.row];

@@ -9,7 +9,7 @@
 namespace mrsim {
 namespace {
 
-// A pack of this many times the size of a region goes into its list unopened.
+// A pack up to this many times the size of a region goes into the region's list as a whole.
 constexpr double kSmall = 8;
 
 }  // namespace
@@ -31,21 +31,21 @@ void TurnTree::measure(const Pack& pack, double x, double z, double* out) const 
       out[k] = section_distance(turns_[items_[pack.first + k].row], {x, z});
 }
 
-// The nearest child first; its packs are searched before its siblings are looked at again.
+// Depth first: the nearest child is searched to its leaves before its siblings are looked at.
 void TurnTree::nearest(std::uint32_t pack, double rho, double z, Nearest& best) const {
-  struct Open {
+  struct Waiting {
     double bound;
     std::uint32_t pack;
   };
-  constexpr std::size_t kMostOpen = 128;  // eight on each of the levels of 2^32 sweeps
-  Open open[kMostOpen];
+  constexpr std::size_t kMostWaiting = 128;  // eight a level; 2^32 sweeps make eleven levels
+  Waiting waiting[kMostWaiting];
   alignas(64) double d[kLanes];
   const bool behind = pack % 2 != 0;
   const double x = behind ? -rho : rho;
   std::size_t count = 0;
-  open[count++] = {-kInfinity, pack / 2};
+  waiting[count++] = {-kInfinity, pack / 2};
   while (count > 0) {
-    const Open at = open[--count];
+    const Waiting at = waiting[--count];
     if (at.bound > best.distance) continue;
     const Pack& p = packs_[at.pack];
     measure(p, x, z, d);
@@ -60,15 +60,18 @@ void TurnTree::nearest(std::uint32_t pack, double rho, double z, Nearest& best) 
         continue;
       }
       std::size_t place = count++;
-      for (; place > from && open[place - 1].bound < d[k]; --place) open[place] = open[place - 1];
-      open[place] = {d[k], p.first + k};
+      for (; place > from && waiting[place - 1].bound < d[k]; --place)
+        waiting[place] = waiting[place - 1];
+      waiting[place] = {d[k], p.first + k};
     }
   }
 }
 
-// What can be nearest in a region. A sweep i goes if it is farther than another can be, or if its
-// tangent at the centre is, at each corner, above the distance of the nearest sweep j: between the
-// corners d_j is convex and the tangent is flat and below d_i.
+// Finds the sweeps that may be nearest somewhere in a region. It drops a sweep i for one of two
+// reasons. Either i is farther from the centre than a sweep that is nearest somewhere can be. Or
+// the tangent plane of d_i at the centre lies above d_j at each corner, j being the sweep nearest
+// to the centre: then it does between the corners, too, since it is linear and d_j is convex, and
+// d_i lies above its tangent plane.
 class TurnTree::Narrowing {
  public:
   Narrowing(const TurnTree& tree, const TurnRegion& region, const Nearest& best, double limit,
@@ -83,12 +86,12 @@ class TurnTree::Narrowing {
       corner_[k] = section_distance(j, seen(corner(k), best.behind)) + slack;
   }
 
-  // Appends what is left of a pack.
+  // Appends the packs that are left of a pack.
   void narrow(std::uint32_t pack, Packs& out) {
     const Pack& p = tree_.packs_[pack / 2];
     const unsigned kept = kept_lanes(pack);
     if (kept == 0) return;
-    // Children of a small pack are told apart at the point itself, all at once.
+    // A small pack stays whole: for each point one call measures all of its children.
     const bool one = (kept & (kept - 1)) == 0;
     if (p.leaf || (!one && tree_.size_[pack / 2] <= kSmall * radius_)) return out.push_back(pack);
     for (std::uint32_t k = 0; kept >> k != 0; ++k)
@@ -151,8 +154,8 @@ class TurnTree::Narrowing {
     }
   }
 
-  // Unit normal of the polygon where it is nearest to q. It need not be right: the plane across it
-  // that touches the polygon bounds the distance whatever its direction.
+  // Unit normal of the polygon where it is nearest to q. It need not be exact: the plane across any
+  // direction that touches the polygon bounds the distance from below.
   Vec2 normal(const Pack& p, std::size_t lane, Vec2 q) const {
     double most = -kInfinity, least = kInfinity;
     Vec2 flat, off;

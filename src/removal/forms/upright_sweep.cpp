@@ -1,5 +1,6 @@
 #include "removal/forms/upright_sweep.h"
 
+#include "core/rounding.h"
 #include "core/trig.h"
 #include "core/units.h"
 #include "removal/simd/lane_scalar.h"
@@ -11,7 +12,8 @@
 namespace mrsim {
 namespace {
 
-constexpr double kAtEnd = 1e-12;  // radians: nearer to an end of the path is the end
+constexpr double kAtEnd =
+    1e-12;  // radians: a place nearer than this to an end of the path is the end
 constexpr Vec2 kAxes[4] = {{1, 0}, {0, 1}, {-1, 0}, {0, -1}};
 
 int quadrant(Vec2 w) {
@@ -79,7 +81,8 @@ Vec2 direction(const ToolPath& path, const Found& found) {
 // The path's parameter; exact at its ends.
 double parameter(const ToolPath& path, const Found& found) {
   const Vec2 w = direction(path, found);
-  const bool again = path.quarters > 4 && found.branch == path.quarters - 1;  // the first quarter
+  // After a whole turn the quarter of the start comes again.
+  const bool again = path.quarters > 4 && found.branch == path.quarters - 1;
   double t = mrsim::atan2(cross(path.begin, w), dot(path.begin, w));
   if (t < (again ? kAtEnd : -kAtEnd)) t += kTwoPi;
   return t < kAtEnd ? 0 : t > path.sweep - kAtEnd ? path.sweep : t;
@@ -91,7 +94,7 @@ void set_upright_plane(ToolPath& path) {
   path.sweep = std::min(path.sweep, kTwoPi);
   const Vec3 axis = cross(path.u, path.v);
   const double plan = std::sqrt(axis.x * axis.x + axis.y * axis.y);
-  // Turned so that the motion goes from x to z.
+  // `along` is turned so that the motion goes from it towards +z.
   path.along = {-axis.y / plan, axis.x / plan};
   const auto in_plane = [&path](const Vec3& w) {
     const Vec2 at = {w.x * path.along.x + w.y * path.along.y, w.z};
@@ -107,7 +110,7 @@ void set_upright_plane(ToolPath& path) {
 void set_quarters(ToolPath& path) {
   path.first_quarter = quadrant(path.begin);
   path.quarters = (quadrant(path.end) - path.first_quarter + 4) % 4 + 1;
-  while (path.sweep > path.quarters * (kPi / 2) + 1e-9) path.quarters += 4;
+  while (path.sweep > path.quarters * (kPi / 2) + kTurnRounding) path.quarters += 4;
 }
 
 void append_quarters(const Profile& tool, const ToolPath& path, std::vector<UprightRecord>& out) {

@@ -19,7 +19,7 @@ class TurnLayers {
     double end = 0;
     std::uint32_t first = 0, count = 0;  ///< of the layer's members; mixed only
     ExactField::Region region = ExactField::Region::air;
-    bool in_stock = false;  ///< deep in the stock, which never decides
+    bool in_stock = false;  ///< deep in the stock: its surface decides nothing here
   };
   struct Layer {
     std::vector<Interval> intervals;  ///< ascending; beyond the last one is air
@@ -27,8 +27,8 @@ class TurnLayers {
     TurnSides sides;  ///< of the members
   };
 
-  /// Turning sweeps alone, which the whole field need not be: the table is right where no others
-  /// reach. Requires: a stock that is turned. Cost: some hundred microseconds a layer; memory: a
+  /// Knows the turning sweeps of the field alone: the table is right where no other sweep reaches.
+  /// Requires: a stock that is turned. Cost: some hundred microseconds a layer; memory: a
   /// few KB, less than a thousandth of the voxels of a layer.
   TurnLayers(const PartField& field, double voxel, double band, int threads);
 

@@ -12,9 +12,10 @@
 namespace mrsim {
 namespace {
 
-constexpr std::size_t kLongList = 32;  // sweeps that are worth runs
+constexpr std::size_t kLongList = 32;  // sweeps: shorter lists are searched without runs of moves
 
-// Whether a sweep is asked on its own, by no kernel of lists. Turned ones have a tree.
+// Whether the distance of a sweep is found one sweep at a time: no kernel takes lists of its form.
+// Turning sweeps are in a tree instead.
 bool is_single(std::uint32_t tag) {
   return is_other(tag) && single_form(tag) != SingleForm::turned &&
          single_form(tag) != SingleForm::upright;
@@ -25,15 +26,15 @@ constexpr std::uint32_t kChainTag =
 
 bool is_chain_tag(std::uint32_t tag) { return (tag & ~kSingleRow) == kChainTag; }
 
-// Bounds below the distances of a chunk of sweeps that are asked on their own, which cost less than
-// the distances: planes of straight moves, boxes of others.
+// Lower bounds of the distances of a chunk of single sweeps. A bound costs less than a distance: it
+// follows from planes for straight moves, and from the bounding box for others.
 class SingleBounds {
  public:
   SingleBounds(const SweepColumns& c, const Vec3& p) : c_(c), p_(p) {}
 
-  /// Of up to kListChunk sweeps: not above the distance but for rounding; where it is above
-  /// `limit`, any bound that is. Minus infinity where nothing is known, NaN for a sweep that
-  /// is not asked on its own: `other` takes those.
+  /// Finds the bounds of up to kListChunk sweeps, never above the distance but for rounding. A
+  /// bound above `limit` may be any number above `limit`. It is minus infinity where nothing is
+  /// known, and NaN for a sweep that is not single, which is given to `other`.
   template <class Other>
   void find(std::span<const std::uint32_t> ids, double limit, const Other& other) {
     ListPart slants, chains;
@@ -149,7 +150,7 @@ std::span<const std::uint32_t> BoundedSweeps::nearest(std::span<const std::uint3
   return memory.others;
 }
 
-// What is left of a list without the runs of moves that are farther than the best.
+// Drops the runs of moves that are farther away than the best sweep so far.
 std::span<const std::uint32_t> BoundedSweeps::near_runs(std::span<const std::uint32_t> list,
                                                         TurnTree::Nearest& best) {
   MoveRuns& runs = thread_memory().runs;
