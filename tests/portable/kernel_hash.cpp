@@ -160,9 +160,9 @@ void hash_sweeps(const Kind& kind) {
       list_candidates(table, table.all(), p, all);
       const PruneRegion region = PruneRegion::block(p, 0.5);
       bits.add(std::uint64_t(prune(table, region, region.radius + 1, 1, all, left)));
-      for (const CandidateList::Run& run : left.runs())
-        for (std::size_t k2 = 0; k2 < run.count; ++k2)
-          bits.add(std::uint64_t(left.number(run, k2)));
+      for (const CandidateList::Slice& slice : left.slices())
+        for (std::size_t k2 = 0; k2 < slice.count; ++k2)
+          bits.add(std::uint64_t(left.number(slice, k2)));
     }
   }
   bits.print("sweeps", kind.name);

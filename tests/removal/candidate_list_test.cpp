@@ -316,9 +316,9 @@ TEST(CandidateList, PacksStandForTheirSweeps) {
         center = center + 0.5 * half * Vec3{r(-1, 1), r(-1, 1), r(-1, 1)};
         if (!region.box) center = region.center;
       }
-      for (const CandidateList::Run& run : lists[6].runs())
-        for (std::size_t k = 0; k < run.count; ++k)
-          ASSERT_LT(lists[6].number(run, k), table.size());
+      for (const CandidateList::Slice& slice : lists[6].slices())
+        for (std::size_t k = 0; k < slice.count; ++k)
+          ASSERT_LT(lists[6].number(slice, k), table.size());
     }
     // A bend in plan tells too little of a steep tool.
     const bool bends = std::string(scene.name).rfind("slanted", 0) == 0;

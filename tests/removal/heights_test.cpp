@@ -182,11 +182,11 @@ TEST(Heights, OfPacksAreBoundsOfTheirMoves) {
       const Vec3 center = near + Vec3{r(-3, 3), r(-3, 3), 0};
       CandidateList list;
       list_candidates(table, numbers, {0, 0, 0}, list);
-      const CandidateList::Run& run = list.runs().front();
+      const CandidateList::Slice& slice = list.slices().front();
       const double wide = r(0, 0.3);
       float lower[CandidateList::kPad];
       const float upper = candidate_kernels().piece_heights(
-          list.columns(run.first), 1, square(center, wide, c.classes[run.of]), lower);
+          list.columns(slice.first), 1, square(center, wide, c.classes[slice.of]), lower);
       for (int k = 0; k < 8; ++k) {
         const double turn = r(0, kTwoPi);
         const double x = center.x + wide * std::cos(turn), y = center.y + wide * std::sin(turn);
@@ -203,7 +203,7 @@ TEST(Heights, OfPacksAreBoundsOfTheirMoves) {
         }
         ASSERT_LE(lower[0], least) << "round " << round;
         below += least < 1e9 ? 1 : 0;
-        if (!(upper < lowest + c.classes[run.of].heights.top)) continue;  // or above the flutes
+        if (!(upper < lowest + c.classes[slice.of].heights.top)) continue;  // or above the flutes
         ASSERT_LE(distance, kPathError) << "round " << round;
         ++above;
       }

@@ -136,8 +136,8 @@ TEST(TurnTree, OpenedPacksGiveTheSameBits) {
     list_candidates(sweeps, sweeps.all(), center, all);
     if (!prune(sweeps, region, reach, band, all, left)) continue;
     std::vector<std::uint32_t> ids;
-    for (const CandidateList::Run& run : left.runs())
-      for (std::size_t k = 0; k < run.count; ++k) ids.push_back(left.number(run, k));
+    for (const CandidateList::Slice& slice : left.slices())
+      for (std::size_t k = 0; k < slice.count; ++k) ids.push_back(left.number(slice, k));
     const std::vector<std::uint32_t> packs = ids;
     if (!expand_turned(sweeps, region, reach, 20, ids)) {
       EXPECT_EQ(ids, packs);

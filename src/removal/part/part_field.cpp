@@ -40,8 +40,8 @@ void sort_if_needed(Candidates& list) {
 }
 
 void append_ids(const CandidateList& list, Candidates& out) {
-  for (const CandidateList::Run& run : list.runs())
-    for (std::size_t k = 0; k < run.count; ++k) out.push_back(list.number(run, k));
+  for (const CandidateList::Slice& slice : list.slices())
+    for (std::size_t k = 0; k < slice.count; ++k) out.push_back(list.number(slice, k));
   sort_if_needed(out);
   out.erase(std::unique(out.begin(), out.end()), out.end());  // one for each piece of a path
 }

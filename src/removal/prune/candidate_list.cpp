@@ -4,7 +4,7 @@ namespace mrsim {
 
 void CandidateList::reset(std::size_t slots, const Vec3& about) {
   const std::size_t lines = (slots + kPad - 1) / kPad + 1;
-  runs_.clear();
+  slices_.clear();
   size_ = 0;
   origin = about;
   extent = 0;
@@ -15,15 +15,15 @@ void CandidateList::reset(std::size_t slots, const Vec3& about) {
   numbers_.resize(stride_ * kCandidateColumns);
 }
 
-std::size_t CandidateList::begin_run(std::uint32_t of, std::size_t numbers) {
-  const std::size_t end = runs_.empty() ? 0 : runs_.back().first + runs_.back().count;
-  runs_.push_back({of, (end + kPad - 1) / kPad * kPad, 0, numbers});
-  return runs_.back().first;
+std::size_t CandidateList::begin_slice(std::uint32_t of, std::size_t numbers) {
+  const std::size_t end = slices_.empty() ? 0 : slices_.back().first + slices_.back().count;
+  slices_.push_back({of, (end + kPad - 1) / kPad * kPad, 0, numbers});
+  return slices_.back().first;
 }
 
-void CandidateList::close_run(std::size_t count) {
-  if (count == 0) return runs_.pop_back();
-  runs_.back().count = count;
+void CandidateList::close_slice(std::size_t count) {
+  if (count == 0) return slices_.pop_back();
+  slices_.back().count = count;
   size_ += count;
 }
 

@@ -42,18 +42,18 @@ struct PruneRegion {
 class CandidateList {
  public:
   /// Sweeps or packs of one class in slots [first, first + count); first is a multiple of kPad.
-  struct Run {
+  struct Slice {
     std::uint32_t of = 0;  ///< index of the class
     std::size_t first = 0, count = 0;
     std::size_t numbers = kIdColumn;  ///< column of what the list holds: sweeps, or packs
   };
 
-  const std::vector<Run>& runs() const { return runs_; }
+  const std::vector<Slice>& slices() const { return slices_; }
   std::size_t size() const { return size_; }
   bool empty() const { return size_ == 0; }
-  /// Entry k of a run: index of the sweep, or number of the pack.
-  std::uint32_t number(const Run& run, std::size_t k) const {
-    return std::bit_cast<std::uint32_t>(column(run.numbers)[run.first + k]);
+  /// Entry k of a slice: index of the sweep, or number of the pack.
+  std::uint32_t number(const Slice& slice, std::size_t k) const {
+    return std::bit_cast<std::uint32_t>(column(slice.numbers)[slice.first + k]);
   }
   float* column(std::size_t i) { return numbers_.data() + i * stride_; }
   const float* column(std::size_t i) const { return numbers_.data() + i * stride_; }
@@ -62,11 +62,11 @@ class CandidateList {
 
   /// Empty, with room for `slots`.
   void reset(std::size_t slots, const Vec3& origin);
-  /// The next run; its first slot.
-  std::size_t begin_run(std::uint32_t of, std::size_t numbers = kIdColumn);
-  void close_run(std::size_t count);
-  /// Slots that `count` sweeps in `runs` runs need.
-  static std::size_t room(std::size_t count, std::size_t runs) { return count + runs * kPad; }
+  /// The next slice; its first slot.
+  std::size_t begin_slice(std::uint32_t of, std::size_t numbers = kIdColumn);
+  void close_slice(std::size_t count);
+  /// Slots that `count` sweeps in `slices` slices need.
+  static std::size_t room(std::size_t count, std::size_t slices) { return count + slices * kPad; }
 
   Vec3 origin;
   double extent = 0;   ///< largest coordinate or size in any column, mm
@@ -77,7 +77,7 @@ class CandidateList {
  private:
   AlignedVector<float> numbers_ = AlignedVector<float>(kCandidateColumns * kPad);
   std::size_t stride_ = kPad, size_ = 0;
-  std::vector<Run> runs_;
+  std::vector<Slice> slices_;
 };
 
 }  // namespace mrsim

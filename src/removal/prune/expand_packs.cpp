@@ -1,32 +1,32 @@
 #include "removal/prune/expand_packs.h"
 
 #include "core/heap.h"
-#include "removal/prune/run_writer.h"
+#include "removal/prune/slice_writer.h"
 
 #include <algorithm>
 
 namespace mrsim {
 namespace {
 
-void copy_run(const CandidateList& in, const CandidateList::Run& run, CandidateList& out) {
-  const std::size_t first = out.begin_run(run.of, run.numbers);
+void copy_slice(const CandidateList& in, const CandidateList::Slice& slice, CandidateList& out) {
+  const std::size_t first = out.begin_slice(slice.of, slice.numbers);
   for (std::size_t i = 0; i < kCandidateColumns; ++i)
-    std::copy_n(in.column(i) + run.first, run.count, out.column(i) + first);
-  out.close_run(run.count);
+    std::copy_n(in.column(i) + slice.first, slice.count, out.column(i) + first);
+  out.close_slice(slice.count);
 }
 // The entries k with wanted(k).
 template <typename Wanted>
-void copy_some(const CandidateList& in, const CandidateList::Run& run, CandidateList& out,
+void copy_some(const CandidateList& in, const CandidateList::Slice& slice, CandidateList& out,
                Wanted wanted) {
-  const std::size_t first = out.begin_run(run.of, run.numbers);
+  const std::size_t first = out.begin_slice(slice.of, slice.numbers);
   std::size_t count = 0;
-  for (std::size_t k = 0; k < run.count; ++k) {
+  for (std::size_t k = 0; k < slice.count; ++k) {
     if (!wanted(k)) continue;
     for (std::size_t i = 0; i < kCandidateColumns; ++i)
-      out.column(i)[first + count] = in.column(i)[run.first + k];
+      out.column(i)[first + count] = in.column(i)[slice.first + k];
     ++count;
   }
-  out.close_run(count);
+  out.close_slice(count);
 }
 
 // Puts children in place of the packs of a list that are large beside a region.
@@ -40,48 +40,48 @@ class PackExpander {
   // False where there is no such pack.
   bool find(const CandidateList& in) {
     room_ = in.size();
-    for (const CandidateList::Run& run : in.runs())
-      for (std::size_t k = 0; k < run.count && may_be_large(run); ++k) {
-        prefetch(c_.packs[in.number(run, std::min(k + kEntriesAhead, run.count - 1))]);
-        if (const std::uint32_t number = in.number(run, k); is_large(number)) append(number);
+    for (const CandidateList::Slice& slice : in.slices())
+      for (std::size_t k = 0; k < slice.count && may_be_large(slice); ++k) {
+        prefetch(c_.packs[in.number(slice, std::min(k + kEntriesAhead, slice.count - 1))]);
+        if (const std::uint32_t number = in.number(slice, k); is_large(number)) append(number);
       }
     sort_by_class(expanded_);
     return !expanded_.empty();
   }
 
-  // Children come after all runs of their group, so that the group stays together.
+  // Children come after all slices of their group, so that the group stays together.
   void write(const CandidateList& in, CandidateList& out) const {
-    const auto& runs = in.runs();
-    out.reset(CandidateList::room(room_, runs.size() + c_.classes.size()), in.origin);
+    const auto& slices = in.slices();
+    out.reset(CandidateList::room(room_, slices.size() + c_.classes.size()), in.origin);
     out.closed = in.closed;
-    RunWriter writer(out, c_);
+    SliceWriter writer(out, c_);
     auto next = expanded_.cbegin();
-    for (std::size_t i = 0; i < runs.size(); ++i) {
-      if (!may_be_large(runs[i]))
-        copy_run(in, runs[i], out);
+    for (std::size_t i = 0; i < slices.size(); ++i) {
+      if (!may_be_large(slices[i]))
+        copy_slice(in, slices[i], out);
       else if (!region_.expand_packs)
-        copy_some(in, runs[i], out,
-                  [&](std::size_t k) { return !is_large(in.number(runs[i], k)); });
-      const std::int32_t group = c_.classes[runs[i].of].group;
-      if (i + 1 < runs.size() && c_.classes[runs[i + 1].of].group == group) continue;
+        copy_some(in, slices[i], out,
+                  [&](std::size_t k) { return !is_large(in.number(slices[i], k)); });
+      const std::int32_t group = c_.classes[slices[i].of].group;
+      if (i + 1 < slices.size() && c_.classes[slices[i + 1].of].group == group) continue;
       while (next != expanded_.cend() && c_.classes[next->of].group == group)
-        next = writer.run(next, expanded_.cend());
+        next = writer.slice(next, expanded_.cend());
     }
     // The chords of the packs lie within the extent, their children within the spread of these.
     out.extent = std::max(in.extent + writer.spread(), writer.extent());
   }
 
  private:
-  static RunEntries& scratch() {
-    static thread_local RunEntries entries;  // its memory serves all lists
+  static SliceEntries& scratch() {
+    static thread_local SliceEntries entries;  // its memory serves all lists
     return entries;
   }
   bool is_large(std::uint32_t pack) const {
     return region_.expand_packs || region_.radius < c_.packs[pack].expand_below ||
            !is_measured(c_.classes[c_.packs[pack].of]);
   }
-  bool may_be_large(const CandidateList::Run& run) const {
-    const SweepClass& type = c_.classes[run.of];
+  bool may_be_large(const CandidateList::Slice& slice) const {
+    const SweepClass& type = c_.classes[slice.of];
     return type.packs &&
            (region_.expand_packs || region_.radius < type.expand_below || !is_measured(type));
   }
@@ -115,7 +115,7 @@ class PackExpander {
   const SweepColumns& c_;
   const PruneRegion& region_;
   bool by_heights_;
-  RunEntries& expanded_;
+  SliceEntries& expanded_;
   std::size_t room_ = 0;
 };
 

@@ -42,27 +42,31 @@ class MeasuredList {
   double unsure() const { return 2.0 * at_.delta + 2.001 * spread_; }
 
   const CandidateList& list() const { return in_; }
-  const SweepClass& type(std::size_t run) const { return columns_.classes[in_.runs()[run].of]; }
-  CandidateRows rows(std::size_t run) const { return scratch_.rows.at(in_.runs()[run].first); }
-  const LeastDistance& least_of(std::size_t run) const { return scratch_.least[run]; }
+  const SweepClass& type(std::size_t slice) const {
+    return columns_.classes[in_.slices()[slice].of];
+  }
+  CandidateRows rows(std::size_t slice) const {
+    return scratch_.rows.at(in_.slices()[slice].first);
+  }
+  const LeastDistance& least_of(std::size_t slice) const { return scratch_.least[slice]; }
   /// mm: the largest spread of a pack of the list.
   double spread() const { return spread_; }
-  /// The region as the loops see it; `tool` is that of the run that was measured last.
+  /// The region as the loops see it; `tool` is that of the slice that was measured last.
   const RegionArgs& at() const { return at_; }
 
-  /// The run is kept or dropped by heights alone: lower bounds of them, and the largest to keep.
-  bool is_bounded(std::size_t run) const {
-    return type(run).form == SweepClass::Form::piece && by_heights_ &&
-           !(undercuts_ && is_undercutting(type(run)));
+  /// The slice is kept or dropped by heights alone: lower bounds of them, and the largest to keep.
+  bool is_bounded(std::size_t slice) const {
+    return type(slice).form == SweepClass::Form::piece && by_heights_ &&
+           !(undercuts_ && is_undercutting(type(slice)));
   }
-  const float* lower(std::size_t run) const {
-    return scratch_.lower.data() + in_.runs()[run].first;
+  const float* lower(std::size_t slice) const {
+    return scratch_.lower.data() + in_.slices()[slice].first;
   }
   float height_limit() const { return heights_.limit(); }
 
-  /// Packs of turning sweeps: they are the last run.
+  /// Packs of turning sweeps: they are the last slice.
   bool has_packs() const {
-    return !in_.runs().empty() && type(in_.runs().size() - 1).form == SweepClass::Form::turn;
+    return !in_.slices().empty() && type(in_.slices().size() - 1).form == SweepClass::Form::turn;
   }
   const TurnTree::Packs& packs() const { return scratch_.packs; }
   const TurnTree::Nearest& nearest_pack() const { return scratch_.turned; }
@@ -89,7 +93,7 @@ class MeasuredList {
   };
   struct Scratch {
     Rows rows;
-    std::vector<LeastDistance> least;  ///< by run
+    std::vector<LeastDistance> least;  ///< by slice
     std::vector<float> lower;          ///< bounds of heights by slot
     std::vector<double> distance;
     std::vector<std::uint32_t> ids;
@@ -98,22 +102,22 @@ class MeasuredList {
   };
   static Scratch& scratch();
 
-  bool is_other(std::size_t run) const {
-    return type(run).form == SweepClass::Form::other ||
-           (type(run).form == SweepClass::Form::piece && !is_bounded(run));
+  bool is_other(std::size_t slice) const {
+    return type(slice).form == SweepClass::Form::other ||
+           (type(slice).form == SweepClass::Form::piece && !is_bounded(slice));
   }
   // Its rows tell heights.
-  bool is_measured_horizontal(std::size_t run) const {
-    return !type(run).packs &&
-           (type(run).form == SweepClass::Form::line || type(run).form == SweepClass::Form::arc);
+  bool is_measured_horizontal(std::size_t slice) const {
+    return !type(slice).packs && (type(slice).form == SweepClass::Form::line ||
+                                  type(slice).form == SweepClass::Form::arc);
   }
   void measure(const SweepTable& table);
-  double measure_others(const SweepTable& table, const CandidateList::Run& run);
-  LeastDistance measure_packs(const CandidateList::Run& run);
-  void probe_run(std::size_t run);
-  void measure_run(std::size_t run);
+  double measure_others(const SweepTable& table, const CandidateList::Slice& slice);
+  LeastDistance measure_packs(const CandidateList::Slice& slice);
+  void probe_slice(std::size_t slice);
+  void measure_slice(std::size_t slice);
   void measure_heights();
-  void drop_high(std::size_t run);
+  void drop_high(std::size_t slice);
 
   const SweepColumns& columns_;
   const CandidateList& in_;
@@ -137,8 +141,8 @@ inline bool is_strip(const SweepClass& type) {
   return type.form == SweepClass::Form::strip && !type.packs;
 }
 
-/// The slot behind a run.
-inline std::size_t end_of(const CandidateList::Run& run) { return run.first + run.count; }
+/// The slot behind a slice.
+inline std::size_t end_of(const CandidateList::Slice& slice) { return slice.first + slice.count; }
 
 /// The half width in plan of a region.
 inline float lateral(const RegionArgs& a) { return a.box ? a.half * 1.4142137f : a.radius; }

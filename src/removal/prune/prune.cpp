@@ -14,7 +14,7 @@ namespace {
 
 constexpr std::size_t kFewUndercuts = 4;  // their points are asked sooner than the region
 
-// A run of horizontal moves: a point below the tool's tip is at least (tip.z - z) away from each.
+// A slice of horizontal moves: a point below the tool's tip is at least (tip.z - z) away from each.
 bool is_horizontal(const SweepClass& type) {
   return type.form == SweepClass::Form::line || type.form == SweepClass::Form::arc;
 }
@@ -46,20 +46,20 @@ class Keeper {
       columns_.turn_tree.narrow(turn_region(region_), measured_.nearest_pack(), limit, slack_,
                                 measured_.packs(), left_);
     }
-    const std::size_t slots = in_.runs().empty() ? 0 : end_of(in_.runs().back());
+    const std::size_t slots = in_.slices().empty() ? 0 : end_of(in_.slices().back());
     out.reset(slots + CandidateList::room(measured_.has_packs() ? left_.size() : 0, 1), in_.origin);
     out.extent = in_.extent;
     out.closed = in_.closed;
-    const auto& runs = in_.runs();
-    for (std::size_t from = 0; from < runs.size();) {
+    const auto& slices = in_.slices();
+    for (std::size_t from = 0; from < slices.size();) {
       std::size_t to = from + 1;
       const std::int32_t group = type(from).group;
-      // Rows tell distances of some runs, heights of others.
-      while (to < runs.size() && group >= 0 && type(to).group == group &&
+      // Rows tell distances of some slices, heights of others.
+      while (to < slices.size() && group >= 0 && type(to).group == group &&
              measured_.is_bounded(to) == measured_.is_bounded(from))
         ++to;
       if (type(from).form == SweepClass::Form::turn)
-        keep_packs(runs[from].of, out);
+        keep_packs(slices[from].of, out);
       else if (measured_.is_bounded(from))
         keep_pieces(from, to, out);
       else if (!keep_group(from, to, limit, band, out))
@@ -71,8 +71,8 @@ class Keeper {
   }
 
  private:
-  const SweepClass& type(std::size_t run) const { return measured_.type(run); }
-  CandidateRows rows(std::size_t run) const { return measured_.rows(run); }
+  const SweepClass& type(std::size_t slice) const { return measured_.type(slice); }
+  CandidateRows rows(std::size_t slice) const { return measured_.rows(slice); }
   float bottom() const { return at_.z - at_.tall - 2 * at_.delta; }
   float top() const { return at_.z + at_.tall + 2 * at_.delta; }
   /// mm: beyond that from a surface nothing is wanted; rounded up.
@@ -80,35 +80,35 @@ class Keeper {
     return static_cast<float>(1.000001 * (reach_ - region_.radius)) + 16 * at_.delta;
   }
 
-  /// Entry k of a run as what others have to be compared with. A pack wins no tie against sweeps
+  /// Entry k of a slice as what others have to be compared with. A pack wins no tie against sweeps
   /// before its last one.
-  Beater beater_at(std::size_t run, std::size_t k) {
-    const CandidateRows r = rows(run);
-    float id = in_.column(kIdColumn)[in_.runs()[run].first + k];
-    if (type(run).packs)
-      id = std::bit_cast<float>(columns_.packs[in_.number(in_.runs()[run], k)].last);
+  Beater beater_at(std::size_t slice, std::size_t k) {
+    const CandidateRows r = rows(slice);
+    float id = in_.column(kIdColumn)[in_.slices()[slice].first + k];
+    if (type(slice).packs)
+      id = std::bit_cast<float>(columns_.packs[in_.number(in_.slices()[slice], k)].last);
     return {r.squared[k], r.x[k], r.y[k], r.z[k], r.height_number[k], id};
   }
 
   void keep_pieces(std::size_t from, std::size_t to, CandidateList& out) {
     for (std::size_t i = from; i < to; ++i) {
-      const CandidateList::Run& run = in_.runs()[i];
-      const std::size_t first = out.begin_run(run.of, run.numbers);
+      const CandidateList::Slice& slice = in_.slices()[i];
+      const std::size_t first = out.begin_slice(slice.of, slice.numbers);
       const std::size_t kept = kernels_.keep_low(
-          measured_.lower(i), run.count, measured_.height_limit(), in_.columns(run.first),
+          measured_.lower(i), slice.count, measured_.height_limit(), in_.columns(slice.first),
           type(i).packs ? kPackColumn + 1 : kPackColumn, out.column(0) + first, out.stride());
       reaches_ = reaches_ || kept > 0;
-      out.close_run(kept);
+      out.close_slice(kept);
     }
   }
 
   void keep_packs(std::uint32_t of, CandidateList& out) {
-    const std::size_t first = out.begin_run(of);
+    const std::size_t first = out.begin_slice(of);
     const auto base = static_cast<std::uint32_t>(columns_.refs.size());
     for (std::size_t k = 0; k < left_.size(); ++k)
       out.column(kIdColumn)[first + k] = std::bit_cast<float>(base + left_[k]);
     reaches_ = reaches_ || !left_.empty();
-    out.close_run(left_.size());
+    out.close_slice(left_.size());
   }
 
   // False where one of the group covers the region.
@@ -124,19 +124,19 @@ class Keeper {
       find_beater(from, to, args);
     }
     for (std::size_t i = from; i < to; ++i) {
-      const CandidateList::Run& run = in_.runs()[i];
+      const CandidateList::Slice& slice = in_.slices()[i];
       static constexpr std::size_t kColumns[] = {8, 7, 9, 0, 0, 8};  // by form
       const std::size_t columns =
           type(i).packs ? kPackColumn + 1 : kColumns[static_cast<std::size_t>(type(i).form)];
       args.limit = std::nextafter(static_cast<float>(limit + spread_of(type(i))), kFloatInfinity);
-      float* to_slot = out.column(0) + out.begin_run(run.of, run.numbers);
+      float* to_slot = out.column(0) + out.begin_slice(slice.of, slice.numbers);
       at_.tool = type(i).tool;
       args.within = args.plan ? top() + within_band() : surely_within(at_, region_, reach_);
       bool reaches = reaches_ || !(is_strip(type(i)) || is_horizontal(type(i)));
-      const std::size_t kept = kernels_.keep(args, rows(i), in_.columns(run.first), run.count,
+      const std::size_t kept = kernels_.keep(args, rows(i), in_.columns(slice.first), slice.count,
                                              columns, to_slot, out.stride(), reaches);
       reaches_ = reaches_ || (reaches && kept > 0);
-      out.close_run(kept);
+      out.close_slice(kept);
     }
     return true;
   }
@@ -147,7 +147,7 @@ class Keeper {
     best.squared = kFloatInfinity;
     for (std::size_t i = from; i < to; ++i) {
       const float squared = measured_.least_of(i).squared;
-      const std::size_t k = kernels_.find(rows(i).squared, in_.runs()[i].count, squared);
+      const std::size_t k = kernels_.find(rows(i).squared, in_.slices()[i].count, squared);
       if (squared < best.squared) best = beater_at(i, k);
     }
     if (best.squared < kFloatInfinity) args.beaters = 1;
@@ -170,7 +170,7 @@ class Keeper {
     Beater &nearest = args.beater[0], &lowest = args.beater[1];
     nearest.squared = kFloatInfinity, lowest.z = kFloatInfinity, args.cover.z = kFloatInfinity;
     for (std::size_t i = from; i < to; ++i) {
-      const std::size_t n = in_.runs()[i].count;
+      const std::size_t n = in_.slices()[i].count;
       const CandidateRows r = rows(i);
       const PlanBeaters found =
           kernels_.plan(r, n, measured_.least_of(i), covers ? inside * inside : -1.0f);
@@ -214,11 +214,12 @@ bool prune_once(const SweepTable& table, const PruneRegion& region, double reach
 // Distances are worth their time in regions that are small beside the mill.
 bool has_small_undercuts(const SweepTable& table, const PruneRegion& region,
                          const CandidateList& list) {
-  return std::any_of(list.runs().begin(), list.runs().end(), [&](const CandidateList::Run& run) {
-    const SweepClass& type = table.columns().classes[run.of];
-    return is_undercutting(type) && run.count > kFewUndercuts &&
-           region.radius < type.heights.radius / 2;
-  });
+  return std::any_of(list.slices().begin(), list.slices().end(),
+                     [&](const CandidateList::Slice& slice) {
+                       const SweepClass& type = table.columns().classes[slice.of];
+                       return is_undercutting(type) && slice.count > kFewUndercuts &&
+                              region.radius < type.heights.radius / 2;
+                     });
 }
 
 }  // namespace

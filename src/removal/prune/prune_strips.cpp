@@ -14,12 +14,13 @@ namespace mrsim {
 
 bool is_of_strips(const SweepTable& table, const CandidateList& list) {
   const std::vector<SweepClass>& classes = table.columns().classes;
-  const auto& runs = list.runs();
-  return !runs.empty() && std::all_of(runs.begin(), runs.end(), [&](const CandidateList::Run& run) {
-    const SweepClass& type = classes[run.of];
-    return type.form == SweepClass::Form::strip && !type.packs &&
-           type.group == classes[runs[0].of].group;
-  });
+  const auto& slices = list.slices();
+  return !slices.empty() &&
+         std::all_of(slices.begin(), slices.end(), [&](const CandidateList::Slice& slice) {
+           const SweepClass& type = classes[slice.of];
+           return type.form == SweepClass::Form::strip && !type.packs &&
+                  type.group == classes[slices[0].of].group;
+         });
 }
 
 std::array<std::size_t, 4> nearest_strips(const PruneRegion& region, double beside,
@@ -28,13 +29,13 @@ std::array<std::size_t, 4> nearest_strips(const PruneRegion& region, double besi
   std::array<std::size_t, 4> slots{};
   float least[4];
   std::fill_n(least, 4, std::numeric_limits<float>::infinity());
-  for (const CandidateList::Run& run : in.runs()) {
+  for (const CandidateList::Slice& slice : in.slices()) {
     StripAt own[4];
-    candidate_kernels().strip_quarters(in.columns(run.first), run.count, at,
+    candidate_kernels().strip_quarters(in.columns(slice.first), slice.count, at,
                                        static_cast<float>(beside), own);
     for (std::size_t part = 0; part < 4; ++part)
       if (own[part].squared < least[part])
-        least[part] = own[part].squared, slots[part] = run.first + own[part].slot;
+        least[part] = own[part].squared, slots[part] = slice.first + own[part].slot;
   }
   return slots;
 }
@@ -45,7 +46,7 @@ bool prune_strips(const SweepTable& table, const PruneRegion& region, double rea
   const CandidateKernels& kernels = candidate_kernels();
   out.clear();
   RegionArgs at = region_args(region, in.origin);
-  at.tool = columns.classes[in.runs()[0].of].tool;
+  at.tool = columns.classes[in.slices()[0].of].tool;
   set_delta(at, near_extent(at, in), region.radius);
   set_margin(at, 0);
   const Beater beater = kernels.strip_beater(in.columns(near), 0, at);
@@ -62,10 +63,10 @@ bool prune_strips(const SweepTable& table, const PruneRegion& region, double rea
   bool reaches = false;
   static thread_local std::vector<float> memory;
   std::vector<float>& bits = memory;
-  for (const CandidateList::Run& run : in.runs()) {
-    bits.resize(std::max(bits.size(), run.count + CandidateList::kPad));
-    const std::size_t left = kernels.strip_ids(in.columns(run.first), run.count, at, beater, limits,
-                                               within, bits.data(), reaches);
+  for (const CandidateList::Slice& slice : in.slices()) {
+    bits.resize(std::max(bits.size(), slice.count + CandidateList::kPad));
+    const std::size_t left = kernels.strip_ids(in.columns(slice.first), slice.count, at, beater,
+                                               limits, within, bits.data(), reaches);
     const std::size_t first = out.size();
     out.resize(first + left);
     for (std::size_t k = 0; k < left; ++k) out[first + k] = std::bit_cast<std::uint32_t>(bits[k]);

@@ -1,4 +1,4 @@
-// Writes the runs of a list of candidates from the columns of a table.
+// Writes the slices of a list of candidates from the columns of a table.
 #pragma once
 
 #include "core/heap.h"
@@ -16,28 +16,29 @@ namespace mrsim {
 
 /// An entry that a list is to hold. Lists ascend by class and, where they can, by sweep; one that
 /// is asked for points must ascend by sweep, or is sorted again.
-struct RunEntry {
+struct SliceEntry {
   std::uint32_t of = 0;  ///< class
   std::uint32_t number = 0;
   std::uint32_t first = 0;  ///< sweep
   bool children = false;    ///< those of the pack, not itself
 };
-using RunEntries = std::vector<RunEntry>;
-/// Sorts by merging: each run that the entries came from ascends already.
-void sort_by_class(RunEntries& entries);
+using SliceEntries = std::vector<SliceEntry>;
+/// Sorts by merging: each sequence that was appended to the entries ascends already.
+void sort_by_class(SliceEntries& entries);
 /// The same for entries that already ascend within each class.
-void sort_by_class(RunEntries& entries, std::size_t classes);
+void sort_by_class(SliceEntries& entries, std::size_t classes);
 
 inline constexpr std::size_t kEntriesAhead = 8;  ///< entries, to ask for memory in time
 
 /// Writes entries of a list; keeps track of the largest value.
-class RunWriter {
+class SliceWriter {
  public:
-  RunWriter(CandidateList& list, const SweepColumns& columns)
+  SliceWriter(CandidateList& list, const SweepColumns& columns)
       : list_(list), columns_(columns), origin_(list.origin), stride_(list.stride()) {}
 
-  // The run of all entries of the first one's class; what comes after it.
-  RunEntries::const_iterator run(RunEntries::const_iterator at, RunEntries::const_iterator end) {
+  // The slice of all entries of the first one's class; what comes after it.
+  SliceEntries::const_iterator slice(SliceEntries::const_iterator at,
+                                     SliceEntries::const_iterator end) {
     const std::uint32_t of = at->of;
     begin(of);
     for (; at != end && at->of == of; ++at) {
@@ -55,7 +56,7 @@ class RunWriter {
   void begin(std::uint32_t of) {
     const SweepClass& type = columns_.classes[of];
     form_ = type.form;
-    first_ = slot_ = list_.begin_run(of, type.packs ? kPackColumn : kIdColumn);
+    first_ = slot_ = list_.begin_slice(of, type.packs ? kPackColumn : kIdColumn);
     to_ = list_.column(0);
     const bool piece = form_ == SweepClass::Form::piece;
     list_.closed = list_.closed && form_ != SweepClass::Form::other && !piece;
@@ -65,7 +66,7 @@ class RunWriter {
     for (const float size : {type.heights.radius, type.heights.lift, type.heights.top})
       if (piece && !std::isinf(size)) extent_ = std::max<double>(extent_, size);
   }
-  void close() { list_.close_run(slot_ - first_); }
+  void close() { list_.close_slice(slot_ - first_); }
 
   // A sweep, or a pack.
   void add(std::uint32_t number) {
@@ -76,7 +77,7 @@ class RunWriter {
     if (form_ == SweepClass::Form::line) widen_line(columns_.plane_lines[row].c);
     add_sweep(number, row);
   }
-  // The children of a pack, all of the class of this run: their paths are near its chord.
+  // The children of a pack, all of the class of this slice: their paths are near its chord.
   void add_children_of(std::uint32_t number) {
     constexpr std::size_t kLanes = PackColumns::kLanes;
     const SweepPack& pack = columns_.packs[number];

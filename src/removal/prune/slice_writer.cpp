@@ -1,17 +1,17 @@
-#include "removal/prune/run_writer.h"
+#include "removal/prune/slice_writer.h"
 
 namespace mrsim {
 namespace {
 
-bool is_less(const RunEntry& a, const RunEntry& b) {
+bool is_less(const SliceEntry& a, const SliceEntry& b) {
   return a.of != b.of ? a.of < b.of : a.first < b.first;
 }
 
 }  // namespace
 
 // Two by two.
-void sort_by_class(RunEntries& entries) {
-  static thread_local RunEntries merged;
+void sort_by_class(SliceEntries& entries) {
+  static thread_local SliceEntries merged;
   static thread_local std::vector<std::size_t> ends;
   ends.assign(1, 0);
   for (std::size_t k = 1; k < entries.size(); ++k)
@@ -32,14 +32,14 @@ void sort_by_class(RunEntries& entries) {
   }
 }
 
-void sort_by_class(RunEntries& entries, std::size_t classes) {
-  static thread_local RunEntries sorted;
+void sort_by_class(SliceEntries& entries, std::size_t classes) {
+  static thread_local SliceEntries sorted;
   static thread_local std::vector<std::size_t> places;
   places.assign(classes + 1, 0);
-  for (const RunEntry& e : entries) ++places[e.of + 1];
+  for (const SliceEntry& e : entries) ++places[e.of + 1];
   for (std::size_t of = 1; of < places.size(); ++of) places[of] += places[of - 1];
   sorted.resize(entries.size());
-  for (const RunEntry& e : entries) sorted[places[e.of]++] = e;
+  for (const SliceEntry& e : entries) sorted[places[e.of]++] = e;
   entries.swap(sorted);
 }
 
