@@ -5,7 +5,7 @@
 #include "interp/calls/macros.h"
 #include "interp/calls/subprogram.h"
 #include "interp/control/control.h"
-#include "interp/language/outline.h"
+#include "interp/language/program_outline.h"
 #include "interp/text/parser.h"
 #include "interp/text/source.h"
 

@@ -1,8 +1,8 @@
 // Finds the words of control structures in one line of text, by the rules of each control.
-// Does not: match them with one another (Outline does) or read expressions.
+// Does not: match them with one another (ProgramOutline does) or read expressions.
 #pragma once
 
-#include "interp/language/outline.h"
+#include "interp/language/program_outline.h"
 
 #include <string>
 #include <string_view>

@@ -237,7 +237,7 @@ void FagorStatements::end_block(bool moved) {
 
 bool FagorStatements::call(long subprogram, CallKind kind, const Arguments& arguments,
                            const Word& where) {
-  const Outline& all = places_.outline();
+  const ProgramOutline& all = places_.outline();
   const int found = all.find_name(FlowWord::label, std::to_string(subprogram), -1);
   if (found < 0)
     return error("subprogram-missing",

@@ -2,7 +2,7 @@
 // the blocks of the contour, "G80". Private to src/interp.
 #pragma once
 
-#include "interp/language/outline.h"
+#include "interp/language/program_outline.h"
 
 #include <optional>
 #include <string>

@@ -242,7 +242,7 @@ bool OwordStatements::values(std::size_t p, std::vector<double>& out) {
 
 // In the main program, or in a file of its own. Other subs of such a file are found by nobody.
 bool OwordStatements::locate(const std::string& name, CallRequest& request) {
-  const Outline& main = places_.outline(program_.files.front());
+  const ProgramOutline& main = places_.outline(program_.files.front());
   if (const int i = main.find_name(FlowWord::sub, name, -1); i >= 0) {
     request.file = program_.files.front();
     request.begin = main.entry(i).at;
@@ -257,7 +257,7 @@ bool OwordStatements::locate(const std::string& name, CallRequest& request) {
   wanted.own_file = true;
   if (!reader_.has_subprogram(wanted)) return false;
   const auto place = reader_.locate(wanted, {});
-  const Outline& all = places_.outline(place->file);
+  const ProgramOutline& all = places_.outline(place->file);
   const int i = all.find_name(FlowWord::sub, name, -1);
   if (i < 0) return false;
   request.file = place->file;
@@ -283,7 +283,7 @@ bool OwordStatements::enter_sub(const std::string& name, CallRequest request,
                              "beside it or in --path",
                              to_utf8(name.substr(0, 60))),
                  word);
-  const Outline& all = places_.outline(request.file);
+  const ProgramOutline& all = places_.outline(request.file);
   if (const OutlineFault* wrong = all.fault_in(0)) {
     const std::string text = wrong->text;
     return error("structure",
@@ -310,7 +310,7 @@ bool OwordStatements::enter_sub(const std::string& name, CallRequest request,
 // M98 P100: a program that begins with the bare word O100, and shares all variables.
 bool OwordStatements::call_program(const SubprogramName& name, long repeats, const Word& word) {
   const std::string number = fmt::format("{}", name.number);
-  const Outline& all = places_.outline(program_.files.front());
+  const ProgramOutline& all = places_.outline(program_.files.front());
   const int i = name.number >= 0 ? all.find_name(FlowWord::label, number, -1) : -1;
   if (i < 0 && all.find_name(FlowWord::sub, number, -1) >= 0)
     return error("subprogram-missing",

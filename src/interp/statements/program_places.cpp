@@ -11,16 +11,16 @@ constexpr std::size_t kMostNumbers = 10000;  // places of block numbers kept
 
 }  // namespace
 
-Outline& ProgramPlaces::outline() { return outline(reader_.file()); }
+ProgramOutline& ProgramPlaces::outline() { return outline(reader_.file()); }
 
-Outline& ProgramPlaces::outline(const std::string& file) {
-  std::unique_ptr<Outline>& found = outlines_[file];
-  if (!found) found = std::make_unique<Outline>(file, form_);
+ProgramOutline& ProgramPlaces::outline(const std::string& file) {
+  std::unique_ptr<ProgramOutline>& found = outlines_[file];
+  if (!found) found = std::make_unique<ProgramOutline>(file, form_);
   return *found;
 }
 
 bool ProgramPlaces::find_number_twice(long number) {
-  const Outline& all = outline();
+  const ProgramOutline& all = outline();
   const int section = all.section_at(reader_.place_at(0));
   const Place from = all.section_begin(section), to = all.section_end(section);
   Place first, last;
@@ -52,7 +52,7 @@ bool ProgramPlaces::scan_number(const std::string& file, long wanted, const Plac
 }
 
 bool ProgramPlaces::find_number(long wanted, bool forward, bool backward, Place& out) {
-  const Outline& all = outline();
+  const ProgramOutline& all = outline();
   const Place here = reader_.place_at(0);
   const int section = all.section_at(reader_.place_at(0));
   if (numbers_file_ != reader_.file() || numbers_.size() > kMostNumbers) numbers_.clear();
@@ -81,7 +81,7 @@ Place ProgramPlaces::behind_line(const std::string& file, Place at) const {
 }
 
 bool ProgramPlaces::find_end(long last, const Place& begin, Place& end) {
-  const Outline& all = outline();
+  const ProgramOutline& all = outline();
   const Place bottom = all.section_end(all.section_at(begin));
   if (!scan_number(reader_.file(), last, begin, bottom, false, end)) return false;
   end = behind_line(end);
@@ -98,7 +98,7 @@ bool ProgramPlaces::find_blocks_before(long first, long last, Place& begin, Plac
 
 bool ProgramPlaces::find_blocks(const SubprogramPlace& program, long first, long last, Place& begin,
                                 Place& end) {
-  const Outline& all = outline();
+  const ProgramOutline& all = outline();
   const Place top{program.offset, program.line, 0};
   Place bottom = {std::numeric_limits<std::uint64_t>::max(), 0, 0};
   if (program.file == reader_.file()) bottom = all.section_end(all.section_at(top));
@@ -110,14 +110,14 @@ bool ProgramPlaces::find_blocks(const SubprogramPlace& program, long first, long
 }
 
 std::pair<Place, Place> ProgramPlaces::section() {
-  const Outline& all = outline();
+  const ProgramOutline& all = outline();
   const int here = all.section_at(reader_.place_at(0));
   return {all.section_begin(here), all.section_end(here)};
 }
 
 bool ProgramPlaces::find_labels(const std::string& first, const std::string& last, Place& begin,
                                 Place& end) {
-  const Outline& all = outline();
+  const ProgramOutline& all = outline();
   const int section = all.section_at(reader_.place_at(0));
   const Place bottom = all.section_end(section);
   const int from = all.find_label(first, all.section_begin(section), bottom, false);

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "interp/calls/block_reader.h"
-#include "interp/language/outline.h"
+#include "interp/language/program_outline.h"
 
 #include <map>
 #include <memory>
@@ -17,8 +17,8 @@ class ProgramPlaces {
   ProgramPlaces(BlockReader& reader, OutlineForm form) : reader_(reader), form_(form) {}
 
   /// Of the file that is being read, or of another one. Throws Error "file-...".
-  Outline& outline();
-  Outline& outline(const std::string& file);
+  ProgramOutline& outline();
+  ProgramOutline& outline(const std::string& file);
 
   /// Blocks N`first` to N`last` of the program that is being read. False: one is missing.
   bool find_blocks(long first, long last, Place& begin, Place& end);
@@ -47,7 +47,7 @@ class ProgramPlaces {
 
   BlockReader& reader_;
   OutlineForm form_;
-  std::map<std::string, std::unique_ptr<Outline>> outlines_;
+  std::map<std::string, std::unique_ptr<ProgramOutline>> outlines_;
   std::map<std::pair<std::uint64_t, long>, std::pair<bool, Place>> numbers_;  ///< found before
   std::string numbers_file_;
 };

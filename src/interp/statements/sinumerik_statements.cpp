@@ -162,7 +162,7 @@ bool SinumerikStatements::loop_end(const FlowEntry& entry, std::size_t p) {
 // the program's first block.
 bool SinumerikStatements::go_to(const std::string& word, std::size_t p) {
   if (word == "GOTOS") {
-    const Outline& program = places_.outline();
+    const ProgramOutline& program = places_.outline();
     reader_.leave_stretches();
     return jump_always(program.section_begin(program.section_at(reader_.place_at(0))));
   }
@@ -197,7 +197,7 @@ bool SinumerikStatements::go_to(const std::string& word, std::size_t p) {
 // A label or N10, from the block that is being read on, or back from it.
 bool SinumerikStatements::find_target(const std::string& target, bool forward, bool backward,
                                       Place& to) {
-  const Outline& all = places_.outline();
+  const ProgramOutline& all = places_.outline();
   const Place here = reader_.place_at(0);
   const int section = all.section_at(here);
   const bool block = target.size() > 1 && target[0] == 'N' &&
@@ -327,7 +327,7 @@ bool SinumerikStatements::call_part(std::size_t p) {
 // the second label's line.
 bool SinumerikStatements::run_part(const std::vector<std::string>& labels, bool line_alone,
                                    double runs, std::size_t from, std::size_t p) {
-  const Outline& all = places_.outline();
+  const ProgramOutline& all = places_.outline();
   const Place here = reader_.place_at(0);
   const int section = all.section_at(here);
   const Place top = all.section_begin(section), bottom = all.section_end(section);

@@ -284,7 +284,7 @@ bool Statements::call_sub(const std::string& name, CallRequest&&, const Word& wo
 }
 
 const FlowEntry* Statements::entry_at(std::size_t p) {
-  const Outline& all = places_.outline();
+  const ProgramOutline& all = places_.outline();
   const Place here = reader_.place_at(p);
   const int i = all.find(here);
   if (const OutlineFault* wrong = all.fault_in(all.section_at(here))) {

@@ -1,4 +1,4 @@
-#include "interp/language/outline.h"
+#include "interp/language/program_outline.h"
 
 #include "interp/language/flow_scan.h"
 #include "interp/text/characters.h"
@@ -61,7 +61,7 @@ bool opens(FlowWord word) {
 
 }  // namespace
 
-Outline::Outline(const std::string& file, OutlineForm form) : names_(1) {
+ProgramOutline::ProgramOutline(const std::string& file, OutlineForm form) : names_(1) {
   LineSource source(file);
   std::string_view line;
   std::vector<Open> open;
@@ -94,18 +94,18 @@ Outline::Outline(const std::string& file, OutlineForm form) : names_(1) {
   sections_.pop_back();
 }
 
-std::uint32_t Outline::name_index(const std::string& name) {
+std::uint32_t ProgramOutline::name_index(const std::string& name) {
   const auto [at, fresh] =
       name_indices_.try_emplace(name, static_cast<std::uint32_t>(names_.size()));
   if (fresh) names_.push_back(name);
   return at->second;
 }
 
-void Outline::fault(const Place& at, std::string text) {
+void ProgramOutline::fault(const Place& at, std::string text) {
   faults_.try_emplace(static_cast<int>(sections_.size()) - 1, OutlineFault{at, std::move(text)});
 }
 
-void Outline::begin_section(const Place& at, std::vector<Open>& open) {
+void ProgramOutline::begin_section(const Place& at, std::vector<Open>& open) {
   if (!open.empty()) {
     const FlowEntry& entry = entries_[static_cast<std::size_t>(open.back().entry)];
     fault(entry.at, fmt::format("the {} that begins here is not closed", shown(entry.word)));
@@ -114,7 +114,7 @@ void Outline::begin_section(const Place& at, std::vector<Open>& open) {
   sections_.push_back(at);
 }
 
-void Outline::add(FlowEntry entry, std::vector<Open>& open) {
+void ProgramOutline::add(FlowEntry entry, std::vector<Open>& open) {
   entry.section = static_cast<int>(sections_.size()) - 1;
   const int index = static_cast<int>(entries_.size());
   entries_.push_back(entry);
@@ -153,7 +153,7 @@ void Outline::add(FlowEntry entry, std::vector<Open>& open) {
 }
 
 // The structure that entry `index` goes on with or ends: the innermost, or that of its name.
-void Outline::chain(int index, std::vector<Open>& open, bool last) {
+void ProgramOutline::chain(int index, std::vector<Open>& open, bool last) {
   FlowEntry& entry = entries_[static_cast<std::size_t>(index)];
   const bool branch = entry.word >= FlowWord::branch && entry.word <= FlowWord::branch_end;
   const auto fits = [&](const Open& one) {
@@ -184,7 +184,7 @@ void Outline::chain(int index, std::vector<Open>& open, bool last) {
 }
 
 // Why `entry` neither goes on with nor ends what is open.
-std::string Outline::unmatched(const FlowEntry& entry, const std::vector<Open>& open) const {
+std::string ProgramOutline::unmatched(const FlowEntry& entry, const std::vector<Open>& open) const {
   for (auto one = open.rbegin(); one != open.rend(); ++one)
     if (one->name == entry.name)
       return fmt::format("{} does not belong to the {} of line {}, which is not closed",
@@ -193,10 +193,10 @@ std::string Outline::unmatched(const FlowEntry& entry, const std::vector<Open>& 
   return fmt::format("nothing begins what {} goes on with or ends", shown_end(entry));
 }
 
-void Outline::close(int index, std::vector<Open>& open) { chain(index, open, true); }
+void ProgramOutline::close(int index, std::vector<Open>& open) { chain(index, open, true); }
 
 // break and continue of LinuxCNC name their loop.
-void Outline::leave_loop(int index, const std::vector<Open>& open) {
+void ProgramOutline::leave_loop(int index, const std::vector<Open>& open) {
   FlowEntry& entry = entries_[static_cast<std::size_t>(index)];
   for (auto one = open.rbegin(); one != open.rend(); ++one)
     if (one->name == entry.name && one->word != FlowWord::branch && one->word != FlowWord::sub) {
@@ -206,7 +206,7 @@ void Outline::leave_loop(int index, const std::vector<Open>& open) {
   fault(entry.at, "there is no loop of this name about it");
 }
 
-int Outline::find(const Place& at) const {
+int ProgramOutline::find(const Place& at) const {
   const auto found = std::lower_bound(
       entries_.begin(), entries_.end(), at,
       [](const FlowEntry& entry, const Place& wanted) { return entry.at < wanted; });
@@ -214,7 +214,7 @@ int Outline::find(const Place& at) const {
   return static_cast<int>(found - entries_.begin());
 }
 
-int Outline::find_name(FlowWord word, std::string_view name, int section) const {
+int ProgramOutline::find_name(FlowWord word, std::string_view name, int section) const {
   const auto known = name_indices_.find(name);
   if (known == name_indices_.end()) return -1;
   const auto [begin, end] = named_.equal_range(known->second);
@@ -225,8 +225,8 @@ int Outline::find_name(FlowWord word, std::string_view name, int section) const 
   return -1;
 }
 
-int Outline::find_label(std::string_view name, const Place& from, const Place& to,
-                        bool last) const {
+int ProgramOutline::find_label(std::string_view name, const Place& from, const Place& to,
+                               bool last) const {
   const auto known = name_indices_.find(name);
   if (known == name_indices_.end()) return -1;
   const auto [begin, end] = named_.equal_range(known->second);
@@ -239,21 +239,21 @@ int Outline::find_label(std::string_view name, const Place& from, const Place& t
   return result;
 }
 
-int Outline::section_at(const Place& at) const {
+int ProgramOutline::section_at(const Place& at) const {
   const auto above = std::upper_bound(sections_.begin(), sections_.end(), at);
   return static_cast<int>(above - sections_.begin()) - 1;
 }
 
-Place Outline::section_begin(int section) const {
+Place ProgramOutline::section_begin(int section) const {
   return sections_[static_cast<std::size_t>(section)];
 }
 
-Place Outline::section_end(int section) const {
+Place ProgramOutline::section_end(int section) const {
   const auto next = static_cast<std::size_t>(section) + 1;
   return next < sections_.size() ? sections_[next] : end_;
 }
 
-const OutlineFault* Outline::fault_in(int section) const {
+const OutlineFault* ProgramOutline::fault_in(int section) const {
   const auto at = faults_.find(section);
   return at == faults_.end() ? nullptr : &at->second;
 }

@@ -53,7 +53,7 @@ struct FlowEntry {
   std::size_t behind;  ///< position behind its keyword
   FlowWord word = FlowWord::none;
   FlowWord ends = FlowWord::none;        ///< the only loop that a loop_end can end; none = any
-  std::uint32_t name = 0;                ///< index into Outline::names, 0 = none
+  std::uint32_t name = 0;                ///< index into ProgramOutline::names, 0 = none
   int first = -1, next = -1, last = -1;  ///< entries of the same structure
   int section = 0;
 };
@@ -68,10 +68,10 @@ struct OutlineFault {
   std::string text;
 };
 
-class Outline {
+class ProgramOutline {
  public:
   /// Throws Error "file-...".
-  Outline(const std::string& file, OutlineForm form);
+  ProgramOutline(const std::string& file, OutlineForm form);
 
   /// The entry that starts at a place, or -1.
   int find(const Place& at) const;
