@@ -356,9 +356,8 @@ bool ModalWords::apply_modal_code(const Word& word, const CodeEntry& entry) {
   }
 }
 
-// On FANUC lathes G90 with axes is a turning cycle of code system A. Beside a motion word of the
-// same group it cannot be one, nor in a program that has said G91, which only systems B and C and
-// Okuma have.
+// On FANUC lathes G90 with axes is a turning cycle of code system A, unless a motion word stands
+// beside it or the program has said G91, which only systems B and C and Okuma have.
 bool ModalWords::select_distance(Code code, const Word& word) {
   modal_.has_increments |= code == Code::incremental;
   if (is(Dialect::fanuc) && lathe() && (peek('X') || peek('Z') || peek('U') || peek('W'))) {
