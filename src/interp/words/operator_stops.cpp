@@ -3,7 +3,7 @@
 #include "core/text_io.h"
 #include "interp/comments/hand_change.h"
 #include "interp/comments/part_turned.h"
-#include "interp/comments/tool_comment.h"
+#include "interp/comments/tool_hint.h"
 #include "interp/text/characters.h"
 
 #include <algorithm>
