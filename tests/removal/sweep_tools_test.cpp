@@ -276,7 +276,7 @@ TEST(Grooves, AreLeftBySharpTipsAlone) {
 
 TEST(FormTool, EqualsTheLeastDistanceOverAllPositions) {
   for (const Tool& tool : form_tools())
-    for (int kind = 0; kind < 7; ++kind) expect_equals_brute(tool, kind, 1, 1e-6);
+    for (int kind = 0; kind < 7; ++kind) expect_equals_brute(tool, kind, 6, 1e-6);
 }
 
 }  // namespace

@@ -231,12 +231,29 @@ TEST(Profile, ConvexPiecesTogetherAreTheSolid) {
   }
 }
 
-TEST(Profile, ConvexPiecesOfHollowArcsAndOfConvexProfilesAreNone) {
+TEST(Profile, ConvexProfilesAndArcsThatTurnFarHaveNoPieces) {
   EXPECT_TRUE(make_cutter(form({{0, 0, 0}, {2, 0, 0}, {5, 3, 0}})).convex_pieces().empty());
-  const double quarter = std::tan(kPi / 8);
-  EXPECT_TRUE(make_cutter(form({{0, 0, 0}, {2, 0, 0}, {2, 1, -quarter}, {5, 4, 0}, {5, 6, 0}}))
+  const double far = std::tan(radians(160) / 4);
+  EXPECT_TRUE(make_cutter(form({{0, 0, 0}, {5, 0, 0}, {5, 1, -far}, {5, 3, 0}, {5, 6, 0}}))
                   .convex_pieces()
                   .empty());
+}
+
+// Between the pieces and the arc lies what search_fillet() looks at.
+TEST(Profile, PiecesBesideAConcaveArcEndAtItsTangents) {
+  const double quarter = std::tan(kPi / 8);
+  const Profile whole =
+      make_cutter(form({{0, 0, 0}, {2, 0, 0}, {2, 1, -quarter}, {5, 4, 0}, {5, 6, 0}}));
+  ASSERT_GE(whole.convex_pieces().size(), 2u);
+  const auto least = [&](Vec2 q) {
+    double d = std::numeric_limits<double>::infinity();
+    for (const Profile& piece : whole.convex_pieces()) d = std::min(d, piece.distance(q));
+    return d;
+  };
+  EXPECT_NEAR(least({2.5, 3}), 0.5, 1e-9);  // from the tangent at the arc's begin
+  EXPECT_LT(whole.distance({2.5, 3}), 0);
+  EXPECT_NEAR(least({2.5, 0.5}), whole.distance({2.5, 0.5}), 1e-9);
+  EXPECT_NEAR(least({6, 5}), whole.distance({6, 5}), 1e-9);
 }
 
 TEST(ToolShape, RefusesWhatCannotBe) {

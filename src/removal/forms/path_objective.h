@@ -24,16 +24,11 @@ class PathObjective {
   PathObjective(const Profile& tool, const ToolPath& path, const Vec3& p)
       : tool_(tool), path_(path), p_(p) {}
 
-  PathValue operator()(double t) const {
-    const PathPoint at = path_point(path_, t);
-    const Vec3 q = p_ - at.position, d = at.direction;
-    const double rho = std::sqrt(q.x * q.x + q.y * q.y);
-    const ProfileSample s = tool_sample(tool_, rho, q.z);
-    const double lateral = rho > 0 ? s.gradient.x / rho : 0;
-    const Vec3 n{lateral * q.x, lateral * q.y, s.gradient.y};
-    const Vec3 out = at.position - path_.center - t * path_.rise;
-    return {s.distance, -dot(n, d), dot(n, out), std::fabs(dot(n, path_.rise))};
-  }
+  PathValue operator()(double t) const { return value(t, false); }
+
+  /// The plane that touches the tool in the direction of its nearest place: of a tool that is not
+  /// convex, too, no place is nearer than that.
+  PathValue touching_plane(double t) const { return value(t, true); }
 
   /// Lower bound over t +- half for a path about Z: no position there is nearer in plan than
   /// `near`, and heights differ by at most the rise, against which a convex tool's distance is
@@ -89,6 +84,20 @@ class PathObjective {
   }
 
  private:
+  PathValue value(double t, bool of_plane) const {
+    const PathPoint at = path_point(path_, t);
+    const Vec3 q = p_ - at.position, d = at.direction;
+    const double rho = std::sqrt(q.x * q.x + q.y * q.y);
+    const ProfileSample s = tool_sample(tool_, rho, q.z);
+    const double lateral = rho > 0 ? s.gradient.x / rho : 0;
+    const Vec3 n{lateral * q.x, lateral * q.y, s.gradient.y};
+    const Vec3 out = at.position - path_.center - t * path_.rise;
+    const double f = of_plane ? dot(s.gradient, Vec2{rho, q.z}) -
+                                    tool_.support({std::fabs(s.gradient.x), s.gradient.y})
+                              : s.distance;
+    return {f, -dot(n, d), dot(n, out), std::fabs(dot(n, path_.rise))};
+  }
+
   const Profile& tool_;
   const ToolPath& path_;
   const Vec3 p_;

@@ -10,14 +10,15 @@
 // Two kinds of arcs need fewer. About Z, F is convex wherever the lateral distance of p is
 // (PathObjective::convex_reach), as it never falls with it: only the rest of a turn is left to
 // branch and bound. About other axes a local minimum clears its neighbourhood (clear_reach), at the
-// bottom of a trough half a turn. Other tools are unions of convex ones (Profile::convex_pieces);
-// where they are not, the Lipschitz bound alone is left, which takes up to 1e5 values about a
-// smooth minimum.
+// bottom of a trough half a turn. Other tools are unions of convex ones (Profile::convex_pieces)
+// and what concave arcs leave between them; where they are not, the Lipschitz bound alone is left,
+// which takes up to 1e5 values about a smooth minimum.
 #include "removal/forms/path_search.h"
 
 #include "core/rounding.h"
 #include "core/units.h"
 #include "removal/forms/cone_helix.h"
+#include "removal/forms/fillet_search.h"
 #include "removal/forms/path_objective.h"
 
 #include <algorithm>
@@ -184,8 +185,9 @@ Seen seen_from(const ToolPath& path, const Vec3& p, double begin, double end) {
 
 // Of a tool's convex pieces; the one that may be nearest comes first, so that others need not be
 // searched.
-PathSample search_pieces(std::span<const Profile> pieces, const ToolPath& path, const Vec3& p,
-                         double begin, double end) {
+PathSample search_pieces(const Profile& tool, const ToolPath& path, const Vec3& p, double begin,
+                         double end) {
+  const std::span<const Profile> pieces = tool.convex_pieces();
   static thread_local std::vector<double> bounds;
   bounds.assign(pieces.size(), -kInfinity);
   std::size_t first = 0;
@@ -204,13 +206,14 @@ PathSample search_pieces(std::span<const Profile> pieces, const ToolPath& path, 
   for (std::size_t k = 0; k < pieces.size(); ++k)
     if (k != first && bounds[k] < best.distance)
       best = search_one(pieces[k], path, p, begin, end, cones, best);
+  for (const ProfileEdge& e : tool.edges())
+    if (e.is_arc() && !e.convex) best = search_fillet(tool, e, path, p, begin, end, best);
   return best;
 }
 
 PathSample search(const Profile& tool, const ToolPath& path, const Vec3& p, double begin,
                   double end) {
-  if (const std::span<const Profile> pieces = tool.convex_pieces(); !pieces.empty())
-    return search_pieces(pieces, path, p, begin, end);
+  if (!tool.convex_pieces().empty()) return search_pieces(tool, path, p, begin, end);
   return search_one(tool, path, p, begin, end, cones_about(path, p, begin, end),
                     {kInfinity, begin});
 }

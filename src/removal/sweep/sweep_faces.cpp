@@ -163,7 +163,7 @@ PathPoint face_place(const SweepColumns& columns, const SweepRef& ref, const Vec
   if (const ToolPath* arc = columns.upright_arc(ref))
     return upright_branch_point(tool, *arc, p, branch);
   const auto least = [&] {
-    if (!tool.convex_pieces().empty())
+    if (!tool.convex_pieces().empty() && (face >= kCornerPatch || !tool.bends_in(face)))
       return piece_distance(face >= kCornerPatch ? tool.piece_of_corner(face - kCornerPatch)
                                                  : tool.piece_of_patch(face),
                             *columns.paths[ref.row], p, branch);

@@ -348,10 +348,19 @@ double Profile::support(Vec2 n) const {
   return most;
 }
 
-// Chains come first among the pieces.
+// Chains come first among the pieces; a new one begins amid each concave arc as well.
 const Profile& Profile::piece_of_edge(std::size_t edge) const {
-  const auto begin = corners_.begin() + 1, end = begin + static_cast<std::ptrdiff_t>(edge);
-  return (*pieces_)[static_cast<std::size_t>(std::count(begin, end, Corner::reflex))];
+  const auto count = static_cast<std::ptrdiff_t>(edge);
+  const auto begin = corners_.begin() + 1;
+  const auto corners = std::count(begin, begin + count, Corner::reflex);
+  const auto arcs = std::count_if(edges_.begin(), edges_.begin() + count,
+                                  [](const ProfileEdge& e) { return e.is_arc() && !e.convex; });
+  return (*pieces_)[static_cast<std::size_t>(corners + arcs)];
+}
+
+bool Profile::bends_in(std::int32_t patch) const {
+  return std::ranges::any_of(
+      edges_, [&](const ProfileEdge& e) { return e.patch == patch && e.is_arc() && !e.convex; });
 }
 
 const Profile& Profile::piece_of_patch(std::int32_t patch) const {

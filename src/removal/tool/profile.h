@@ -65,14 +65,18 @@ class Profile {
   Vec2 corner_point(int corner) const { return edges_[static_cast<std::size_t>(corner)].a; }
 
   /// Convex solids whose union this is, which overlap wherever they meet: the least of their
-  /// distances is this one's outside, 0 on its surface, and no deeper inside. Empty for a convex
-  /// profile, where an arc bends inwards, and where pieces would only touch.
+  /// distances is this one's outside, 0 on its surface, and no deeper inside. Of an outline with
+  /// concave arcs they are what the tangents at the arcs' ends bound; between tangents and arc the
+  /// solid goes on (removal/forms/fillet_search.h). Empty for a convex profile, where an arc turns
+  /// by more than 150 degrees, and where pieces would only touch.
   std::span<const Profile> convex_pieces() const {
     return pieces_ ? std::span<const Profile>(*pieces_) : std::span<const Profile>();
   }
   /// The one of them that has a face of this profile. Requires: they are not empty.
   const Profile& piece_of_patch(std::int32_t patch) const;
   const Profile& piece_of_corner(int corner) const;
+  /// An edge of the patch is a concave arc, which no piece has.
+  bool bends_in(std::int32_t patch) const;
 
   /// What the tool sweeps when it travels up by `travel`: its widest place drawn out. Requires:
   /// is_unimodal(), a closed top.

@@ -42,7 +42,10 @@ double wide_up_to(const Chain& chain, double r) {
   return -std::numeric_limits<double>::infinity();
 }
 
-ProfileEdge straight(Vec2 a, Vec2 b) { return {.a = a, .b = b}; }
+ProfileEdge straight(Vec2 a, Vec2 b) {
+  const double size = length(b - a);
+  return {.a = a, .b = b, .direction = (1 / size) * (b - a), .length = size};
+}
 
 // A chain closed by discs at its ends, where they are not on the axis or endless.
 std::optional<Profile> solid_of(Chain chain) {
@@ -52,6 +55,36 @@ std::optional<Profile> solid_of(Chain chain) {
   Profile solid(std::move(chain));
   if (!solid.is_convex()) return std::nullopt;
   return solid;
+}
+
+// The end of a concave arc as its tangents meet within the solid; none where they meet beyond the
+// axis, or far away.
+std::optional<Vec2> tangents_met(const ProfileEdge& arc) {
+  constexpr double kLeastCosine = 0.25;  // of half the arc's angle
+  const Vec2 a = (1 / arc.radius) * (arc.a - arc.center),
+             b = (1 / arc.radius) * (arc.b - arc.center);
+  const Vec2 middle = a + b;
+  const double square = dot(middle, middle);
+  if (!(square > 4 * kLeastCosine * kLeastCosine)) return std::nullopt;
+  const Vec2 met = arc.center + (2 * arc.radius / square) * middle;
+  if (met.x < 0) return std::nullopt;
+  return met;
+}
+
+// The outline with the tangents of its concave arcs in their place, which meet at a reflex corner.
+bool replace_concave_arcs(std::vector<ProfileEdge>& edges, std::vector<Profile::Corner>& corners) {
+  for (std::size_t i = 0; i < edges.size(); ++i) {
+    const ProfileEdge arc = edges[i];
+    if (!arc.is_arc() || arc.convex) continue;
+    const std::optional<Vec2> met = tangents_met(arc);
+    if (!met) return false;
+    const auto at = static_cast<std::ptrdiff_t>(i);
+    edges[i] = straight(arc.a, *met);
+    edges.insert(edges.begin() + at + 1, straight(*met, arc.b));
+    corners.insert(corners.begin() + at + 1, Profile::Corner::reflex);
+    ++i;
+  }
+  return true;
 }
 
 // The profile's edges between corners that point into the solid.
@@ -67,11 +100,9 @@ std::vector<Chain> chains_of(const std::vector<ProfileEdge>& edges,
 
 }  // namespace
 
-std::vector<Profile> convex_pieces_of(const std::vector<ProfileEdge>& edges,
-                                      const std::vector<Profile::Corner>& corners) {
-  if (std::any_of(edges.begin(), edges.end(),
-                  [](const ProfileEdge& e) { return e.radius > 0 && !e.convex; }))
-    return {};
+std::vector<Profile> convex_pieces_of(std::vector<ProfileEdge> edges,
+                                      std::vector<Profile::Corner> corners) {
+  if (!replace_concave_arcs(edges, corners)) return {};
   const std::vector<Chain> chains = chains_of(edges, corners);
   std::vector<Chain> pieces = chains;
   for (std::size_t k = 0; k + 1 < chains.size(); ++k) {

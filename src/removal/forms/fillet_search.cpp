@@ -1,0 +1,102 @@
+// In the sector of a concave arc of radius R about c, outside, the distance is L = R - |q - c|,
+// with q the place in the tool's section. Inside, the tool's distance is not less. |q - c| is
+// convex in q, so that with w = |q - c|, on a straight path, L'' >= -|q'|^2 / w: the radius of q is
+// convex as well, and c lies farther out. An arc adds what its position bends. So branch and bound
+// needs some tens of values where the Lipschitz bound alone needs 1e5. Deep inside L is far below
+// the distance; there planes that touch the tool where it is nearest (Profile::support) bound it.
+#include "removal/forms/fillet_search.h"
+
+#include "removal/forms/path_objective.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace mrsim {
+namespace {
+
+constexpr double kDeep = 0.1;  // of the radius: deeper inside nothing more is looked for
+constexpr int kMostValues = 4000;
+constexpr double kArcBend = 1.5;  // >= sqrt(2): of the radius of the path, along r and z at once
+
+class Fillet {
+ public:
+  Fillet(const ProfileEdge& arc, const ToolPath& path, const Vec3& p)
+      : path_(path),
+        p_(p),
+        center_(arc.center),
+        radius_(arc.radius),
+        before_(across(arc.a, arc.b)),
+        behind_(across(arc.b, arc.a)) {}
+
+  struct Seen {
+    double bound = kInfinity;  ///< no place of the arc is nearer over t +- half
+    bool in_sector = false;    ///< the place lies in the arc's sector at t
+  };
+  Seen seen(double t, double half) const {
+    const PathPoint at = path_point(path_, t);
+    const Vec3 from = p_ - at.position;
+    const double rho = std::sqrt(from.x * from.x + from.y * from.y), moved = path_.speed * half;
+    const Vec2 q = Vec2{rho, from.z} - center_;
+    const double off = std::max(dot(q, before_), dot(q, behind_));
+    if (off > moved) return {};
+    const double w = length(q), least = radius_ - w - moved;
+    if (!(w > moved) || !(rho > 0)) return {least, off <= 0};
+    const double turn = (from.x * at.direction.x + from.y * at.direction.y) / rho;
+    const double slope = std::fabs(q.x * turn + q.y * at.direction.z) / w;
+    const double bend =
+        path_.speed * path_.speed / (w - moved) + (path_.arc ? kArcBend * path_.radius : 0);
+    return {std::max(least, radius_ - w - slope * half - 0.5 * bend * half * half), off <= 0};
+  }
+
+ private:
+  // Unit normal of the sector's side through `side`, away from `other`.
+  Vec2 across(Vec2 side, Vec2 other) const {
+    const Vec2 along = (1 / radius_) * (side - center_);
+    const Vec2 n{-along.y, along.x};
+    return dot(n, other - center_) > 0 ? -1.0 * n : n;
+  }
+
+  const ToolPath& path_;
+  const Vec3 p_;
+  const Vec2 center_;
+  const double radius_;
+  const Vec2 before_, behind_;
+};
+
+}  // namespace
+
+PathSample search_fillet(const Profile& tool, const ProfileEdge& arc, const ToolPath& path,
+                         const Vec3& p, double begin, double end, PathSample best) {
+  struct Span {
+    double lo, hi;
+  };
+  const Fillet fillet(arc, path, p);
+  const PathObjective F(tool, path, p);
+  const double deep = -kDeep * arc.radius;
+  std::array<Span, 128> stack;
+  std::size_t depth = 0;
+  double finest = 0;
+  stack[depth++] = {begin, end};
+  for (int values = 0; depth > 0 && values < kMostValues && best.distance > deep; ++values) {
+    const Span in = stack[--depth];
+    const double half = 0.5 * (in.hi - in.lo), mid = 0.5 * (in.lo + in.hi);
+    const Fillet::Seen seen = fillet.seen(mid, half);
+    if (seen.bound >= best.distance - kPathError) continue;
+    const PathValue m = F(mid);
+    const double found = std::max(m.f, deep);
+    if (seen.in_sector && found < best.distance) best = {found, mid}, finest = half;
+    if (plane_bound(F.touching_plane(mid), half) >= best.distance - kPathError) continue;
+    if (depth + 2 > stack.size()) continue;
+    const Span low{in.lo, mid}, high{mid, in.hi};
+    stack[depth++] = m.slope < 0 ? low : high;  // the downhill half is looked at first
+    stack[depth++] = m.slope < 0 ? high : low;
+  }
+  if (finest == 0) return best;
+  PathSample polished =
+      descend(F, std::max(best.t - finest, begin), std::min(best.t + finest, end));
+  polished.distance = std::max(polished.distance, deep);
+  return polished.distance < best.distance ? polished : best;
+}
+
+}  // namespace mrsim
