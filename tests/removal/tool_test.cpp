@@ -239,6 +239,22 @@ TEST(Profile, ConvexProfilesAndArcsThatTurnFarHaveNoPieces) {
                   .empty());
 }
 
+// Arcs that join an edge smoothly but for the last digits of their bulge.
+TEST(Profile, PlacesAcrossAnAlmostSmoothCornerHaveTheirSide) {
+  for (const double quarter : {0.41421356, 0.414213, 0.4142, 0.414}) {
+    const Profile hollow =
+        make_cutter(form({{0, 0, 0}, {2, 0, 0}, {2, 1, -quarter}, {5, 4, 0}, {5, 6, 0}}));
+    const Profile bull = make_cutter(form({{0, 0, 0}, {2, 0, quarter}, {5, 3, 0}, {5, 6, 0}}));
+    for (const double off : {0.1, 0.5, 1.0, 1.5}) {
+      EXPECT_NEAR(hollow.distance({2 + off, 1}), off, 1e-3) << quarter;
+      EXPECT_NEAR(hollow.distance({2 - 0.5 * off, 1}), -0.5 * off, 1e-3) << quarter;
+      EXPECT_NEAR(bull.distance({2, off}), -off, 1e-3) << quarter;
+      EXPECT_NEAR(bull.distance({5 - off, 3}), -off, 1e-3) << quarter;
+      EXPECT_NEAR(bull.distance({5 + off, 3}), off, 1e-3) << quarter;
+    }
+  }
+}
+
 // Between the pieces and the arc lies what search_fillet() looks at.
 TEST(Profile, PiecesBesideAConcaveArcEndAtItsTangents) {
   const double quarter = std::tan(kPi / 8);

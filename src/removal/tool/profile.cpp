@@ -217,20 +217,28 @@ Profile::Foot Profile::nearest(Vec2 q) const {
   return best;
 }
 
+// Both edges of a corner tell: where they join all but smoothly, rounding makes the corner the
+// foot of places on either side.
+bool Profile::is_outside(const Foot& f, Vec2 q) const {
+  const bool here = side(edges_[f.edge], q) > 0;
+  if (f.at_corner < 0 || corners_[f.at_corner] == Corner::smooth) return here;
+  const auto corner = static_cast<std::size_t>(f.at_corner);
+  const std::size_t other = corner == f.edge ? corner - 1 : corner;
+  if (other >= edges_.size()) return here;  // on the axis
+  const bool there = side(edges_[other], q) > 0;
+  return corners_[corner] == Corner::convex ? here || there : here && there;
+}
+
 double Profile::distance(Vec2 q) const {
   const Foot f = nearest(q);
-  const Corner corner = f.at_corner < 0 ? Corner::smooth : corners_[f.at_corner];
-  const bool outside =
-      corner == Corner::smooth ? side(edges_[f.edge], q) > 0 : corner == Corner::convex;
-  return outside ? f.distance : -f.distance;
+  return is_outside(f, q) ? f.distance : -f.distance;
 }
 
 ProfileSample Profile::sample(Vec2 q) const {
   const Foot f = nearest(q);
   const ProfileEdge& e = edges_[f.edge];
   const Corner corner = f.at_corner < 0 ? Corner::smooth : corners_[f.at_corner];
-  const bool outside = corner == Corner::smooth ? side(e, q) > 0 : corner == Corner::convex;
-  ProfileSample s{outside ? f.distance : -f.distance, outward(e, q), e.patch};
+  ProfileSample s{is_outside(f, q) ? f.distance : -f.distance, outward(e, q), e.patch};
   if (f.at_corner >= 0 && f.distance > 0 && corner != Corner::smooth) {
     const Vec2 v = static_cast<std::size_t>(f.at_corner) == f.edge ? e.a : e.b;
     s.gradient = (1 / s.distance) * (q - v);

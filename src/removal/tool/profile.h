@@ -119,6 +119,7 @@ class Profile {
  private:
   struct Foot;
   Foot nearest(Vec2 q) const;
+  bool is_outside(const Foot& foot, Vec2 q) const;
   const ProfileEdge* nearest_edge(Vec2 q, std::int32_t patch) const;
   void find_patches();
   void find_flags();
