@@ -48,12 +48,18 @@ bool ThreadCycles::thread_list() {
   t.points = {{call_.get("DM1") * unit / 2, 0, call_.get("SPL") * unit},
               {call_.get("DM2") * unit / 2, 0, call_.get("FPL") * unit}};
   t.pitches = {pitch};
+  return old_thread(t, static_cast<int>(kind));
+}
+
+// What the lists of CYCLE97 and CYCLE98 have in common.
+bool ThreadCycles::old_thread(Thread& t, int kind) {
+  const double unit = scale();
   t.run_in = std::abs(call_.get("APP")) * unit;
   t.run_out = std::abs(call_.get("ROP")) * unit;
   t.flank = call_.get("IANG");
   t.starts = std::clamp(static_cast<int>(call_.get("NUMT", 1)), 1, 100);
   t.clear = call_.get("VRT") > 0 ? call_.get("VRT") * unit : 1;
-  return thread_depths(t, static_cast<int>(kind), true, true) && thread(t);
+  return thread_depths(t, kind, true, true) && thread(t);
 }
 
 // PO1 DM1 PO2 DM2 PO3 DM3 PO4 DM4 APP ROP TDEP FAL IANG NSP NRC NID PP1 PP2 PP3 VARI NUMT VRT
@@ -72,12 +78,7 @@ bool ThreadCycles::thread_chain() {
   }
   for (const ValueName pitch : std::initializer_list<ValueName>{"PP1", "PP2", "PP3"})
     t.pitches.push_back(std::abs(call_.get(pitch)) * unit);
-  t.run_in = std::abs(call_.get("APP")) * unit;
-  t.run_out = std::abs(call_.get("ROP")) * unit;
-  t.flank = call_.get("IANG");
-  t.starts = std::clamp(static_cast<int>(call_.get("NUMT", 1)), 1, 100);
-  t.clear = call_.get("VRT") > 0 ? call_.get("VRT") * unit : 1;
-  return thread_depths(t, static_cast<int>(kind), true, true) && thread(t);
+  return old_thread(t, static_cast<int>(kind));
 }
 
 // SPL SPD FPL FPD APP ROP TDEP FAL IANG NSP NRC NID PIT VARI NUMTH SDIS MID GDEP PIT1 FDEP GST GUD

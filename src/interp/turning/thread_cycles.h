@@ -30,6 +30,7 @@ class ThreadCycles : public TurnCall {
   bool thread_list();
   bool thread_chain();
   bool thread_turning();
+  bool old_thread(Thread& t, int kind);
   bool thread_depths(Thread& out, int kind, bool rough, bool finish);
   bool thread(const Thread& thread);
 };
