@@ -217,15 +217,17 @@ Profile::Foot Profile::nearest(Vec2 q) const {
   return best;
 }
 
-// Both edges of a corner tell: where they join all but smoothly, rounding makes the corner the
-// foot of places on either side.
+// Both edges of a corner tell, by their tangents there: where they join all but smoothly, rounding
+// makes the corner the foot of places on either side.
 bool Profile::is_outside(const Foot& f, Vec2 q) const {
-  const bool here = side(edges_[f.edge], q) > 0;
-  if (f.at_corner < 0 || corners_[f.at_corner] == Corner::smooth) return here;
+  const ProfileEdge& e = edges_[f.edge];
+  if (f.at_corner < 0 || corners_[f.at_corner] == Corner::smooth) return side(e, q) > 0;
   const auto corner = static_cast<std::size_t>(f.at_corner);
+  const Vec2 at = corner == f.edge ? e.a : e.b;
+  const bool here = dot(outward(e, at), q - at) > 0;
   const std::size_t other = corner == f.edge ? corner - 1 : corner;
   if (other >= edges_.size()) return here;  // on the axis
-  const bool there = side(edges_[other], q) > 0;
+  const bool there = dot(outward(edges_[other], at), q - at) > 0;
   return corners_[corner] == Corner::convex ? here || there : here && there;
 }
 
