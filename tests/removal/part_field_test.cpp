@@ -5,6 +5,7 @@
 #include "removal/part/stock.h"
 #include "support/moves.h"
 #include "support/random.h"
+#include "support/tools.h"
 
 #include <random>
 
@@ -81,10 +82,7 @@ void expect_faces_agree(const PartField& field) {
 TEST(PartField, FacesOfMillingSweeps) {
   StockShape shape;
   shape.box = {{0, 0, 0}, {40, 40, 20}};
-  for (const ToolType type : {ToolType::endmill, ToolType::ballmill}) {
-    Tool tool;
-    tool.diameter = 6;
-    tool.type = type;
+  for (const Tool& tool : {testing::endmill(6), testing::ballmill(6)}) {
     const std::vector<Motion> motions{
         line({-5, 10, 12}, {45, 14, 12}),                            // level
         line({5, 30, 18}, {35, 32, 8}),                              // slanted
@@ -263,9 +261,7 @@ TEST(PartField, ListsHoldInTheWholeBox) {
       motions.push_back(line(at(k), at(k + 1)));
     }
   motions.push_back(arc({3, 0, -0.5}, {0, 0, -0.5}, {0, 0, 1}, 5));
-  Tool ball;
-  ball.type = ToolType::ballmill;
-  ball.diameter = 6;
+  const Tool ball = testing::ballmill(6);
   StockShape shape;
   shape.box = {{-8, -8, -5}, {8, 8, 4}};
   expect_lists_hold(PartField(StockSolid(shape), SweepTable(motions, {&ball, 1})), {6, 6, 2}, 50);
@@ -279,13 +275,7 @@ TEST(PartField, ListsOfThreadMillsHoldInTheWholeBox) {
                                     arc({2, 0, -12}, {0, 0, -12}, {0, 0, 1}, kTwoPi, 1.5),
                                     line({2, 0, -10.5}, {0, 0, -10.5}),
                                     line({0, 0, -10.5}, {0, 0, 5})};
-  Tool tool;
-  tool.type = ToolType::form;
-  tool.profile = {{0, 0, 0}, {2.1, 0, 0}};
-  for (double z = 0; z < 11; z += 1.5)
-    for (const auto& [r, up] : {std::pair(2.1, 0.1), {2.95, 0.65}, {2.95, 0.85}, {2.1, 1.4}})
-      tool.profile.push_back({r, z + up, 0});
-  tool.profile.push_back({2.1, 18, 0});
+  const Tool tool = testing::thread_mill(2.1, 2.95);
   StockShape shape;
   shape.box = {{-8, -8, -15}, {8, 8, 0}};
   expect_lists_hold(PartField(StockSolid(shape), SweepTable(motions, {&tool, 1})), {5, 5, 13}, 50);

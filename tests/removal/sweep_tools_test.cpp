@@ -53,11 +53,7 @@ std::vector<Tool> form_tools() {
   t[0].profile = {{0, 0, 0}, {2, 0, 0}, {2, 1, -quarter}, {5, 4, 0}, {5, 6, 0}};  // corner rounding
   t[0].flute_length = 6;
   t[1].profile = {{0, 0, 0}, {4, 0, 0}, {4, 2, 0}, {2, 3, 0}, {2, 5, 0}, {3.5, 6, 0}, {0, 6, 0}};
-  t[2].profile = {{0, 0, 0}, {2, 0, 0}};  // a thread mill
-  for (double z = 0; z < 11; z += 1.5)
-    for (const auto& [r, up] : {std::pair(2.0, 0.1), {2.9, 0.65}, {2.9, 0.85}, {2.0, 1.4}})
-      t[2].profile.push_back({r, z + up, 0});
-  t[2].profile.push_back({2, 18, 0});
+  t[2] = thread_mill(2, 2.9);
   return t;
 }
 

@@ -3,6 +3,8 @@
 
 #include <mrsim/types.h>
 
+#include <utility>
+
 namespace mrsim::testing {
 
 /// Any mill; 0 = not given.
@@ -21,6 +23,17 @@ inline Tool endmill(double d, double corner = 0, double flute = 0) {
 }
 
 inline Tool ballmill(double d, double flute = 0) { return mill(ToolType::ballmill, d, 0, flute); }
+
+/// Eight teeth of a pitch of 1.5 mm between two radii.
+inline Tool thread_mill(double root, double crest) {
+  Tool t = mill(ToolType::form, 0);
+  t.profile = {{0, 0, 0}, {root, 0, 0}};
+  for (double z = 0; z < 11; z += 1.5)
+    for (const auto& [r, up] : {std::pair(root, 0.1), {crest, 0.65}, {crest, 0.85}, {root, 1.4}})
+      t.profile.push_back({r, z + up, 0});
+  t.profile.push_back({root, 18, 0});
+  return t;
+}
 
 /// A turning tool named "2".
 inline Tool insert(const char* shape, double nose, int tip = 0, double edge_length = 0) {
