@@ -15,9 +15,9 @@
 namespace mrsim {
 namespace {
 
-constexpr double kDeep = 0.1;  // of the radius: deeper inside nothing more is looked for
-constexpr int kMostValues = 4000;
-constexpr double kArcBend = 1.5;  // >= sqrt(2): of the radius of the path, along r and z at once
+constexpr double kDeep = 0.1;      // of the radius: deeper inside nothing more is looked for
+constexpr int kMostInside = 4000;  // values, once the place is known to lie inside: for its depth
+constexpr double kArcBend = 1.5;   // >= sqrt(2): of the radius of the path, along r and z at once
 
 class Fillet {
  public:
@@ -78,7 +78,10 @@ PathSample search_fillet(const Profile& tool, const ProfileEdge& arc, const Tool
   std::size_t depth = 0;
   double finest = 0;
   stack[depth++] = {begin, end};
-  for (int values = 0; depth > 0 && values < kMostValues && best.distance > deep; ++values) {
+  const auto is_enough = [&](int values) {
+    return best.distance <= deep || (best.distance <= 0 && values >= kMostInside);
+  };
+  for (int values = 0; depth > 0 && !is_enough(values); ++values) {
     const Span in = stack[--depth];
     const double half = 0.5 * (in.hi - in.lo), mid = 0.5 * (in.lo + in.hi);
     const Fillet::Seen seen = fillet.seen(mid, half);

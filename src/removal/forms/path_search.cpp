@@ -150,9 +150,9 @@ std::optional<ConeHelix> cones_about(const ToolPath& path, const Vec3& p, double
   return std::optional<ConeHelix>(std::in_place, path, p, begin, end);
 }
 
-// For something nearer than `best`.
-PathSample search_one(const Profile& tool, const ToolPath& path, const Vec3& p, double begin,
-                      double end, const std::optional<ConeHelix>& cones, PathSample best) {
+// Of a tool as a whole, or of one piece, for something nearer than `best`.
+PathSample search_whole(const Profile& tool, const ToolPath& path, const Vec3& p, double begin,
+                        double end, const std::optional<ConeHelix>& cones, PathSample best) {
   if (cones && tool.is_convex())
     if (const auto least = cones->minimum(tool, best.distance)) return nearer(best, *least);
   const PathObjective F(tool, path, p);
@@ -202,27 +202,22 @@ PathSample search_pieces(const Profile& tool, const ToolPath& path, const Vec3& 
     }
   }
   const std::optional<ConeHelix> cones = cones_about(path, p, begin, end);
-  PathSample best = search_one(pieces[first], path, p, begin, end, cones, {kInfinity, begin});
+  PathSample best = search_whole(pieces[first], path, p, begin, end, cones, {kInfinity, begin});
   for (std::size_t k = 0; k < pieces.size(); ++k)
     if (k != first && bounds[k] < best.distance)
-      best = search_one(pieces[k], path, p, begin, end, cones, best);
+      best = search_whole(pieces[k], path, p, begin, end, cones, best);
   for (const ProfileEdge& e : tool.edges())
     if (e.is_arc() && !e.convex) best = search_fillet(tool, e, path, p, begin, end, best);
   return best;
-}
-
-PathSample search(const Profile& tool, const ToolPath& path, const Vec3& p, double begin,
-                  double end) {
-  if (!tool.convex_pieces().empty()) return search_pieces(tool, path, p, begin, end);
-  return search_one(tool, path, p, begin, end, cones_about(path, p, begin, end),
-                    {kInfinity, begin});
 }
 
 }  // namespace
 
 PathSample search_path(const Profile& tool, const ToolPath& path, const Vec3& p, double begin,
                        double end) {
-  return search(tool, path, p, begin, end);
+  if (!tool.convex_pieces().empty()) return search_pieces(tool, path, p, begin, end);
+  return search_whole(tool, path, p, begin, end, cones_about(path, p, begin, end),
+                      {kInfinity, begin});
 }
 
 // The lowest turn of a helix that falls with t, tool rising: F grows with the lateral distance and

@@ -57,7 +57,7 @@ std::optional<Profile> solid_of(Chain chain) {
   return solid;
 }
 
-// The end of a concave arc as its tangents meet within the solid; none where they meet beyond the
+// Where the tangents at a concave arc's ends meet, within the solid; none where that is beyond the
 // axis, or far away.
 std::optional<Vec2> tangents_met(const ProfileEdge& arc) {
   constexpr double kLeastCosine = 0.25;  // of half the arc's angle
