@@ -211,18 +211,21 @@ class AdaptiveMesher {
     std::vector<std::vector<std::int32_t>> failed(mesh.triangles.size());
     std::vector<std::uint64_t> hashes(mesh.triangles.size());
     std::vector<Detail> wanted(mesh.triangles.size(), Detail::flat);
-    parallel_for(
-        mesh.triangles.size(), options_.threads,
-        [&](std::size_t t) {
-          hashes[t] = triangle_hash(mesh, t);
-          if (passed_.find(hashes[t]) >= 0) return;
-          const double bound = certifier_.certified(mesh, t, limit).distance;
-          if (bound <= limit) return;
-          if (!misses_crease(mesh, t)) wanted[t] = detail_for(base, t, bound / limit);
-          if (wanted[t] == Detail::flat)
-            failed[t] = detail::guilty_cells(field_, tree_, *surface_, mesh, t, is_late());
-        },
-        64);
+    using Certifier = detail::MeshCertifier;
+    parallel_for_chunks(
+        mesh.triangles.size(), options_.threads, Certifier::kChunk,
+        [&](std::size_t begin, std::size_t end) {
+          detail::FaceDistances distances(field_);
+          for (std::size_t t = begin; t < end; ++t) {
+            hashes[t] = triangle_hash(mesh, t);
+            if (passed_.find(hashes[t]) >= 0) continue;
+            const double bound = certifier_.certified(mesh, t, limit, distances).distance;
+            if (bound <= limit) continue;
+            if (!misses_crease(mesh, t, distances)) wanted[t] = detail_for(base, t, bound / limit);
+            if (wanted[t] == Detail::flat)
+              failed[t] = detail::guilty_cells(field_, tree_, *surface_, mesh, t, is_late());
+          }
+        });
     std::size_t refined = 0;
     for (std::size_t t = 0; t < hashes.size(); ++t)
       if (wanted[t] != Detail::flat) {
@@ -266,11 +269,11 @@ class AdaptiveMesher {
 
   // A vertex lies far from the face that the triangle is measured by: what lies between is not seen
   // in these cells, however finely the surface is drawn in them.
-  bool misses_crease(const LabelledMesh& mesh, std::size_t t) const {
+  bool misses_crease(const LabelledMesh& mesh, std::size_t t,
+                     detail::FaceDistances& distances) const {
     const auto& x = mesh.triangles[t];
     return std::any_of(x.begin(), x.end(), [&](std::uint32_t v) {
-      return std::abs(field_.patch_distance(mesh.vertices[v], mesh.faces[mesh.labels[t]])) >
-             options_.tolerance;
+      return std::abs(distances(mesh.vertices[v], mesh.faces[mesh.labels[t]])) > options_.tolerance;
     });
   }
 
@@ -304,11 +307,12 @@ class AdaptiveMesher {
 
   LabelledMesh simplified(const LabelledMesh& mesh) {
     const double voxel = tree_.lattice().voxel();
+    detail::MeasuredTriangles measured;
     detail::ApartMesh small =
         detail::simplify_apart(mesh, voxel, options_.threads, [&](const std::vector<char>& locked) {
           return detail::simplify(field_, tree_, mesh,
                                   {options_.tolerance, 0.5 * voxel, border_room()}, locked,
-                                  options_.threads);
+                                  measured, options_.threads);
         });
     report_.kept = small.kept;
     timer_.step("simplify");

@@ -8,8 +8,10 @@
 #include "support/analytic_field.h"
 #include "support/mesh_asserts.h"
 #include "support/moves.h"
+#include "support/random.h"
 
 #include <cmath>
+#include <utility>
 #include <vector>
 
 #include <gtest/gtest.h>
@@ -43,11 +45,28 @@ TEST(Certify, SideOnACreaseIsMeasuredFromTheCrease) {
   const Vec3 a = edge - Vec3{kLength, 0, 0}, b = edge + kLength * Vec3{along.x, along.y, 0};
   for (const double height : {0.3, 1.0, 3.0}) {
     const Vec3 c = edge - Vec3{0, 0, height};
-    const double bound = detail::part_bound(part, tree, b, a, c, 0.1);
+    detail::FaceDistances distances(part);
+    const double bound = detail::part_bound(distances, tree, b, a, c, 0.1);
     EXPECT_GE(bound, 0.999 * sagitta) << height;
     EXPECT_LE(bound, 2 * sagitta) << height;
-    EXPECT_GT(detail::part_bound(part, tree, b, a, c, 0.9 * sagitta), 0.9 * sagitta) << height;
+    EXPECT_GT(detail::part_bound(distances, tree, b, a, c, 0.9 * sagitta), 0.9 * sagitta);
   }
+}
+
+// More places than are remembered, each asked for twice in a row and again at the end.
+TEST(Certify, RememberedDistancesAreThoseOfTheField) {
+  const AnalyticField part({{0, 0, 0}, {20, 20, 10}}, false, {flat_line({2, 10}, {18, 12}, 3, 5)});
+  detail::FaceDistances distances(part);
+  Random r(5);
+  std::vector<std::pair<Vec3, FieldSample>> asked;
+  for (int k = 0; k < 20000; ++k) {
+    const Vec3 p{r(0, 20), r(0, 20), r(0, 10)};
+    asked.emplace_back(p, part.sample({r(0, 20), r(0, 20), r(0, 10)}, {}));
+    const double want = part.patch_distance(p, asked.back().second);
+    ASSERT_EQ(distances(p, asked.back().second), want);
+    ASSERT_EQ(distances(p, asked.back().second), want);
+  }
+  for (const auto& [p, face] : asked) ASSERT_EQ(distances(p, face), part.patch_distance(p, face));
 }
 
 // Rows of loops of short moves, as adaptive clearing makes them: where their walls meet the side of

@@ -102,15 +102,15 @@ TEST(Flanks, OnHelicesEqualTheLeastDistanceOverAllPositions) {
       if (k == 0) p = path.center + Vec3{0, 0, r(-1, 4)};
       const auto got = ConeHelix(path, p, begin, end).minimum(cutter);
       ++asked;
-      if (!got) continue;
+      if (!got.is_exact) continue;
       ++found;
       const auto distance = [&](double t) {
         return at_rest(cutter, p - path_point(path, t).position);
       };
       const double want = least([&](double s) { return distance(begin + s * (end - begin)); }, 300);
-      ASSERT_NEAR(got->distance, want, 1e-9) << "round " << round << " point " << k;
-      ASSERT_TRUE(got->t >= begin && got->t <= end);
-      EXPECT_NEAR(distance(got->t), got->distance, 1e-11);
+      ASSERT_NEAR(got.least.distance, want, 1e-9) << "round " << round << " point " << k;
+      ASSERT_TRUE(got.least.t >= begin && got.least.t <= end);
+      EXPECT_NEAR(distance(got.least.t), got.least.distance, 1e-11);
     }
   }
   EXPECT_GT(asked, 5000);

@@ -70,15 +70,15 @@ Quarters quarters(const Corners3& t) {
 
 // Encloses the quarters of a triangle, and theirs, until they are within the limit or a value of g
 // shows that it is not. Infinite where a part is left for which nothing is known.
-double refined(const ExactField& field, const FieldSample& face, const Corners3& t, double limit,
+double refined(FaceDistances& distances, const FieldSample& face, const Corners3& t, double limit,
                int depth) {
   const Quarters parts = quarters(t);
   for (const Vec3& p : parts[0])
-    if (const double g = std::abs(field.patch_distance(p, face)); g > limit) return g;
+    if (const double g = std::abs(distances(p, face)); g > limit) return g;
   double most = 0;
   for (const Corners3& part : parts) {
-    double enclosed = largest_of(field.patch_range(part, face));
-    if (enclosed > limit && depth > 1) enclosed = refined(field, face, part, limit, depth - 1);
+    double enclosed = largest_of(distances.field().patch_range(part, face));
+    if (enclosed > limit && depth > 1) enclosed = refined(distances, face, part, limit, depth - 1);
     most = std::max(most, enclosed);
     if (most > limit) break;
   }
@@ -94,13 +94,13 @@ bool has_known_part(const ExactField& field, const FieldSample& face, const Corn
   });
 }
 
-double sampled_bound(const ExactField& field, const FieldSample& face, const Vec3& a, const Vec3& b,
-                     const Vec3& c, double limit) {
+double sampled_bound(FaceDistances& distances, const FieldSample& face, const Vec3& a,
+                     const Vec3& b, const Vec3& c, double limit) {
   Nodes nodes;
   double most = 0;
   const auto measure = [&](int i, int j) {
     const Vec3 p = node_at(a, b, c, i, j);
-    nodes.value[i][j] = field.patch_distance(p, face);
+    nodes.value[i][j] = distances(p, face);
     most = std::max(most, std::abs(nodes.value[i][j]));
   };
   for (int i = 0; i <= kSides; i += kSides / 2)
@@ -117,15 +117,16 @@ double sampled_bound(const ExactField& field, const FieldSample& face, const Vec
 // where the face `across`, which decides d at the node, meets the face that runs along the
 // triangle; that one is looked up `depth` mm below the node and gives the sign. Infinite where no
 // such face is found, or where the edge is too sharp.
-double crease_distance(const ExactField& field, const CellOctree& tree, const Vec3& p,
+double crease_distance(FaceDistances& distances, const CellOctree& tree, const Vec3& p,
                        const FieldSample& across, const Vec3& normal, double depth) {
+  const ExactField& field = distances.field();
   const Vec3 out = field.gradient(p, across);
   if (!(dot(normal, out) > kTaper * length(normal))) return kNoDistance;
   const Vec3 beneath = p - (std::max(across.distance, 0.0) + depth) * out;
   const FieldSample along = field.sample(beneath, tree.candidates(tree.locate(beneath)));
   if (!(dot(normal, field.gradient(beneath, along)) > kNearlySmooth * length(normal)))
     return kNoDistance;
-  return std::copysign(crease_bound(field, along, across, p, p), field.patch_distance(p, along));
+  return std::copysign(crease_bound(distances, along, across, p, p), distances(p, along));
 }
 
 }  // namespace
@@ -159,21 +160,23 @@ double largest_distance(const ExactField& field, const CellOctree& tree, const F
   return most;
 }
 
-TriangleBound triangle_bound(const ExactField& field, const FieldSample& face, const Vec3& a,
+TriangleBound triangle_bound(FaceDistances& distances, const FieldSample& face, const Vec3& a,
                              const Vec3& b, const Vec3& c, double limit) {
+  const ExactField& field = distances.field();
   const Corners3 t{a, b, c};
   const double enclosed = largest_of(field.patch_range(t, face));
   if (enclosed <= limit) {
     if (std::isfinite(enclosed)) return {enclosed, true};
   } else if (std::isfinite(enclosed) || has_known_part(field, face, t)) {
-    const double found = refined(field, face, t, limit, kRefinements);
+    const double found = refined(distances, face, t, limit, kRefinements);
     if (std::isfinite(found)) return {found, true};
   }
-  return {sampled_bound(field, face, a, b, c, limit), false};
+  return {sampled_bound(distances, face, a, b, c, limit), false};
 }
 
-double part_bound(const ExactField& field, const CellOctree& tree, const Vec3& a, const Vec3& b,
+double part_bound(FaceDistances& distances, const CellOctree& tree, const Vec3& a, const Vec3& b,
                   const Vec3& c, double limit) {
+  const ExactField& field = distances.field();
   // In groups that rise in cost and in what they show: the middles, the inner nodes, the quarters.
   static constexpr int kOrder[12][2] = {{2, 0}, {0, 2}, {2, 2}, {1, 1}, {2, 1}, {1, 2},
                                         {1, 0}, {3, 0}, {0, 1}, {0, 3}, {3, 1}, {1, 3}};
@@ -203,7 +206,7 @@ double part_bound(const ExactField& field, const CellOctree& tree, const Vec3& a
         has_several = has_several || !same_face(s, face);
       } else {
         const bool is_on_side = i == 0 || j == 0 || i + j == kSides;
-        value = is_on_side ? crease_distance(field, tree, p, s, normal, depth) : kNoDistance;
+        value = is_on_side ? crease_distance(distances, tree, p, s, normal, depth) : kNoDistance;
         if (!std::isfinite(value)) return kNoDistance;
         has_crease = true;
       }
@@ -238,11 +241,11 @@ double excess_over(const ExactField& field, const CellOctree& tree, const FieldS
   return mean * 0.5 * length(cross(b - a, c - a));
 }
 
-double crease_bound(const ExactField& field, const FieldSample& f, const FieldSample& g,
+double crease_bound(FaceDistances& distances, const FieldSample& f, const FieldSample& g,
                     const Vec3& a, const Vec3& b) {
   const Vec3 p = 0.5 * (a + b);
-  const Vec3 n = field.gradient(p, f), m = field.gradient(p, g);
-  const double x = field.patch_distance(p, f), y = field.patch_distance(p, g);
+  const Vec3 n = distances.field().gradient(p, f), m = distances.field().gradient(p, g);
+  const double x = distances(p, f), y = distances(p, g);
   const double ab = dot(n, m), det = 1 - ab * ab;
   if (det < kSmoothAngle * kSmoothAngle) return std::max(std::abs(x), std::abs(y));
   return std::sqrt(std::max((x * x - 2 * ab * x * y + y * y) / det, 0.0));

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "mesh/cells/octree.h"
+#include "mesh/simplify/face_distances.h"
 
 namespace mrsim::detail {
 
@@ -13,7 +14,7 @@ struct TriangleBound {
 /// Proven where the field encloses g: as close as it takes to tell whether g stays below `limit`.
 /// Else the largest value at 15 nodes (quarters of the sides), and what g can do between them by
 /// its second differences there. Above `limit` it may be a value of g instead of a bound.
-TriangleBound triangle_bound(const ExactField& field, const FieldSample& face, const Vec3& a,
+TriangleBound triangle_bound(FaceDistances& distances, const FieldSample& face, const Vec3& a,
                              const Vec3& b, const Vec3& c, double limit);
 
 /// Largest |d| of the exact part at the nodes, where anything but `face` can decide it; stops early
@@ -25,14 +26,14 @@ double largest_distance(const ExactField& field, const CellOctree& tree, const F
 
 /// Upper bound in mm of the distance of the segment's points from the curve in which two faces of
 /// the part meet; from either face where they join smoothly.
-double crease_bound(const ExactField& field, const FieldSample& f, const FieldSample& g,
+double crease_bound(FaceDistances& distances, const FieldSample& f, const FieldSample& g,
                     const Vec3& a, const Vec3& b);
 
 /// The same of |d| itself, whatever faces decide it under the triangle: for one that lies over
 /// several faces that join nearly smoothly. A side may run along a crease in which these end,
 /// unless it is sharper than 60 degrees, and is measured from the crease. Infinite in all other
 /// cases: a wall may taper off there. Requires: its corners lie on the surface.
-double part_bound(const ExactField& field, const CellOctree& tree, const Vec3& a, const Vec3& b,
+double part_bound(FaceDistances& distances, const CellOctree& tree, const Vec3& a, const Vec3& b,
                   const Vec3& c, double limit);
 
 /// Volume in mm^3 between the triangle and the part's surface, positive where the triangle lies in

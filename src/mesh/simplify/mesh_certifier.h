@@ -15,10 +15,14 @@ class MeshCertifier {
   MeshCertifier(const ExactField& field, const CellOctree& tree, double tolerance, int threads)
       : field_(field), tree_(tree), tolerance_(tolerance), threads_(threads) {}
 
+  /// Triangles that follow one another and are certified by one thread.
+  static constexpr std::size_t kChunk = 256;
+
   /// Upper bound in mm of the distance of triangle t from the part: from the face that it is
   /// measured by or, where that is less, from its nearest corner, as corners lie on the part. Above
   /// `limit` it may be a distance that was found instead of a bound.
-  TriangleBound certified(const LabelledMesh& mesh, std::size_t t, double limit) const;
+  TriangleBound certified(const LabelledMesh& mesh, std::size_t t, double limit,
+                          FaceDistances& distances) const;
 
   struct Total {
     double bound = 0;         ///< mm: the largest of all triangles
@@ -29,7 +33,8 @@ class MeshCertifier {
   double volume_excess(const LabelledMesh& mesh) const;
 
  private:
-  TriangleBound bound(const LabelledMesh& mesh, std::size_t t, double limit) const;
+  TriangleBound bound(const LabelledMesh& mesh, std::size_t t, double limit,
+                      FaceDistances& distances) const;
 
   const ExactField& field_;
   const CellOctree& tree_;

@@ -3,6 +3,7 @@
 #include "core/parallel.h"
 #include "mesh/simplify/certify.h"
 #include "mesh/solid/exact_predicates.h"
+#include "mesh/surface/piece_hash.h"
 
 #include <algorithm>
 #include <cmath>
@@ -56,8 +57,13 @@ struct Simplified {
 class Simplifier {
  public:
   Simplifier(const ExactField& field, const CellOctree& tree, const SimplifyLimits& limits,
-             Simplified& shared)
-      : field_(field), tree_(tree), limits_(limits), shared_(shared), mesh_(shared.mesh) {}
+             Simplified& shared, FlatMap& measured)
+      : field_(field),
+        tree_(tree),
+        limits_(limits),
+        shared_(shared),
+        mesh_(shared.mesh),
+        measured_(measured) {}
 
   /// Removes what it can of these vertices, short edges first, up to `most` mm.
   void run(std::span<const std::uint32_t> vertices, double most) {
@@ -154,16 +160,27 @@ class Simplifier {
     if (!keeps_manifold(to, k) || !keeps_crease(v, k)) return false;
     const std::size_t n = ring_.size();
     std::optional<double> least;  // asked of the triangles before where it matters
-    for (std::size_t m = 1; m + 1 < n; ++m) {
-      const Spoke& s = ring_[(k + m) % n];
-      const double cosine = cosine_to_face(s, mesh_.vertices[to]);
-      if (!(cosine > kFineCosine)) {
-        if (!least) least = std::max(least_cosine(v), kLeastCosine);
-        if (!(cosine >= *least)) return false;
-      }
-      if (!good_triangle(s, mesh_.vertices[to])) return false;
-    }
+    for (std::size_t m = 1; m + 1 < n; ++m)
+      if (!may_become(v, ring_[(k + m) % n], to, least)) return false;
     return true;
+  }
+
+  // Whether the triangle that is to take the place of the spoke's lies along the surface and within
+  // the tolerance.
+  bool may_become(std::uint32_t v, const Spoke& s, std::uint32_t to,
+                  std::optional<double>& least) const {
+    PlaceHash triangle;
+    triangle.add(std::uint64_t(to) << 32 | s.next);
+    triangle.add(std::uint64_t(s.last) << 32 | mesh_.labels[s.triangle]);
+    if (const int known = measured_.find(triangle.value()); known >= 0) return known == 1;
+    const double cosine = cosine_to_face(s, mesh_.vertices[to]);
+    if (!(cosine > kFineCosine)) {
+      if (!least) least = std::max(least_cosine(v), kLeastCosine);
+      return cosine >= *least && good_triangle(s, mesh_.vertices[to]);
+    }
+    const bool is_good = good_triangle(s, mesh_.vertices[to]);
+    measured_.insert(triangle.value(), is_good);
+    return is_good;
   }
 
   // Of the triangle that is to take the place of the spoke's, with the exact surface at its middle;
@@ -213,9 +230,9 @@ class Simplifier {
     }
     // The middle, and the quarters for a curve that bends both ways.
     const Vec3 m = 0.5 * (a + b);
-    return crease_bound(field_, f, g, a, b) <= limits_.tolerance &&
-           crease_bound(field_, f, g, a, m) <= limits_.tolerance &&
-           crease_bound(field_, f, g, m, b) <= limits_.tolerance;
+    return crease_bound(distances_, f, g, a, b) <= limits_.tolerance &&
+           crease_bound(distances_, f, g, a, m) <= limits_.tolerance &&
+           crease_bound(distances_, f, g, m, b) <= limits_.tolerance;
   }
 
   // The face does not bend from a to b: there, vertices lie on the borders of owners.
@@ -226,7 +243,7 @@ class Simplifier {
   bool good_triangle(const Spoke& s, const Vec3& target) const {
     const Vec3 &a = target, &b = mesh_.vertices[s.next], &c = mesh_.vertices[s.last];
     const FieldSample& face = mesh_.faces[mesh_.labels[s.triangle]];
-    const double off = triangle_bound(field_, face, a, b, c, limits_.tolerance).distance;
+    const double off = triangle_bound(distances_, face, a, b, c, limits_.tolerance).distance;
     if (off > limits_.tolerance) return false;
     return largest_distance(field_, tree_, face, a, b, c, limits_.tolerance, cell_) <=
            limits_.tolerance;
@@ -257,9 +274,11 @@ class Simplifier {
   SimplifyLimits limits_;
   Simplified& shared_;
   LabelledMesh& mesh_;
+  FlatMap& measured_;
   std::vector<Spoke> ring_;
   std::vector<std::size_t> creases_;
   std::vector<std::pair<double, std::size_t>> targets_;
+  mutable FaceDistances distances_{field_};
   mutable std::int32_t cell_ = 0;  ///< of the tree, where the last triangle was measured
 };
 
@@ -303,25 +322,27 @@ std::vector<std::vector<std::uint32_t>> slices(const std::vector<Vec3>& vertices
 }  // namespace
 
 LabelledMesh simplify(const ExactField& field, const CellOctree& tree, const LabelledMesh& mesh,
-                      const SimplifyLimits& limits, const std::vector<char>& locked, int threads) {
+                      const SimplifyLimits& limits, const std::vector<char>& locked,
+                      MeasuredTriangles& measured, int threads) {
   Simplified shared(mesh, locked);
   Box3 box;
   for (const Vec3& p : mesh.vertices) extend(box, p);
   const double most = mesh.vertices.empty() ? 0 : length(box.hi - box.lo);
   const std::size_t blocks = std::min(kBlocks, mesh.vertices.size() / kLeastBlock);
+  measured.of_block.resize(kBlocks + 1);
   if (blocks > 1) {
     const auto parts = slices(mesh.vertices, box, blocks);
     shared.block.resize(mesh.vertices.size());
     for (std::size_t k = 0; k < blocks; ++k)
       for (const std::uint32_t v : parts[k]) shared.block[v] = static_cast<std::uint8_t>(k);
     parallel_for(blocks, threads, [&](std::size_t k) {
-      Simplifier(field, tree, limits, shared).run(parts[k], most);
+      Simplifier(field, tree, limits, shared, measured.of_block[k]).run(parts[k], most);
     });
     shared.block.clear();
   }
   std::vector<std::uint32_t> all(mesh.vertices.size());
   std::iota(all.begin(), all.end(), 0u);
-  Simplifier(field, tree, limits, shared).run(all, most);
+  Simplifier(field, tree, limits, shared, measured.of_block[kBlocks]).run(all, most);
   return compact(shared);
 }
 

@@ -3,6 +3,7 @@
 // one (docs/mesh.md, Simplification).
 #pragma once
 
+#include "mesh/cells/flat_map.h"
 #include "mesh/cells/octree.h"
 #include "mesh/points/vertex.h"
 #include "mesh/simplify/labelled_mesh.h"
@@ -18,10 +19,17 @@ struct SimplifyLimits {
   double straight = 0;   ///< mm: the same on plane faces, where its vertices lie on it
 };
 
+/// Which triangles lie within the limits, of those that were measured: for the next time that the
+/// same mesh is simplified, with more vertices locked.
+struct MeasuredTriangles {
+  std::vector<FlatMap> of_block;  ///< the last one: what lies between the blocks
+};
+
 /// Vertices are only removed, never moved; `locked` ones stay. The result is manifold if `mesh` is;
 /// it may intersect itself where walls are thinner than the tolerance (the caller checks). Blocks
 /// of the mesh first, on `threads` threads, then what lies between them: the same for any number.
 LabelledMesh simplify(const ExactField& field, const CellOctree& tree, const LabelledMesh& mesh,
-                      const SimplifyLimits& limits, const std::vector<char>& locked, int threads);
+                      const SimplifyLimits& limits, const std::vector<char>& locked,
+                      MeasuredTriangles& measured, int threads);
 
 }  // namespace mrsim::detail

@@ -80,20 +80,20 @@ ConeHelix::Place ConeHelix::at(double t, const Vec2& w) const {
   return {t, std::sqrt(x * x + y * y), away_.z - t * path_.rise.z};
 }
 
-std::optional<PathSample> ConeHelix::minimum(const Profile& tool, double limit) const {
+ConeHelix::Minimum ConeHelix::minimum(const Profile& tool, double limit) const {
   Least best;
   for (const ProfileEdge& e : tool.edges()) {
     const double a = e.direction.y, c = -e.direction.x;
     if (e.radius > 0 || a < 0) continue;
     const Least found = least(a, c, a * e.a.x + c * e.a.y, best.f);
     if (found.f > best.f) best = found;
-    if (best.f >= limit) return PathSample{best.f, best.at.t};
+    if (best.f >= limit) return {{best.f, best.at.t}, true};
   }
-  if (!std::isfinite(best.f)) return std::nullopt;
+  if (!std::isfinite(best.f)) return {{best.f, ends_[0].t}, false};
   const double there = tool_distance(tool, best.at.rho, best.at.z);
-  if (there - best.f > kSameValue * (1 + std::fabs(there) + best.at.rho + std::fabs(best.at.z)))
-    return std::nullopt;
-  return PathSample{there, best.at.t};
+  const double size = 1 + std::fabs(there) + best.at.rho + std::fabs(best.at.z);
+  if (there - best.f > kSameValue * size) return {{best.f, best.at.t}, false};
+  return {{there, best.at.t}, true};
 }
 
 }  // namespace mrsim

@@ -16,11 +16,15 @@ class ConeHelix {
   /// Requires: path.horizontal, at most one turn from `begin` to `end`; the path outlives this.
   ConeHelix(const ToolPath& path, const Vec3& p, double begin, double end);
 
-  /// The least distance over the positions from `begin` to `end`, up to 1e-12 of the size; none
-  /// where a corner, a ball or a torus may be nearest. Where none is less than `limit`, a bound
-  /// of them that is not either. Requires: tool.is_convex().
-  std::optional<PathSample> minimum(const Profile& tool,
-                                    double limit = std::numeric_limits<double>::infinity()) const;
+  struct Minimum {
+    PathSample least;
+    bool is_exact = false;  ///< else a bound from below, and about where the least distance lies
+  };
+  /// The least distance over the positions from `begin` to `end`, up to 1e-12 of the size; not
+  /// exact where a corner, a ball or a torus may be nearest. Where none is less than `limit`, a
+  /// bound of them that is not either. Requires: tool.is_convex().
+  Minimum minimum(const Profile& tool,
+                  double limit = std::numeric_limits<double>::infinity()) const;
 
  private:
   // Seen from the tool's tip at t.

@@ -97,7 +97,7 @@ PathSample search_fillet(const Profile& tool, const ProfileEdge& arc, const Tool
   }
   if (finest == 0) return best;
   PathSample polished =
-      descend(F, std::max(best.t - finest, begin), std::min(best.t + finest, end));
+      descend(F, std::max(best.t - finest, begin), std::min(best.t + finest, end), best.t);
   polished.distance = std::max(polished.distance, deep);
   return polished.distance < best.distance ? polished : best;
 }

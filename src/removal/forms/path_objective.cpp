@@ -7,7 +7,102 @@
 namespace mrsim {
 namespace {
 
-constexpr double kTiny = 1e-300;  // in the place of a divisor that is 0
+constexpr double kTiny = 1e-300;       // in the place of a divisor that is 0
+constexpr double kExact = 1e-13;       // of the size: best value and bound agree
+constexpr double kBeyond = 1.1;        // of a Newton step, so that the minimum lies behind
+constexpr double kAcross = 1.0 / 32;   // of a bracket: how far a step goes across a kink at most
+constexpr double kLeastAcross = 1e-7;  // of t: as far as F, bent, leaves its tangent by 1e-14
+
+struct Place {
+  double t;
+  PathValue at;
+};
+
+bool agree(double best, double floor) { return best - floor <= kExact * (1 + std::fabs(best)); }
+
+// From x downhill until F rises, or to the end of [lo, hi]: Newton's steps, longer ones where these
+// do not get far.
+Bracket walk_down(const PathObjective& F, Place x, double lo, double hi, double limit) {
+  const bool rises = x.at.slope > 0;
+  const double end = rises ? lo : hi;
+  for (double least = 0;;) {
+    const double left = std::fabs(end - x.t), slope = std::fabs(x.at.slope);
+    const double floor = x.at.f - slope * left;
+    if (left == 0 || slope == 0 || agree(x.at.f, floor) || floor >= limit)
+      return {x.t, x.t, x.at, x.at};
+    const double newton = x.at.bend > 0 ? slope / x.at.bend : left;
+    const double step = std::max(kBeyond * newton, least);
+    Place y{step < left ? x.t + (rises ? -step : step) : end, {}};
+    if (y.t == x.t) y.t = end;
+    y.at = F(y.t);
+    if (rises ? y.at.slope < 0 : y.at.slope > 0)
+      return rises ? Bracket{y.t, x.t, y.at, x.at} : Bracket{x.t, y.t, x.at, y.at};
+    least = 2 * std::fabs(y.t - x.t);
+    x = y;
+  }
+}
+
+struct Likely {
+  double t;
+  bool is_kink;
+};
+
+// Where the minimum lies by what is known at both ends of a bracket, of which `x` was found last:
+// Newton's step from it, or the kink where the tangent at `y` would be above. `cut`: where both
+// tangents meet.
+Likely likely_minimum(const Place& x, const Place& y, double cut) {
+  if (x.at.bend > 0) {
+    const double t = x.t - x.at.slope / x.at.bend;
+    if (x.at.f + 0.5 * x.at.slope * (t - x.t) >= y.at.f + y.at.slope * (t - y.t)) return {t, false};
+  }
+  const double a = cut - x.t, b = cut - y.t;
+  const double slope_x = x.at.slope + x.at.bend * a, slope_y = y.at.slope + y.at.bend * b;
+  const double apart = 0.5 * (x.at.bend * a * a - y.at.bend * b * b);
+  return {slope_x * slope_y < 0 ? cut - apart / (slope_x - slope_y) : cut, true};
+}
+
+// A place beyond the likely minimum, as the end `x`, found last, came from the same side `same`
+// times in a row before: by as much as x misses a smooth minimum, or as the other end may miss a
+// kink.
+double beyond(const Likely& likely, const Place& x, double other, int same) {
+  const double left = other - likely.t;
+  const double share = std::min(kAcross, std::ldexp(std::fabs(left), 2 * (same - 1)));
+  const double step = likely.is_kink ? share * left : likely.t - x.t;
+  return likely.t + (left > 0 ? std::max(step, kLeastAcross) : std::min(step, -kLeastAcross));
+}
+
+// Until both ends are so near that the tangents at them leave no room below the better one.
+Bracket narrowed(const PathObjective& F, Bracket in, double limit) {
+  bool is_low = std::fabs(in.a.slope) < std::fabs(in.b.slope);  // the end that was found last
+  double wide = in.hi - in.lo;
+  for (int i = 0, same = 0; i < 80; ++i) {
+    const auto& [lo, hi, a, b] = in;
+    const double cut =
+        std::clamp((a.f - b.f + b.slope * hi - a.slope * lo) / (b.slope - a.slope), lo, hi);
+    const double floor = a.f + a.slope * (cut - lo);
+    if (agree(std::min(a.f, b.f), floor) || floor >= limit) break;
+    const Place low{lo, a}, high{hi, b};
+    const Place &last = is_low ? low : high, &other = is_low ? high : low;
+    const Likely likely = likely_minimum(last, other, cut);
+    const bool is_stuck = same > (likely.is_kink ? 0 : 1);
+    double t = is_stuck ? beyond(likely, last, other.t, same) : likely.t;
+    if (t <= lo) t = lo + kAcross * (hi - lo);
+    if (t >= hi) t = hi - kAcross * (hi - lo);
+    if (i % 4 == 3) {
+      if (hi - lo > 0.25 * wide) t = 0.5 * (lo + hi);
+      wide = hi - lo;
+    }
+    if (!(t > lo && t < hi)) break;
+    const PathValue m = F(t);
+    const bool falls = m.slope < 0;
+    same = falls == is_low ? same + 1 : 0;
+    is_low = falls;
+    (falls ? in.lo : in.hi) = t;
+    (falls ? in.a : in.b) = m;
+    if (m.slope == 0) break;
+  }
+  return in;
+}
 
 // What the tangent plane at t says of how F bends within |s| <= half, per s^2 / 2;
 // 1 - cos s >= s^2 / 2 - s^4 / 24.
@@ -30,43 +125,14 @@ double below_tangent(const PathValue& m, double wide) {
   return std::max(0.0, -0.5 * least_bend(m, wide) * wide * wide);
 }
 
-Bracket bracket(const PathObjective& F, double lo, double hi, double limit) {
-  PathValue a = F(lo);
-  if (a.slope >= 0) return {lo, lo, a, a};
-  PathValue b = F(hi);
-  if (b.slope <= 0) return {hi, hi, b, b};
-  double weight_a = 1, weight_b = 1;
-  int side = 0;  // of the last place, where two in a row lie on it
-  for (int i = 0; i < 80; ++i) {
-    const double cut =
-        std::clamp((a.f - b.f + b.slope * hi - a.slope * lo) / (b.slope - a.slope), lo, hi);
-    const double floor = a.f + a.slope * (cut - lo), best = a.f < b.f ? a.f : b.f;
-    if (best - floor <= 1e-13 * (1 + (best < 0 ? -best : best)) || floor >= limit) break;
-    // Tangents find kinks at once, the secant of the slopes smooth minima (Illinois); halving
-    // bounds both.
-    const double low = weight_a * a.slope, high = weight_b * b.slope;
-    double t = i % 3 == 0   ? cut
-               : i % 9 == 8 ? 0.5 * (lo + hi)
-                            : lo - low * (hi - lo) / (high - low);
-    if (!(t > lo && t < hi)) t = 0.5 * (lo + hi);
-    if (!(t > lo && t < hi)) break;
-    const PathValue m = F(t);
-    if (m.slope < 0) {
-      lo = t, a = m, weight_a = 1;
-      weight_b = side < 0 ? 0.5 * weight_b : 1;
-      side = -1;
-    } else {
-      hi = t, b = m, weight_b = 1;
-      weight_a = side > 0 ? 0.5 * weight_a : 1;
-      side = 1;
-    }
-    if (m.slope == 0) break;
-  }
-  return {lo, hi, a, b};
+Bracket bracket(const PathObjective& F, double lo, double hi, double guess, double limit) {
+  const double from = std::clamp(guess, lo, hi);
+  const Bracket first = walk_down(F, {from, F(from)}, lo, hi, limit);
+  return first.lo < first.hi ? narrowed(F, first, limit) : first;
 }
 
-PathSample descend(const PathObjective& F, double lo, double hi, double limit) {
-  return bracket(F, lo, hi, limit).least();
+PathSample descend(const PathObjective& F, double lo, double hi, double guess, double limit) {
+  return bracket(F, lo, hi, guess, limit).least();
 }
 
 double plane_bound(const PathValue& m, double half) {

@@ -13,9 +13,10 @@
 
 namespace mrsim {
 
-/// F, F', and what the tangent plane there tells of how F bends: I and |n h| of path_search.cpp.
+/// F, F', F'', and what the tangent plane there tells of how F bends: I and |n h| of
+/// path_search.cpp.
 struct PathValue {
-  double f = 0, slope = 0;
+  double f = 0, slope = 0, bend = 0;
   double inward = 0, advance = 0;
 };
 
@@ -47,13 +48,14 @@ class PathObjective {
   }
 
   /// On a horizontal path the lateral distance of p, sqrt(D^2 + R^2 - 2 D R cos(angle)), is convex
-  /// up to this angle on both sides of the position that looks at p, and then has no minimum before
-  /// that of the next turn.
+  /// up to the angle of cosine D / R or R / D on both sides of the position that looks at p, and
+  /// then has no minimum before that of the next turn. This one is up to a tenth smaller:
+  /// cos(x) >= 1 - x^2 / 2.
   double convex_reach() const {
     const double dx = p_.x - path_.center.x, dy = p_.y - path_.center.y;
     const double d = std::sqrt(dx * dx + dy * dy);
     const double least = std::min(d, path_.radius), most = std::max(d, path_.radius);
-    return mrsim::atan2(std::sqrt(most * most - least * least), least);
+    return std::sqrt(2 * (1 - least / most));
   }
 
   /// The distance of the position that looks at p, `near` in plan, where it is the least one: the
@@ -76,8 +78,10 @@ class PathObjective {
   }
   double at_rest(double rho, double z) const { return tool_distance(tool_, rho, z); }
 
-  /// The best position on each turn lies, in plan, towards p.
+  /// The best position on each turn of an arc lies, seen along its axis, towards p; of a line,
+  /// where p is nearest.
   double towards() const {
+    if (!path_.arc) return dot(p_ - path_.start, path_.travel) / dot(path_.travel, path_.travel);
     const Vec3 w = p_ - path_.center;
     double a = mrsim::atan2(dot(w, path_.v), dot(w, path_.u));
     return a < 0 ? a + kTwoPi : a;
@@ -91,11 +95,21 @@ class PathObjective {
     const ProfileSample s = tool_sample(tool_, rho, q.z);
     const double lateral = rho > 0 ? s.gradient.x / rho : 0;
     const Vec3 n{lateral * q.x, lateral * q.y, s.gradient.y};
-    const Vec3 out = at.position - path_.center - t * path_.rise;
+    const Vec3 out = path_.arc ? at.position - path_.center - t * path_.rise : Vec3{};
     const double f = of_plane ? dot(s.gradient, Vec2{rho, q.z}) -
                                     tool_.support({std::fabs(s.gradient.x), s.gradient.y})
                               : s.distance;
-    return {f, -dot(n, d), dot(n, out), std::fabs(dot(n, path_.rise))};
+    const double inward = dot(n, out);
+    return {f, -dot(n, d), bend(s, q, d, rho) + inward, inward, std::fabs(dot(n, path_.rise))};
+  }
+
+  // F'' but for the path's own bend. On the axis, where F may have a kink: 0.
+  static double bend(const ProfileSample& s, const Vec3& q, const Vec3& d, double rho) {
+    if (!(rho > 0)) return 0;
+    const double outward = -(q.x * d.x + q.y * d.y) / rho;  // of the place, per unit of t
+    const double across2 = d.x * d.x + d.y * d.y - outward * outward;
+    const double along = s.gradient.x * d.z + s.gradient.y * outward;  // the line of equal distance
+    return s.gradient.x * across2 / rho + s.curvature * along * along;
   }
 
   const Profile& tool_;
@@ -111,10 +125,12 @@ struct Bracket {
   PathSample least() const { return a.f < b.f ? PathSample{a.f, lo} : PathSample{b.f, hi}; }
 };
 
-/// About the minimum of a convex F on [lo, hi], or the local one that F'(lo) < 0 < F'(hi) holds; of
-/// a convex F no longer than it may be below `limit`.
-Bracket bracket(const PathObjective& F, double lo, double hi, double limit = kInfinity);
-PathSample descend(const PathObjective& F, double lo, double hi, double limit = kInfinity);
+/// About the minimum of a convex F on [lo, hi], or a local one; of a convex F no longer than it may
+/// be below `limit`. The search begins at `guess`.
+Bracket bracket(const PathObjective& F, double lo, double hi, double guess,
+                double limit = kInfinity);
+PathSample descend(const PathObjective& F, double lo, double hi, double guess,
+                   double limit = kInfinity);
 
 /// How far from t, on the side where F does not fall, F is at least F(t): less than half a turn.
 double clear_reach(const PathValue& at);

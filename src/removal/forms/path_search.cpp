@@ -43,14 +43,15 @@ PathSample ends(const PathObjective& F, double begin, double end) {
   return nearer({F(begin).f, begin}, {F(end).f, end});
 }
 
-// A convex tool on an arc or a helix about Z, over [begin, end], for something nearer than `best`.
-PathSample search_horizontal(const PathObjective& F, double begin, double end, PathSample best) {
+// A convex tool on an arc or a helix about Z, over [begin, end], for something nearer than `best`;
+// `guess`: about where it is.
+PathSample search_horizontal(const PathObjective& F, double begin, double end, double guess,
+                             PathSample best) {
   const double near = F.to_circle();
   double first = F.towards();
   while (first < begin) first += kTwoPi;
   if (first <= end)
     if (const auto wall = F.upright_wall(near, begin, end)) return nearer(best, {*wall, first});
-  best = nearer(best, ends(F, begin, end));
   const double reach = F.convex_reach();
   static thread_local std::vector<Interval> open;
   open.clear();
@@ -62,16 +63,23 @@ PathSample search_horizontal(const PathObjective& F, double begin, double end, P
     from = hi;
     const double half = 0.5 * (hi - lo);
     if (hi <= lo || F.horizontal_bound(lo + half, half, near) >= best.distance) continue;
-    const PathSample least = descend(F, lo, hi, best.distance);
+    const double from_guess = lo <= guess && guess <= hi ? guess : facing;
+    const PathSample least = descend(F, lo, hi, from_guess, best.distance);
     if (least.distance < best.distance) best = least;
   }
+  const auto bound = [&](const Interval& in) {
+    const double nearest = std::min(F.lateral(in.lo), F.lateral(in.hi));
+    return F.horizontal_bound(0.5 * (in.lo + in.hi), 0.5 * (in.hi - in.lo), nearest);
+  };
+  std::erase_if(open, [&](const Interval& in) { return bound(in) >= best.distance; });
+  if (open.empty()) return best;
+  best = nearer(best, ends(F, begin, end));
   double finest = 0;
   while (!open.empty()) {
     const Interval in = open.back();
     open.pop_back();
     const double half = 0.5 * (in.hi - in.lo), mid = 0.5 * (in.lo + in.hi);
-    const double nearest = std::min(F.lateral(in.lo), F.lateral(in.hi));
-    if (F.horizontal_bound(mid, half, nearest) >= best.distance - kPathError) continue;
+    if (bound(in) >= best.distance - kPathError) continue;
     const PathValue m = F(mid);
     if (m.f < best.distance) best = {m.f, mid}, finest = half;
     if (plane_bound(m, half) >= best.distance - kPathError) continue;
@@ -81,8 +89,8 @@ PathSample search_horizontal(const PathObjective& F, double begin, double end, P
       std::swap(open.back(), open[open.size() - 2]);  // downhill last: looked at first
   }
   if (finest == 0) return best;
-  const PathSample polished =
-      descend(F, std::clamp(best.t - finest, begin, end), std::clamp(best.t + finest, begin, end));
+  const PathSample polished = descend(F, std::clamp(best.t - finest, begin, end),
+                                      std::clamp(best.t + finest, begin, end), best.t);
   return polished.distance < best.distance ? polished : best;
 }
 
@@ -118,7 +126,7 @@ PathSample search_all(const PathObjective& F, const Profile& tool, const ToolPat
   }
   if (finest == 0) return best;
   return nearer(best, descend(F, std::clamp(best.t - finest, begin, end),
-                              std::clamp(best.t + finest, begin, end)));
+                              std::clamp(best.t + finest, begin, end), best.t));
 }
 
 // A convex tool on an arc in any plane but a horizontal one, over [begin, end].
@@ -129,7 +137,7 @@ PathSample search_steep(const PathObjective& F, const Profile& tool, const ToolP
     const PathSample a = search_steep(F, tool, path, begin, mid);
     return nearer(a, search_steep(F, tool, path, mid, end));
   }
-  const Bracket local = bracket(F, begin, end);
+  const Bracket local = bracket(F, begin, end, F.towards());
   PathSample best = local.least();
   const auto look = [&](double from, double to, double bound) {
     if (from >= to) return;
@@ -153,13 +161,17 @@ std::optional<ConeHelix> cones_about(const ToolPath& path, const Vec3& p, double
 // Of a tool as a whole, or of one piece, for something nearer than `best`.
 PathSample search_whole(const Profile& tool, const ToolPath& path, const Vec3& p, double begin,
                         double end, const std::optional<ConeHelix>& cones, PathSample best) {
-  if (cones && tool.is_convex())
-    if (const auto least = cones->minimum(tool, best.distance)) return nearer(best, *least);
+  double guess = -kInfinity;
+  if (cones && tool.is_convex()) {
+    const auto [least, is_exact] = cones->minimum(tool, best.distance);
+    if (is_exact) return nearer(best, least);
+    guess = least.t;
+  }
   const PathObjective F(tool, path, p);
   if (!tool.is_convex())
     return search_all(F, tool, path, begin, end, nearer(best, ends(F, begin, end)));
-  if (!path.arc) return nearer(best, descend(F, begin, end, best.distance));
-  return path.horizontal ? search_horizontal(F, begin, end, best)
+  if (!path.arc) return nearer(best, descend(F, begin, end, F.towards(), best.distance));
+  return path.horizontal ? search_horizontal(F, begin, end, guess, best)
                          : nearer(best, search_steep(F, tool, path, begin, end));
 }
 
@@ -227,7 +239,7 @@ PathSample search_path(const Profile& tool, const ToolPath& path, const Vec3& p,
 // and the height at its end bound F. The end of the path is the lowest, and a candidate by itself.
 PathSample search_lowest_turn(const Profile& tool, const ToolPath& path, const Vec3& p) {
   if (const auto cones = cones_about(path, p, 0, path.sweep); cones && tool.is_convex())
-    if (const auto least = cones->minimum(tool)) return *least;
+    if (const auto found = cones->minimum(tool); found.is_exact) return found.least;
   const PathObjective F(tool, path, p);
   const double end = path.sweep, facing = F.towards();
   if (end >= kTwoPi) {  // beside the wall of a bore heights do not matter
@@ -251,7 +263,7 @@ PathSample search_lowest_turn(const Profile& tool, const ToolPath& path, const V
   double begin = from;  // of what is not known to be convex
   if (tool.is_convex()) {
     begin = std::clamp((facing > end ? facing - kTwoPi : facing) + F.convex_reach(), from, to);
-    const PathSample least = descend(F, from, begin);
+    const PathSample least = descend(F, from, begin, from);
     if (least.distance < best.distance) best = least;
   }
   stack[depth++] = {begin, to, begin > from ? F.lateral(begin) : near};
@@ -271,8 +283,8 @@ PathSample search_lowest_turn(const Profile& tool, const ToolPath& path, const V
     stack[depth++] = m.slope < 0 ? high : low;
   }
   if (finest == 0) return best;
-  const PathSample polished =
-      descend(F, std::clamp(best.t - finest, from, to), std::clamp(best.t + finest, from, to));
+  const PathSample polished = descend(F, std::clamp(best.t - finest, from, to),
+                                      std::clamp(best.t + finest, from, to), best.t);
   return polished.distance < best.distance ? polished : best;
 }
 

@@ -16,6 +16,7 @@ ProfileSample tool_sample(const Profile& tool, double rho, double z) {
   if (dr > 0 && dz > 0) {
     const double n = std::sqrt(dr * dr + dz * dz);
     s.gradient = {dr / n, way * dz / n};
+    s.curvature = 1 / n;
   } else {
     s.gradient = dr > dz ? Vec2{1, 0} : Vec2{0, way};
   }

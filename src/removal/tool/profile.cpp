@@ -243,7 +243,10 @@ ProfileSample Profile::sample(Vec2 q) const {
   ProfileSample s{is_outside(f, q) ? f.distance : -f.distance, outward(e, q), e.patch};
   if (f.at_corner >= 0 && f.distance > 0 && corner != Corner::smooth) {
     const Vec2 v = static_cast<std::size_t>(f.at_corner) == f.edge ? e.a : e.b;
-    s.gradient = (1 / s.distance) * (q - v);
+    s.curvature = 1 / s.distance;
+    s.gradient = s.curvature * (q - v);
+  } else if (e.is_arc()) {
+    s.curvature = 1 / (e.convex ? e.radius + s.distance : s.distance - e.radius);
   }
   return s;
 }

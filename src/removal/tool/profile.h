@@ -32,6 +32,7 @@ struct ProfileSample {
   double distance = 0;
   Vec2 gradient;  ///< unit, d(distance) / d(r, z)
   std::int32_t patch = 0;
+  double curvature = 0;  ///< 1/mm, of the line of equal distance there; positive where it bulges
 };
 
 /// The outline of a revolved solid in the half plane r >= 0, from the axis at the tip upwards.
