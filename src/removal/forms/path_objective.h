@@ -49,13 +49,18 @@ class PathObjective {
 
   /// On a horizontal path the lateral distance of p, sqrt(D^2 + R^2 - 2 D R cos(angle)), is convex
   /// up to the angle of cosine D / R or R / D on both sides of the position that looks at p, and
-  /// then has no minimum before that of the next turn. This one is up to a tenth smaller:
+  /// then has no minimum before that of the next turn. This angle is up to a tenth smaller:
   /// cos(x) >= 1 - x^2 / 2.
-  double convex_reach() const {
+  struct Convex {
+    double reach = 0;
+    double beyond = 0;  ///< mm: no position farther away than `reach` is nearer in plan
+  };
+  Convex convex_part() const {
     const double dx = p_.x - path_.center.x, dy = p_.y - path_.center.y;
-    const double d = std::sqrt(dx * dx + dy * dy);
-    const double least = std::min(d, path_.radius), most = std::max(d, path_.radius);
-    return std::sqrt(2 * (1 - least / most));
+    const double d = std::sqrt(dx * dx + dy * dy), r = path_.radius;
+    const double square = 2 * (1 - std::min(d, r) / std::max(d, r));
+    // cos(x) <= 1 - x^2 / 2 + x^4 / 24
+    return {std::sqrt(square), std::sqrt((d - r) * (d - r) + d * r * square * (1 - square / 12))};
   }
 
   /// The distance of the position that looks at p, `near` in plan, where it is the least one: the

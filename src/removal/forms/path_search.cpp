@@ -8,7 +8,7 @@
 // where I, the dot product of n and c(t) - centre, is at least -R. Branch and bound with that
 // (0 <= s - sin s <= s^3 / 6), and with the Lipschitz bound speed * s, needs some tens of values.
 // Two kinds of arcs need fewer. About Z, F is convex wherever the lateral distance of p is
-// (PathObjective::convex_reach), as it never falls with it: only the rest of a turn is left to
+// (PathObjective::convex_part), as it never falls with it: only the rest of a turn is left to
 // branch and bound. About other axes a local minimum clears its neighbourhood (clear_reach), at the
 // bottom of a trough half a turn. Other tools are unions of convex ones (Profile::convex_pieces)
 // and what concave arcs leave between them; where they are not, the Lipschitz bound alone is left,
@@ -52,7 +52,7 @@ PathSample search_horizontal(const PathObjective& F, double begin, double end, d
   while (first < begin) first += kTwoPi;
   if (first <= end)
     if (const auto wall = F.upright_wall(near, begin, end)) return nearer(best, {*wall, first});
-  const double reach = F.convex_reach();
+  const auto [reach, beyond] = F.convex_part();
   static thread_local std::vector<Interval> open;
   open.clear();
   double from = begin;
@@ -67,11 +67,10 @@ PathSample search_horizontal(const PathObjective& F, double begin, double end, d
     const PathSample least = descend(F, lo, hi, from_guess, best.distance);
     if (least.distance < best.distance) best = least;
   }
-  const auto bound = [&](const Interval& in) {
-    const double nearest = std::min(F.lateral(in.lo), F.lateral(in.hi));
+  const auto bound = [&](const Interval& in, double nearest) {
     return F.horizontal_bound(0.5 * (in.lo + in.hi), 0.5 * (in.hi - in.lo), nearest);
   };
-  std::erase_if(open, [&](const Interval& in) { return bound(in) >= best.distance; });
+  std::erase_if(open, [&](const Interval& in) { return bound(in, beyond) >= best.distance; });
   if (open.empty()) return best;
   best = nearer(best, ends(F, begin, end));
   double finest = 0;
@@ -79,7 +78,8 @@ PathSample search_horizontal(const PathObjective& F, double begin, double end, d
     const Interval in = open.back();
     open.pop_back();
     const double half = 0.5 * (in.hi - in.lo), mid = 0.5 * (in.lo + in.hi);
-    if (bound(in) >= best.distance - kPathError) continue;
+    const double nearest = std::min(F.lateral(in.lo), F.lateral(in.hi));
+    if (bound(in, nearest) >= best.distance - kPathError) continue;
     const PathValue m = F(mid);
     if (m.f < best.distance) best = {m.f, mid}, finest = half;
     if (plane_bound(m, half) >= best.distance - kPathError) continue;
@@ -262,7 +262,7 @@ PathSample search_lowest_turn(const Profile& tool, const ToolPath& path, const V
   std::size_t depth = 0;
   double begin = from;  // of what is not known to be convex
   if (tool.is_convex()) {
-    begin = std::clamp((facing > end ? facing - kTwoPi : facing) + F.convex_reach(), from, to);
+    begin = std::clamp((facing > end ? facing - kTwoPi : facing) + F.convex_part().reach, from, to);
     const PathSample least = descend(F, from, begin, from);
     if (least.distance < best.distance) best = least;
   }
