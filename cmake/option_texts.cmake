@@ -4,6 +4,7 @@ target_link_libraries(option_texts PRIVATE mrsim_core mrsim_flags)
 function(mrsim_option_text kind template output)
   add_custom_command(OUTPUT ${PROJECT_BINARY_DIR}/${output}
     COMMAND option_texts ${kind} ${PROJECT_SOURCE_DIR}/${template} ${PROJECT_BINARY_DIR}/${output}
+      ${PROJECT_VERSION}
     DEPENDS option_texts ${PROJECT_SOURCE_DIR}/${template} VERBATIM)
 endfunction()
 mrsim_option_text(manual docs/mrsim.1.in share/mrsim.1)

@@ -1,11 +1,12 @@
 // Fills the manual and the completion of bash from the table of options, when mrsim is built:
-//   option_texts manual|completion TEMPLATE FILE
+//   option_texts manual|completion TEMPLATE FILE VERSION
 #include "core/option_table.h"
 
 #include <fstream>
 #include <set>
 #include <string>
 #include <string_view>
+#include <utility>
 
 namespace {
 
@@ -94,19 +95,20 @@ std::string command_words() {
 }  // namespace
 
 int main(int argc, char** argv) {
-  if (argc != 4) return 2;
+  if (argc != 5) return 2;
   const bool manual = std::string_view(argv[1]) == "manual";
   std::ifstream in(argv[2]);
   std::ofstream out(argv[3]);
-  constexpr std::string_view kWords = "@COMMANDS@";
+  const std::pair<std::string_view, std::string> fields[] = {{"@COMMANDS@", command_words()},
+                                                             {"@VERSION@", argv[4]}};
   for (std::string line; std::getline(in, line);) {
     if (line == "@OPTIONS@") {
       manual ? write_manual(out) : write_options(out);
     } else if (line == "@VALUES@") {
       write_values(out);
     } else {
-      if (const auto at = line.find(kWords); at != line.npos)
-        line.replace(at, kWords.size(), command_words());
+      for (const auto& [field, text] : fields)
+        if (const auto at = line.find(field); at != line.npos) line.replace(at, field.size(), text);
       out << line << '\n';
     }
   }

@@ -1,5 +1,6 @@
 #include "mesh_choice.h"
 
+#include "core/rounding.h"
 #include "core/units.h"
 #include "core/vec.h"
 #include "mesh/cells/cell_levels.h"
@@ -84,9 +85,9 @@ double next_voxel(double voxel) { return round_down_voxel(2.01 * voxel); }
 // The next of the preferred numbers R'10 (ISO 3): a quarter more.
 double coarser_grid(double voxel) {
   constexpr double kSteps[] = {1, 1.25, 1.6, 2, 2.5, 3.2, 4, 5, 6.3, 8, 10};
-  const double decade = std::pow(10, std::floor(std::log10(voxel * (1 + 1e-9))));
+  const double decade = std::pow(10, std::floor(std::log10(voxel * (1 + kShareRounding))));
   for (const double step : kSteps)
-    if (step * decade > voxel * (1 + 1e-9)) return step * decade;
+    if (step * decade > voxel * (1 + kShareRounding)) return step * decade;
   return 10 * decade;
 }
 

@@ -2,6 +2,7 @@
 
 #include "core/error.h"
 #include "core/memory_limit.h"
+#include "core/rounding.h"
 #include "mesh/solid/pieces.h"
 #include "removal/part/default_stock.h"
 #include "removal/part/stock_margin.h"
@@ -68,7 +69,7 @@ void report(JobResult& result, Severity severity, const char* code, const std::s
 
 void warn_of_coarse_mesh(const Job& job, JobResult& result) {
   if (!(job.accept > 0)) return;
-  const double most = job.accept / 4 * (1 + 1e-9);
+  const double most = job.accept / 4 * (1 + kShareRounding);
   const auto warn = [&](const std::string& text) {
     report(result, Severity::warning, "tolerance-coarse",
            fmt::format("{} for an --accept of {:g} mm: ", text, job.accept) +

@@ -2,6 +2,7 @@
 
 #include "cli/terminal.h"
 #include "core/memory_limit.h"
+#include "core/rounding.h"
 #include "core/units.h"
 
 #include <algorithm>
@@ -60,7 +61,7 @@ void add_program(Sheet& sheet, const Program& program) {
 // Two digits, rounded up: a bound stays true when it is printed.
 double printed_bound(double bound) {
   const double unit = std::pow(10, std::floor(std::log10(bound)) - 1);
-  return std::ceil(bound / unit * (1 - 1e-9)) * unit;
+  return std::ceil(bound / unit * (1 - kShareRounding)) * unit;
 }
 
 // Where a bound and a volume do not hold.

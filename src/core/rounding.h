@@ -18,4 +18,7 @@ inline constexpr double kBoundError = 1e-8;
 /// Radians, and products of unit vectors: turns up to this are none.
 inline constexpr double kTurnRounding = 1e-9;
 
+/// Shares: sizes that differ by less are equal, a sum of products is rounded by less.
+inline constexpr double kShareRounding = 1e-9;
+
 }  // namespace mrsim

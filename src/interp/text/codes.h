@@ -191,7 +191,6 @@ struct CodeEntry {
 
 /// The meaning of "G<number>" (number * 10, so that G54.1 is 541 and G54 is 540).
 CodeEntry find_g_code(Dialect dialect, MachineKind machine, int number_by_10);
-
 /// What a G word does that is not read, in a few words ("tilted working plane"); may be empty.
 std::string_view unsupported_code(Dialect dialect, int number_by_10);
 

@@ -239,7 +239,7 @@ bool ColumnWalker::step_down(Falling& f, double d, double& gone) {
   }
   if (d >= 0.5 * voxel_) {
     // The distance grows as fast as it can: the sweep's lowest point here is right above.
-    if (d - f.distance >= voxel_ * (1 - 1e-9))
+    if (d - f.distance >= voxel_ * (1 - kShareRounding))
       floor_[f.lane] = height(next) + d - slack_, floor_at_[f.lane] = f.at;
     return false;
   }

@@ -131,8 +131,8 @@ bool RingWalker::is_uniform(const RingPlanes& planes, const CutCell& cell, std::
   const auto least = [&](double x) { return std::max({x, -x - wide, 0.0}); };
   const auto most = [&](double x) { return std::max(std::abs(x), std::abs(x + wide)); };
   // With room for rounding: a ring too many does no harm.
-  const double from = (1 - 1e-9) * std::hypot(least(low.x), least(low.y));
-  const double to = (1 + 1e-9) * std::hypot(most(low.x), most(low.y));
+  const double from = (1 - kShareRounding) * std::hypot(least(low.x), least(low.y));
+  const double to = (1 + kShareRounding) * std::hypot(most(low.x), most(low.y));
   bool uniform = true;
   for (int z = 0; z < cell.size; ++z) {
     const std::span<const RingPlanes::Ring> rings = planes.plane(cell.origin[2] + z);

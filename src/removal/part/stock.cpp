@@ -2,6 +2,7 @@
 
 #include "core/error.h"
 #include "core/memory_limit.h"
+#include "core/rounding.h"
 #include "core/vec.h"
 #include "removal/part/stock_grid.h"
 
@@ -87,8 +88,8 @@ double round_down_voxel(double x) {
   const double digits = below_one ? x * scale : x / scale;
   double step = 1;
   for (const double candidate : {2.0, 2.5, 5.0})
-    if (candidate <= digits * (1 + 1e-9))
-      step = candidate;  // 1e-9: the series itself stays, whatever its rounding
+    if (candidate <= digits * (1 + kShareRounding))
+      step = candidate;  // the series itself stays, whatever its rounding
   return below_one ? step / scale : step * scale;
 }
 

@@ -4,29 +4,15 @@
 #include "core/heap.h"
 #include "removal/columns/sweep_columns.h"
 #include "removal/prune/candidate_list.h"
+#include "removal/prune/slice_entries.h"
 
 #include <algorithm>
 #include <bit>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
-#include <vector>
 
 namespace mrsim {
-
-/// An entry that a list is to hold. Lists ascend by class and, where they can, by sweep; one that
-/// is asked for points must ascend by sweep, or is sorted again.
-struct SliceEntry {
-  std::uint32_t of = 0;  ///< class
-  std::uint32_t number = 0;
-  std::uint32_t first = 0;  ///< sweep
-  bool children = false;    ///< those of the pack, not itself
-};
-using SliceEntries = std::vector<SliceEntry>;
-/// Sorts by merging: each sequence that was appended to the entries ascends already.
-void sort_by_class(SliceEntries& entries);
-/// The same for entries that already ascend within each class.
-void sort_by_class(SliceEntries& entries, std::size_t classes);
 
 inline constexpr std::size_t kEntriesAhead = 8;  ///< entries, to ask for memory in time
 
@@ -45,10 +31,7 @@ class SliceWriter {
       if (const auto ahead = at + std::min<std::ptrdiff_t>(kEntriesAhead, end - at - 1);
           !ahead->children)
         ask_for(ahead->number);
-      if (at->children)
-        add_children_of(at->number);
-      else
-        add(at->number);
+      at->children ? add_children_of(at->number) : add(at->number);
     }
     close();
     return at;

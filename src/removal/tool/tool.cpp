@@ -117,7 +117,7 @@ Profile taper_mill(const Tool& tool) {
                 "a taper needs a flute length, or a tip diameter below the diameter");
   const SinCos sc = sincos(lean);
   Outline o = rounded_tip(tip, tool.corner_radius, lean);
-  if (tool.corner_radius >= tip * (1 - 1e-9)) {  // ball-nosed
+  if (tool.corner_radius >= tip * (1 - kShareRounding)) {  // ball-nosed
     o = Outline({0, 0});
     const double c = tool.corner_radius;
     o.arc({c * sc.cos, c - c * sc.sin}, {0, c}, c, true);

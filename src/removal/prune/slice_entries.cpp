@@ -1,4 +1,6 @@
-#include "removal/prune/slice_writer.h"
+#include "removal/prune/slice_entries.h"
+
+#include <algorithm>
 
 namespace mrsim {
 namespace {

@@ -1,0 +1,24 @@
+// What a list of candidates is to hold, put in the order of its slices.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace mrsim {
+
+/// An entry that a list is to hold. Lists ascend by class and, where they can, by sweep; one that
+/// is asked for points must ascend by sweep, or is sorted again.
+struct SliceEntry {
+  std::uint32_t of = 0;  ///< class
+  std::uint32_t number = 0;
+  std::uint32_t first = 0;  ///< sweep
+  bool children = false;    ///< those of the pack, not itself
+};
+using SliceEntries = std::vector<SliceEntry>;
+/// Sorts by merging: each sequence that was appended to the entries ascends already.
+void sort_by_class(SliceEntries& entries);
+/// The same for entries that already ascend within each class.
+void sort_by_class(SliceEntries& entries, std::size_t classes);
+
+}  // namespace mrsim
