@@ -5,7 +5,6 @@
 #include "mesh/draw/palette.h"
 #include "mesh/extract.h"
 #include "mesh/solid/check.h"
-#include "mesh/solid/pieces.h"
 #include "mesh/solid/solid_repair.h"
 #include "outputs.h"
 #include "vdb_files.h"
@@ -59,11 +58,13 @@ std::string repair(TriMesh& mesh, const std::string& path) {
   }
 }
 
-// Bodies that cross each other have faces within the material, and deviations from these.
+// Bodies that cross or hold each other have faces within the material, and deviations from these;
+// around one that is inside out all is material.
 std::string crossing(const TriMesh& mesh, const std::string& path) {
-  if (find_pieces(mesh).size() < 2) return "";
+  const MeshSummary summary = check_mesh(mesh);
+  if (!summary.closed || !summary.oriented || summary.components < 2) return "";
   try {
-    refuse_self_intersections(mesh, path);
+    require_clean_bodies(mesh, path);
     return "";
   } catch (const Error& error) {
     return error.what();

@@ -120,7 +120,7 @@ StockShape load_stock(const std::string& spec, const StockOptions& options,
   const std::string repairs = make_solid(mesh, spec);
   StockShape shape = recognise_stock(std::move(mesh), options, spec);
   shape.repairs = repairs;
-  if (shape.kind == StockShape::Kind::mesh) refuse_self_intersections(shape.mesh, spec);
+  if (shape.kind == StockShape::Kind::mesh) require_clean_bodies(shape.mesh, spec);
   return shape;
 }
 

@@ -210,6 +210,10 @@ TEST_F(Compare, NominalsThatAreNearlySolidsAreRepairedAndToldOf) {
   write("two.off",
         "OFF\n16 12 0\n" + box_corners(0, 10) + box_corners(5, 15) + box_sides(0) + box_sides(8));
   EXPECT_TRUE(contains(run("compare box.off two.off").err, "two.off: the surface crosses itself"));
+  write("held.off",
+        "OFF\n16 12 0\n" + box_corners(0, 10) + box_corners(2, 5) + box_sides(0) + box_sides(8));
+  EXPECT_TRUE(
+      contains(run("compare box.off held.off").err, "held.off: a body lies within another"));
 }
 
 TEST_F(Compare, BadInputLeavesNothing) {

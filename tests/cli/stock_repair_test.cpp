@@ -2,6 +2,7 @@
 // refused where something would.
 #include "run_program.h"
 
+#include <algorithm>
 #include <cmath>
 #include <functional>
 #include <sstream>
@@ -144,6 +145,9 @@ TEST_F(StockRepair, KeepsTrianglesOnALine) {
   cap.triangles.push_back({8, 7, 3});
   cap.triangles.push_back({3, 2, 8});
   expect_repaired(cap, "");
+  for (auto& t : cap.triangles) std::swap(t[0], t[1]);
+  write("stock.off", off_text(cap));
+  EXPECT_EQ(run("PRIMER_2F.MPF --stock stock.off --voxel 1 -o part.stl").code, 0);
 }
 
 TEST_F(StockRepair, RefusesBodiesThatTouchAlongAnEdge) {
@@ -167,6 +171,47 @@ TEST_F(StockRepair, RefusesSurfacesThatCrossThemselves) {
   Facets inner = block(30);
   for (Corner& c : inner.corners) c[2] += 5;
   expect_refused(joined(block(), inner), "crosses itself near (");
+}
+
+TEST_F(StockRepair, RefusesBodiesThatTouchInAFace) {
+  const Facets first = block(0, 0);
+  const auto expect_crossing = [&](const Facets& second) {
+    expect_refused(joined(first, second), "crosses itself near (");
+  };
+  expect_crossing(block(100, 0));
+  Facets second = block(100, 0);  // by the other diagonal
+  second.triangles[8] = {0, 4, 2};
+  second.triangles[9] = {4, 6, 2};
+  expect_crossing(second);
+  second = block(100, 0);  // one edge in common
+  for (Corner& c : second.corners) c[1] = std::min(c[1], -30.0);
+  expect_crossing(second);
+  for (Corner& c : second.corners) c[2] = std::min(c[2], 5.0);  // one corner
+  expect_crossing(second);
+}
+
+TEST_F(StockRepair, RefusesBodiesWithinOthersOrInsideOut) {
+  const auto turned = [](Facets f) {
+    for (auto& t : f.triangles) std::swap(t[0], t[1]);
+    return f;
+  };
+  const auto small = [](double x) {
+    Facets f = block();
+    for (Corner& c : f.corners) c = {x + 0.1 * c[0], 0.1 * c[1] - 20, 0.1 * c[2] + 2};
+    return f;
+  };
+  expect_refused(joined(block(), small(40)), "a body lies within another at (4");
+  expect_refused(joined(block(), turned(small(140))), "the body at (14");
+  expect_refused(joined(block(), turned(small(140))), "is inside out");
+  write("stock.off", off_text(joined(block(), turned(small(40)))));  // a cavity
+  EXPECT_EQ(run("PRIMER_2F.MPF --stock stock.off --voxel 1 -o part.stl").code, 0);
+}
+
+// CGAL drew ray after ray from points on the line.
+TEST_F(StockRepair, RefusesBodiesThatAreLines) {
+  Facets line = joined(block(), block(20));
+  for (Corner& c : line.corners) c[0] = c[1] = c[2] = c[0] + c[1] + c[2];
+  expect_refused(line, "stock.off: ");
 }
 
 TEST_F(StockRepair, RefusesWallsInside) {

@@ -4,6 +4,8 @@
 #include "support/mesh_asserts.h"
 #include "support/shapes.h"
 
+#include <optional>
+
 #include <gtest/gtest.h>
 
 namespace mrsim {
@@ -49,6 +51,21 @@ TEST(Pieces, CanBeTakenOut) {
 TEST(Pieces, OneSolidIsOnePiece) {
   EXPECT_EQ(find_pieces(tube_mesh(64, 10, 5, 0, 7)).size(), 1u);
   EXPECT_TRUE(find_pieces({}).empty());
+}
+
+TEST(Pieces, BodiesThatContradictThoseAroundThemAreFound) {
+  EXPECT_FALSE(find_misplaced_body(nested()));
+  const TriMesh solid = box_mesh({0, 0, 0}, {10, 10, 10}), inner = box_mesh({1, 1, 1}, {2, 2, 2});
+  std::optional<MisplacedBody> found = find_misplaced_body(joined(solid, inner));
+  ASSERT_TRUE(found);
+  EXPECT_TRUE(found->within);
+  EXPECT_LT(distance(found->place, {1.5, 1.5, 1.5}), 1);
+  EXPECT_FALSE(find_misplaced_body(joined(solid, flipped(inner))));
+  found = find_misplaced_body(joined(solid, flipped(box_mesh({20, 0, 0}, {21, 1, 1}))));
+  ASSERT_TRUE(found);
+  EXPECT_FALSE(found->within);
+  // A cavity within a cavity.
+  EXPECT_TRUE(find_misplaced_body(joined(nested(), flipped(box_mesh({1.5, 1.5, 1.5}, {2, 2, 2})))));
 }
 
 }  // namespace

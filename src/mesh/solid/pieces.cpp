@@ -5,8 +5,8 @@
 #include "mesh/solid/half_edges.h"
 
 #include <algorithm>
+#include <cmath>
 #include <map>
-#include <set>
 
 #include <fmt/format.h>
 
@@ -18,7 +18,7 @@ struct WindingQuestion {
   std::uint32_t component = 0;
   Vec3 point;
   double angle = 0;
-  bool is_yes() const { return angle > kTwoPi; }  // half of the full 4 pi
+  bool is_yes() const { return std::fabs(angle) > kTwoPi; }  // half of the full 4 pi
 };
 
 // Solid angles [van Oosterom and Strackee 1983]: 4 pi about a point inside, 0 outside.
@@ -42,13 +42,12 @@ void for_each_triangle(const MeshAudit& audit, const MeshSource& mesh, Body body
   });
 }
 
-// A corner of the first triangle of each of these components.
-std::map<std::uint32_t, Vec3> first_corners(const MeshAudit& audit, const MeshSource& mesh,
-                                            const std::set<std::uint32_t>& components) {
+// The middle of the first triangle of each component.
+std::map<std::uint32_t, Vec3> first_places(const MeshAudit& audit, const MeshSource& mesh) {
   std::map<std::uint32_t, Vec3> out;
   for_each_triangle(audit, mesh,
-                    [&](std::uint32_t component, const Vec3& a, const Vec3&, const Vec3&) {
-                      if (components.count(component) > 0) out.try_emplace(component, a);
+                    [&](std::uint32_t component, const Vec3& a, const Vec3& b, const Vec3& c) {
+                      if (out.count(component) == 0) out.emplace(component, 1.0 / 3 * (a + b + c));
                     });
   return out;
 }
@@ -78,22 +77,18 @@ std::vector<std::uint32_t> solids_around(const SurfaceComponent& cavity,
   return out;
 }
 
-// The solid that each cavity lies in; a cavity of a faulty mesh may have none.
-std::map<std::uint32_t, std::uint32_t> solids_of_cavities(const MeshAudit& audit,
-                                                          const MeshSource& mesh) {
-  const std::vector<SurfaceComponent>& surfaces = audit.components();
-  std::set<std::uint32_t> cavities;
-  for (std::uint32_t c = 0; c < surfaces.size(); ++c)
-    if (!(surfaces[c].volume() > 0)) cavities.insert(c);
-  std::map<std::uint32_t, std::uint32_t> out;
-  if (cavities.empty()) return out;
-  const std::map<std::uint32_t, Vec3> points = first_corners(audit, mesh, cavities);
-  std::map<std::uint32_t, std::vector<WindingQuestion>> questions;  // by cavity
-  std::multimap<std::uint32_t, WindingQuestion*> asked;             // by solid
-  for (const auto& [cavity, point] : points)
-    for (const std::uint32_t solid : solids_around(surfaces[cavity], surfaces))
-      questions[cavity].push_back({solid, point});
-  for (auto& [cavity, list] : questions)
+using Lists = std::map<std::uint32_t, std::vector<std::uint32_t>>;
+
+// Of the components listed for each, those that it lies in, in their order.
+Lists components_around(const MeshAudit& audit, const MeshSource& mesh, const Lists& candidates) {
+  Lists out;
+  if (candidates.empty()) return out;
+  const std::map<std::uint32_t, Vec3> places = first_places(audit, mesh);
+  std::map<std::uint32_t, std::vector<WindingQuestion>> questions;
+  std::multimap<std::uint32_t, WindingQuestion*> asked;  // by the component around
+  for (const auto& [inner, list] : candidates)
+    for (const std::uint32_t outer : list) questions[inner].push_back({outer, places.at(inner)});
+  for (auto& [inner, list] : questions)
     for (WindingQuestion& question : list) asked.emplace(question.component, &question);
   for_each_triangle(audit, mesh,
                     [&](std::uint32_t component, const Vec3& a, const Vec3& b, const Vec3& c) {
@@ -103,11 +98,22 @@ std::map<std::uint32_t, std::uint32_t> solids_of_cavities(const MeshAudit& audit
                         at->second->angle += solid_angle(a - p, b - p, c - p);
                       }
                     });
-  for (const auto& [cavity, list] : questions) {
-    const auto found =
-        std::find_if(list.begin(), list.end(), [](const WindingQuestion& q) { return q.is_yes(); });
-    if (found != list.end()) out.emplace(cavity, found->component);
-  }
+  for (const auto& [inner, list] : questions)
+    for (const WindingQuestion& question : list)
+      if (question.is_yes()) out[inner].push_back(question.component);
+  return out;
+}
+
+// The solid that each cavity lies in; a cavity of a faulty mesh may have none.
+std::map<std::uint32_t, std::uint32_t> solids_of_cavities(const MeshAudit& audit,
+                                                          const MeshSource& mesh) {
+  const std::vector<SurfaceComponent>& surfaces = audit.components();
+  Lists candidates;
+  for (std::uint32_t c = 0; c < surfaces.size(); ++c)
+    if (!(surfaces[c].volume() > 0)) candidates[c] = solids_around(surfaces[c], surfaces);
+  std::map<std::uint32_t, std::uint32_t> out;
+  for (const auto& [cavity, solids] : components_around(audit, mesh, candidates))
+    out.emplace(cavity, solids.front());
   return out;
 }
 
@@ -150,6 +156,24 @@ std::vector<Piece> find_pieces(const TriMesh& mesh) {
   MeshAudit audit;
   audit.take(whole_block(mesh));
   return find_pieces(audit, MemoryMesh(mesh));
+}
+
+std::optional<MisplacedBody> find_misplaced_body(const TriMesh& mesh) {
+  MeshAudit audit;
+  audit.take(whole_block(mesh));
+  const std::vector<SurfaceComponent>& surfaces = audit.components();
+  Lists candidates;
+  for (std::uint32_t i = 0; i < surfaces.size(); ++i)
+    for (std::uint32_t o = 0; o < surfaces.size(); ++o)
+      if (o != i && contains(surfaces[o].bounds, surfaces[i].bounds)) candidates[i].push_back(o);
+  const Lists around = components_around(audit, MemoryMesh(mesh), candidates);
+  for (std::uint32_t c = 0; c < surfaces.size(); ++c) {
+    const auto at = around.find(c);
+    const bool within = at != around.end() && at->second.size() % 2 == 1;
+    if (within != (surfaces[c].volume() > 0)) continue;
+    return MisplacedBody{first_places(audit, MemoryMesh(mesh)).at(c), within};
+  }
+  return std::nullopt;
 }
 
 std::string describe_piece(const Piece& piece) {

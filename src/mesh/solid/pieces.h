@@ -6,6 +6,7 @@
 #include <mrsim/types.h>
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -25,6 +26,14 @@ struct Piece {
 /// `mesh`, which is gone through once more where there are cavities.
 std::vector<Piece> find_pieces(const MeshAudit& audit, const MeshSource& mesh);
 std::vector<Piece> find_pieces(const TriMesh& mesh);
+
+/// A surface of a mesh that contradicts those around it.
+struct MisplacedBody {
+  Vec3 place;           ///< on it, mm
+  bool within = false;  ///< it looks outwards within a body; else inwards where no body is
+};
+/// The first of them. Requires: a closed mesh whose surfaces do not cross.
+std::optional<MisplacedBody> find_misplaced_body(const TriMesh& mesh);
 
 /// "detached piece of 12.5 mm3 at (3, 4, 5) mm, 1.2 x 3 x 5 mm".
 std::string describe_piece(const Piece& piece);

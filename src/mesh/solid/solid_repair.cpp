@@ -3,12 +3,16 @@
 #include "core/vec.h"
 #include "mesh/solid/check.h"
 #include "mesh/solid/half_edges.h"
+#include "mesh/solid/pieces.h"
 #include "mesh/solid/weld.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <iterator>
 #include <limits>
 #include <numeric>
+#include <optional>
 #include <set>
 #include <utility>
 #include <vector>
@@ -116,13 +120,79 @@ TriMesh to_mesh(const SurfaceMesh& surface) {
   return mesh;
 }
 
-// Two triangles of a surface by CGAL: touching in a corner or an edge of the same place does not
-// count.
-bool touch_only(const TriMesh& mesh, std::size_t f, std::size_t g) {
-  for (int i = 0; i < 3; ++i)
-    for (int j = 0; j < 3; ++j)
-      if (corner(mesh, f, i) == corner(mesh, g, j)) return true;
-  return false;
+std::array<Point, 3> corners_of(const SurfaceMesh& surface, SurfaceMesh::Face_index f) {
+  const auto h = surface.halfedge(f);
+  const auto at = [&](auto half_edge) { return surface.point(surface.target(half_edge)); };
+  return {at(surface.prev(h)), at(h), at(surface.next(h))};
+}
+
+Vec3 middle(const SurfaceMesh& surface, SurfaceMesh::Face_index f) {
+  const auto [a, b, c] = corners_of(surface, f);
+  const Point p = CGAL::centroid(a, b, c);
+  return {p.x(), p.y(), p.z()};
+}
+
+// Where two surfaces that touch share one place: whether triangles lie on or cross each other
+// there.
+bool overlap_at(const Point& p, const std::array<Point, 2>& a, const std::array<Point, 2>& b) {
+  const auto crosses = [&](const std::array<Point, 2>& u, const std::array<Point, 2>& v) {
+    return CGAL::orientation(p, u[0], u[1], v[0]) * CGAL::orientation(p, u[0], u[1], v[1]) < 0 &&
+           CGAL::do_intersect(Kernel::Triangle_3(p, u[0], u[1]), Kernel::Segment_3(v[0], v[1]));
+  };
+  if (CGAL::collinear(p, a[0], a[1]) || CGAL::collinear(p, b[0], b[1])) return false;
+  if (!CGAL::coplanar(p, a[0], a[1], b[0]) || !CGAL::coplanar(p, a[0], a[1], b[1]))
+    return crosses(a, b) || crosses(b, a);
+  // In one plane: their angles at p have a direction in common.
+  const auto holds = [&](const std::array<Point, 2>& u, const Point& x) {
+    return CGAL::coplanar_orientation(p, u[0], u[1], x) == CGAL::POSITIVE &&
+           CGAL::coplanar_orientation(p, u[1], u[0], x) == CGAL::POSITIVE;
+  };
+  const auto along = [&](const Point& x, const Point& y) {
+    return CGAL::collinear(p, x, y) && (x - p) * (y - p) > 0;
+  };
+  return holds(a, b[0]) || holds(a, b[1]) || holds(b, a[0]) || holds(b, a[1]) ||
+         (along(a[0], b[0]) && along(a[1], b[1])) || (along(a[0], b[1]) && along(a[1], b[0]));
+}
+
+// Of two triangles that CGAL tells: whether they only touch, in a corner or an edge of the same
+// place. Neighbours in one surface always do: files have needles that lie on their neighbours.
+bool touch_only(const SurfaceMesh& surface, SurfaceMesh::Face_index f, SurfaceMesh::Face_index g) {
+  const auto corners = [&](SurfaceMesh::Face_index face) {
+    std::vector<SurfaceMesh::Vertex_index> out;
+    for (const auto v : surface.vertices_around_face(surface.halfedge(face))) out.push_back(v);
+    return out;
+  };
+  std::vector<SurfaceMesh::Vertex_index> a = corners(f), b = corners(g);
+  std::size_t shared = 0;  // places, which come first from here on
+  for (std::size_t i = 0; i < 3; ++i)
+    for (std::size_t j = shared; j < 3; ++j) {
+      if (a[i] == b[j]) return true;
+      if (surface.point(a[i]) != surface.point(b[j])) continue;
+      std::swap(a[i], a[shared]), std::swap(b[j], b[shared]);
+      ++shared;
+      break;
+    }
+  if (shared == 0 || shared == 3) return false;
+  const auto at = [&](SurfaceMesh::Vertex_index v) { return surface.point(v); };
+  const Point p = at(a[0]), q = at(a[1]), r = at(a[2]), s = at(b[2]);
+  if (shared == 1) return !overlap_at(p, {q, r}, {at(b[1]), s});
+  return CGAL::collinear(p, q, r) || !CGAL::coplanar(p, q, r, s) ||
+         CGAL::coplanar_orientation(p, q, r, s) != CGAL::POSITIVE;
+}
+
+// Throws unless the surface is free of self-intersections.
+void refuse_self_intersections(const SurfaceMesh& surface, const std::string& name) {
+  std::vector<std::pair<SurfaceMesh::Face_index, SurfaceMesh::Face_index>> pairs;
+  pmp::self_intersections(surface, std::back_inserter(pairs));
+  std::erase_if(pairs,
+                [&](const auto& pair) { return touch_only(surface, pair.first, pair.second); });
+  if (pairs.empty()) return;
+  const Vec3 p = middle(surface, std::min_element(pairs.begin(), pairs.end())->first);
+  throw Error(
+      "mesh-crosses-itself",
+      fmt::format("{}: the surface crosses itself near ({:.6g}, {:.6g}, {:.6g}) mm, {} pairs "
+                  "of triangles in all; unite its bodies in CAD and export it again",
+                  name, p.x, p.y, p.z, pairs.size()));
 }
 
 // Where two triangles of one edge lie on each other there is no inside, and CGAL's orientation,
@@ -144,15 +214,26 @@ void refuse_folds(const SurfaceMesh& surface, const std::string& name) {
   }
 }
 
+// CGAL asks by rays which body lies in which. A triangle without area is in one plane with any ray,
+// which is then drawn anew, without an end where the triangle's box holds the point.
+bool rays_may_fail(const SurfaceMesh& surface) {
+  const auto faces = surface.faces();
+  return std::any_of(faces.begin(), faces.end(), [&](SurfaceMesh::Face_index f) {
+    const auto [a, b, c] = corners_of(surface, f);
+    return CGAL::collinear(a, b, c);
+  });
+}
+
 // Turns pieces so that they bound a solid; what is in the way is told from the mesh afterwards.
 TriMesh oriented(const TriMesh& mesh, const std::string& name) {
   SurfaceMesh surface = to_surface(mesh);
   pmp::stitch_borders(surface);
   TriMesh out = to_mesh(surface);
   if (!CGAL::is_closed(surface)) return out;
-  refuse_self_intersections(out, name);
+  refuse_self_intersections(surface, name);
   if (is_solid(out)) return out;
   refuse_folds(surface, name);
+  if (check_mesh(out).components > 1 && rays_may_fail(surface)) return out;
   try {
     pmp::orient_to_bound_a_volume(surface);
   } catch (const CGAL::Failure_exception&) {  // needles alone at the topmost edge
@@ -267,22 +348,20 @@ std::string make_solid(TriMesh& mesh, const std::string& name) {
   return fmt::format("{}", fmt::join(done, ", "));
 }
 
-void refuse_self_intersections(const TriMesh& mesh, const std::string& name) {
+void require_clean_bodies(const TriMesh& mesh, const std::string& name) {
   const SurfaceMesh surface = to_surface(mesh);
-  std::vector<std::pair<SurfaceMesh::Face_index, SurfaceMesh::Face_index>> pairs;
-  pmp::self_intersections(surface, std::back_inserter(pairs));
-  std::erase_if(pairs, [&](const auto& pair) {
-    return touch_only(mesh, pair.first.idx(), pair.second.idx());
-  });
-  if (pairs.empty()) return;
-  const auto first = *std::min_element(pairs.begin(), pairs.end());
-  const std::size_t f = first.first.idx();
-  const Vec3 p = 1.0 / 3 * (corner(mesh, f, 0) + corner(mesh, f, 1) + corner(mesh, f, 2));
-  throw Error(
-      "mesh-crosses-itself",
-      fmt::format("{}: the surface crosses itself near ({:.6g}, {:.6g}, {:.6g}) mm, {} pairs "
-                  "of triangles in all; unite its bodies in CAD and export it again",
-                  name, p.x, p.y, p.z, pairs.size()));
+  refuse_self_intersections(surface, name);
+  const std::optional<MisplacedBody> body = find_misplaced_body(mesh);
+  if (!body) return;
+  const Vec3& p = body->place;
+  const std::string place = fmt::format("({:.6g}, {:.6g}, {:.6g}) mm", p.x, p.y, p.z);
+  if (body->within)
+    throw Error("mesh-nested", fmt::format("{}: a body lies within another at {}; unite its bodies "
+                                           "in CAD and export it again",
+                                           name, place));
+  throw Error("mesh-inverted",
+              fmt::format("{}: the body at {} is inside out; turn it in CAD and export it again",
+                          name, place));
 }
 
 }  // namespace mrsim
