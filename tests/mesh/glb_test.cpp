@@ -95,6 +95,12 @@ TEST(Glb, RefusesWhatIsWrong) {
                                        R"(,"extensionsRequired":["KHR_draco_mesh_compression"])"),
                        MeshFormat::glb),
             "glb-unsupported");
+  for (const char* list : {R"("scale":[1,1])", R"("matrix":[1,0,0,0,0,1,0,0,0,0,1])",
+                           R"("translation":[1,2,3,4])", R"("rotation":[])"})
+    EXPECT_EQ(
+        parse_code(tetrahedron_glb(std::string(R"([{"mesh":0,)") + list + "}]"), MeshFormat::glb),
+        "glb-syntax")
+        << list;
   std::string bad = tetrahedron_glb(R"([{"mesh":0}])");
   bad.back() = 9;
   EXPECT_EQ(parse_code(bad, MeshFormat::glb), "glb-index");

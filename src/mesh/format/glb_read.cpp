@@ -110,7 +110,7 @@ class GlbReader {
   void add_colors(const Json& attributes, std::size_t count);
   void read_extras(const Json& mesh);
   Numbers numbers(std::size_t accessor) const;
-  static Frame frame_of(const Json& node);
+  Frame frame_of(const Json& node) const;
 
   std::string_view bytes_, binary_;
   Json json_;
@@ -174,13 +174,15 @@ Numbers GlbReader::numbers(std::size_t accessor) const {
   return out;
 }
 
-Frame GlbReader::frame_of(const Json& node) {
+Frame GlbReader::frame_of(const Json& node) const {
   Frame out;
   const auto list = [&](const char* key, std::vector<double> otherwise) {
     if (node.contains(key)) {
       const std::size_t wanted = otherwise.size();
       otherwise = node.at(key).get<std::vector<double>>();
-      otherwise.resize(wanted, 0);
+      if (otherwise.size() != wanted)
+        builder_.fail("syntax", fmt::format("a node has a {} of {} numbers instead of {}", key,
+                                            otherwise.size(), wanted));
     }
     return otherwise;
   };
