@@ -70,6 +70,16 @@ std::string empty_value(const CLI::App& app) {
   return "";
 }
 
+// The same of --stock=$BLOCK, where CLI11 would take the next word for the value.
+void refuse_empty_assignments(int argc, const char* const* argv) {
+  for (int i = 1; i < argc; ++i) {
+    const std::string_view word = argv[i];
+    if (word.starts_with("--") && word.find('=') + 1 == word.size())
+      throw CLI::ArgumentMismatch(
+          fmt::format("{} has an empty value", word.substr(0, word.size() - 1)));
+  }
+}
+
 }  // namespace
 
 TypedOptions::TypedOptions(const CommandLine& line, int argc, const char* const* argv) {
@@ -98,6 +108,7 @@ TypedOptions::TypedOptions(const CommandLine& line, int argc, const char* const*
         app.add_option(names, typed.text, help)->type_name(std::string(row.type))->group(title);
     }
   try {
+    refuse_empty_assignments(argc, argv);
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
     fault_ = error.what();
@@ -109,15 +120,19 @@ TypedOptions::TypedOptions(const CommandLine& line, int argc, const char* const*
   if (flag("--help")) help_ = single_spaced(app.help());
 }
 
-// Of words that do not parse: the files of --json and the like, "--json F" and "--json=F".
+// Of words that do not parse: the files of --json and the like, "--json F" and "--json=F", and
+// --json without a file.
 void TypedOptions::read_paths(int argc, const char* const* argv) {
   for (const OptionRow& row : option_table()) {
     const auto found = typed_.find(row.name);
-    if (row.value != OptionValue::path || found == typed_.end()) continue;
+    const bool lines = row.value == OptionValue::flag && row.name == "--json";
+    if (found == typed_.end() || (row.value != OptionValue::path && !lines)) continue;
     for (int i = 1; i < argc; ++i) {
       const std::string_view word = argv[i];
-      if (word == row.name && i + 1 < argc &&
-          (argv[i + 1][0] != '-' || std::string_view(argv[i + 1]) == "-"))
+      if (lines)
+        found->second.flag |= word == row.name;
+      else if (word == row.name && i + 1 < argc &&
+               (argv[i + 1][0] != '-' || std::string_view(argv[i + 1]) == "-"))
         found->second.text = argv[i + 1];
       else if (word.starts_with(std::string(row.name) + "="))
         found->second.text = word.substr(row.name.size() + 1);

@@ -136,6 +136,7 @@ TEST_F(RunJson, OtherCommandsTellTheirFailures) {
   for (const std::string command : {"check", "trace"})
     for (const auto& [rest, error] :
          {std::pair("missing.MPF", "file-missing"), std::pair("PRIMER_2F.MPF --start x", "usage"),
+          std::pair("PRIMER_2F.MPF --start", "usage"),
           std::pair("PRIMER_2F.MPF --tools tools.toml", "tools-key")}) {
       write("x.json", run(command + " --json " + rest).out);
       expect_valid(command, "x.json", "--lines");
@@ -150,6 +151,8 @@ TEST_F(RunJson, TellsWordsThatDoNotParse) {
   expect_valid("run", "r.json");
   EXPECT_EQ(parsed("r.json")["error"]["code"], "usage");
   EXPECT_TRUE(contains(read("r.xml"), "<failure"));
+  EXPECT_EQ(run("PRIMER_2F.MPF --voxel= --json s.json").code, 2);
+  expect_valid("run", "s.json");
 }
 
 TEST_F(RunJson, OptionsOfAComparisonNeedANominal) {
