@@ -87,9 +87,10 @@ bool writes_vdb(const Job& job) {
 }
 
 // A stock of voxels is read, and one with gaps wrapped, in a copy of this process, made while no
-// threads start (vdb_files.cpp).
+// threads start (vdb_files.cpp). Where memory is short, the plan of the run is asked first.
 bool opens_voxels_early(const Job& job) {
-  return writes_vdb(job) && !is_vdb(job.stock) && job.stock_options.wrap.distance == 0;
+  return writes_vdb(job) && !is_vdb(job.stock) && job.stock_options.wrap.distance == 0 &&
+         memory_left() > kVoxelModuleMemory;
 }
 
 // What the file of a stock made necessary.

@@ -29,8 +29,8 @@ constexpr double kVoxelsOfRest = 400;  // along the longest side
 constexpr double kLeaves = 0.25;     // of what is too thin to be looked for: what a tool may leave
 constexpr double kLargestTool = 64;  // mm
 constexpr double kNear = 2;          // voxels from a piece's surface: inner edges that belong to it
-// Bytes, measured: of the module, for a square of a voxel on both surfaces, for a triangle of them.
-constexpr double kModuleMemory = 25e6, kSquareMemory = 150, kSurfaceTriangle = 100;
+// Bytes, measured: for a square of a voxel on both surfaces, for a triangle of them.
+constexpr double kSquareMemory = 150, kSurfaceTriangle = 100;
 constexpr double kMostVoxels = 2500;  // along it: some 10 GB for the surfaces of a block
 
 // Both surfaces, asked for the place that is nearest.
@@ -144,7 +144,7 @@ Rest find_rest(const TriMesh& part, const TriMesh& nominal, const RestOptions& o
                 Error::Kind::usage);
   const double squares = (surface_area(part) + surface_area(nominal)) / (out.voxel * out.voxel);
   const double triangles = double(part.triangles.size() + nominal.triangles.size());
-  require_memory(kModuleMemory + kSquareMemory * squares + kSurfaceTriangle * triangles,
+  require_memory(kVoxelModuleMemory + kSquareMemory * squares + kSurfaceTriangle * triangles,
                  fmt::format("what is left by voxels of {:.3g} mm", out.voxel),
                  "a larger --voxel takes less");
   std::vector<RestVoxels> found =

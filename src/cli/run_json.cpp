@@ -3,6 +3,7 @@
 #include "cli/commands.h"
 #include "cli/compare_command.h"
 #include "cli/report.h"
+#include "core/memory_limit.h"
 #include "core/text_io.h"
 
 #include <algorithm>
@@ -270,7 +271,8 @@ std::string run_json(const RunRecord& given) {
   out["collisions"] = collisions_json(r);
   out["diagnostics"] = diagnostics_json(r.program);
   out["seconds"] = seconds_json(r);
-  out["memory"] = {{"peak", r.peak_memory}, {"expected", r.expected_memory}};
+  const std::size_t peak = r.peak_memory > 0 ? r.peak_memory : peak_memory();  // of a failed run
+  out["memory"] = {{"peak", peak}, {"expected", r.expected_memory}};
   out["outputs"] = outputs_json(record);
   out["verdict"] = verdict_of(record.comparison);
   out["comparison"] = record.comparison != nullptr

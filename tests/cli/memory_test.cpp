@@ -58,6 +58,19 @@ TEST_F(Memory, LittleAddressSpaceIsAnError) {
     }
 }
 
+// OpenVDB's code is 29 MB, which a run that is refused for want of memory needs not open.
+TEST_F(Memory, RefusesVoxelsBeforeItOpensTheirModule) {
+  if (!kIsPlain) GTEST_SKIP();
+  const Outcome outcome =
+      run("raster.MPF --stock box:0,0,-8,20,20,0 --tool ballmill:d=6 --voxel 0.1 --threads 2 "
+          "--max-memory 35M -o part.vdb --json run.json");
+  EXPECT_EQ(outcome.code, 1) << outcome.err;
+  EXPECT_TRUE(contains(outcome.err, "[memory]")) << outcome.err;
+  const double peak = number_after(read("run.json"), "\"peak\":");
+  EXPECT_GT(peak, 1e6);
+  EXPECT_LT(peak, 35e6);
+}
+
 TEST_F(Memory, ALittleStackIsAnError) {
   if (!kIsPlain) GTEST_SKIP();
   for (const char* command : {"PRIMER_2F.MPF --stock block.stl --voxel 1 -o part.stl -o part.vdb",

@@ -71,6 +71,7 @@ TEST_F(RunJson, HasTheSameKeysWhenTheRunFails) {
   EXPECT_EQ(keys(bad), all);
   EXPECT_FALSE(bad["diagnostics"].empty());
   EXPECT_TRUE(bad["outputs"].empty());
+  EXPECT_GT(bad["memory"]["peak"], 1'000'000);
   EXPECT_FALSE(exists("part.stl"));
   // What is wrong before the run begins.
   write("tools.toml", "[[tool]]\nid = 4\ntype = \"endmill\"\ndiametr = 5\n");
