@@ -122,6 +122,7 @@ StockShape load_stock(const std::string& spec, const StockOptions& options,
   StockShape shape = recognise_stock(std::move(mesh), options, spec);
   shape.repairs = repairs;
   if (shape.kind == StockShape::Kind::mesh) require_clean_bodies(shape.mesh, spec);
+  release_freed_memory();  // what the checks took
   return shape;
 }
 

@@ -30,7 +30,7 @@ constexpr double kLeaves = 0.25;     // of what is too thin to be looked for: wh
 constexpr double kLargestTool = 64;  // mm
 constexpr double kNear = 2;          // voxels from a piece's surface: inner edges that belong to it
 // Bytes, measured: for a square of a voxel on both surfaces, for a triangle of them.
-constexpr double kSquareMemory = 150, kSurfaceTriangle = 100;
+constexpr double kSquareMemory = 180, kSurfaceTriangle = 100;
 constexpr double kMostVoxels = 2500;  // along it: some 10 GB for the surfaces of a block
 
 // Both surfaces, asked for the place that is nearest.
@@ -147,6 +147,7 @@ Rest find_rest(const TriMesh& part, const TriMesh& nominal, const RestOptions& o
   require_memory(kVoxelModuleMemory + kSquareMemory * squares + kSurfaceTriangle * triangles,
                  fmt::format("what is left by voxels of {:.3g} mm", out.voxel),
                  "a larger --voxel takes less");
+  release_freed_memory();  // of a run and its comparison: OpenVDB has an allocator of its own
   std::vector<RestVoxels> found =
       find_rest_voxels({part, nominal, out.voxel, out.above, options.threads});
   const Surfaces surfaces(part, nominal, options.threads);

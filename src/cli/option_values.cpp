@@ -169,6 +169,9 @@ const std::vector<std::string>& existing_paths(const std::string& option,
     std::error_code fault;
     if (!std::filesystem::exists(path, fault))
       throw Error("file-missing", fmt::format("{} {}: no such folder", option, path));
+    if (!std::filesystem::is_directory(path, fault) &&
+        !std::filesystem::is_regular_file(path, fault))
+      throw Error("file-kind", fmt::format("{} {}: neither a folder nor a file", option, path));
   }
   return paths;
 }

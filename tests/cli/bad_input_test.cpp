@@ -220,6 +220,7 @@ TEST_F(BadInput, Usage) {
   expect_failure("render block.stl", 2, "-o picture.png");
   expect_failure("render missing.stl -o part.png", 1, "missing.stl");
   expect_failure("trace", 2, "the program is missing");
+  expect_failure("PRIMER_2F.MPF --path /dev/null -o part.stl", 1, "neither a folder nor a file");
   // "--stock=$BLOCK -q" of a variable that is not set: no file "-q".
   expect_failure("PRIMER_2F.MPF --stock= -o part.stl", 2, "--stock has an empty value");
   expect_failure("PRIMER_2F.MPF --report= -q -o part.stl", 2, "--report has an empty value");

@@ -349,8 +349,7 @@ std::string make_solid(TriMesh& mesh, const std::string& name) {
 }
 
 void require_clean_bodies(const TriMesh& mesh, const std::string& name) {
-  const SurfaceMesh surface = to_surface(mesh);
-  refuse_self_intersections(surface, name);
+  refuse_self_intersections(to_surface(mesh), name);
   const std::optional<MisplacedBody> body = find_misplaced_body(mesh);
   if (!body) return;
   const Vec3& p = body->place;
