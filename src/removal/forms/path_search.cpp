@@ -238,6 +238,7 @@ PathSample search_path(const Profile& tool, const ToolPath& path, const Vec3& p,
 // distance and the height both grow, so that the lateral distance at the beginning of an interval
 // and the height at its end bound F. The end of the path is the lowest, and a candidate by itself.
 PathSample search_lowest_turn(const Profile& tool, const ToolPath& path, const Vec3& p) {
+  if (!tool.convex_pieces().empty()) return search_pieces(tool, path, p, 0, path.sweep);
   if (const auto cones = cones_about(path, p, 0, path.sweep); cones && tool.is_convex())
     if (const auto found = cones->minimum(tool); found.is_exact) return found.least;
   const PathObjective F(tool, path, p);
