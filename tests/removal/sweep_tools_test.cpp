@@ -48,12 +48,15 @@ std::vector<Tool> all_tools() {
 }
 
 std::vector<Tool> form_tools() {
-  std::vector<Tool> t(3, mill(ToolType::form, 0));
+  std::vector<Tool> t(4, mill(ToolType::form, 0));
   const double quarter = std::tan(kPi / 8);
   t[0].profile = {{0, 0, 0}, {2, 0, 0}, {2, 1, -quarter}, {5, 4, 0}, {5, 6, 0}};  // corner rounding
   t[0].flute_length = 6;
   t[1].profile = {{0, 0, 0}, {4, 0, 0}, {4, 2, 0}, {2, 3, 0}, {2, 5, 0}, {3.5, 6, 0}, {0, 6, 0}};
   t[2] = thread_mill(2, 2.9);
+  t[3] = thread_mill(2, 2.9);  // with rounded roots
+  for (ProfilePoint& p : t[3].profile)
+    if (std::fmod(p.z, 1.5) > 1.3 && p.z < 11) p.bulge = -0.3;
   return t;
 }
 

@@ -15,9 +15,9 @@
 namespace mrsim {
 namespace {
 
-constexpr double kDeep = 0.1;      // of the radius: deeper inside nothing more is looked for
-constexpr int kMostInside = 4000;  // values, once the place is known to lie inside: for its depth
-constexpr double kArcBend = 1.5;   // >= sqrt(2): of the radius of the path, along r and z at once
+constexpr double kDeep = 0.1;     // of the radius: deeper inside nothing more is looked for
+constexpr int kMostInside = 40;   // values, once the place is known to lie inside: for its depth
+constexpr double kArcBend = 1.5;  // >= sqrt(2): of the radius of the path, along r and z at once
 
 class Fillet {
  public:
@@ -64,20 +64,43 @@ class Fillet {
   const Vec2 before_, behind_;
 };
 
+// The positions from which a place outside of the pieces may lie where the arc tells more than
+// these: between the arc, its centre and the tangents at its ends. On lines and about Z the height
+// above the tip says which; others are left out.
+struct Span {
+  double lo, hi;
+};
+Span positions_about(const ProfileEdge& arc, const ToolPath& path, const Vec3& p, Span all) {
+  if (path.arc && !path.horizontal) return all;
+  const Vec2 middle = 0.5 * (arc.a + arc.b) - arc.center;
+  const Vec2 apex = arc.center + (arc.radius * arc.radius / dot(middle, middle)) * middle;
+  const auto [low, high] = std::minmax({arc.a.y, arc.b.y, arc.center.y, apex.y});
+  const double widest = std::max({arc.a.x, arc.b.x, arc.center.x, apex.x});
+  if (path.arc) {
+    const double x = p.x - path.center.x, y = p.y - path.center.y;
+    if (std::fabs(std::sqrt(x * x + y * y) - path.radius) > widest) return {all.hi, all.lo};
+  }
+  const double z = p.z - (path.arc ? path.center.z : path.start.z);
+  const double rise = path.arc ? path.rise.z : path.travel.z;
+  if (rise == 0) return low <= z && z <= high ? all : Span{all.hi, all.lo};
+  const auto [from, to] = std::minmax({(z - high) / rise, (z - low) / rise});
+  return {std::max(all.lo, from), std::min(all.hi, to)};
+}
+
 }  // namespace
 
 PathSample search_fillet(const Profile& tool, const ProfileEdge& arc, const ToolPath& path,
                          const Vec3& p, double begin, double end, PathSample best) {
-  struct Span {
-    double lo, hi;
-  };
+  const Span all =
+      best.distance > 0 ? positions_about(arc, path, p, {begin, end}) : Span{begin, end};
+  if (!(all.lo <= all.hi)) return best;
   const Fillet fillet(arc, path, p);
   const PathObjective F(tool, path, p);
   const double deep = -kDeep * arc.radius;
   std::array<Span, 128> stack;
   std::size_t depth = 0;
   double finest = 0;
-  stack[depth++] = {begin, end};
+  stack[depth++] = all;
   const auto is_enough = [&](int values) {
     return best.distance <= deep || (best.distance <= 0 && values >= kMostInside);
   };
