@@ -167,5 +167,19 @@ TEST(ToolCommentDoubts, MoreNamesOfMills) {
   });
 }
 
+// A size and a word for a shape that is no end mill.
+TEST(ToolCommentDoubts, ShapesWithoutAKind) {
+  for (const char* shape :
+       {"T1 6MM TAPER 2", "T1 6MM TAPER 5 DEG", "T1 3MM CONE", "T1 20MM UNDERCUT", "T1 20MM COVE",
+        "T1 20MM FORM", "T1 6MM VEE", "T1 6MM DEBURR", "T1 12MM ROUND NOSE"})
+    EXPECT_TRUE(told(shape, 1, false).starts_with("? names a")) << shape << told(shape, 1, false);
+  expect_readings({
+      {mm, "T1 6MM BALL DEBURR", "ballmill 6"},
+      {mm, "T1 6MM ENDMILL TAPER SHANK", "? names a tapered mill, whose shape it does not tell"},
+      {mm, "CONE 20MM", "-"},
+      {mm, "UNDERCUT D20", "-"},
+  });
+}
+
 }  // namespace
 }  // namespace mrsim

@@ -358,5 +358,26 @@ TEST(ToolCommentReadings, NumbersThatCount) {
   });
 }
 
+TEST(ToolReadings, BallsAndDrillsByTheirShortNames) {
+  expect_readings({
+      {mm, "T1 6MM BALL NOSED SLOT DRILL", "ballmill 6"},
+      {mm, "6.00 DIA BALLNOSE SLOTDRILL", "ballmill 6"},
+      {mm, "T1 6MM SLOT DRILL", "endmill 6"},
+      {mm, "T1 6MM BN", "? names a shape, and no kind of tool"},
+      {mm, "T1 12MM BN R1", "bullmill 12, corner 1"},
+      {mm, "T1 6MM JOBBER", "drill 6"},
+      {mm, "T1 6MM CARB DR", "drill 6"},
+      {inch, "T1 #29 SCREW MACHINE DRILL", "drill 3.4544"},
+      {mm, "TOOL TYPE: TAPERSPHERICAL DIAMETER: 6. TIP RADIUS: 1.", "? gives no taper angle"},
+      {mm, "TOOL TYPE: OFFTIPRAD DIAMETER: 30.", "? names a kind of tool that needs more data"},
+      {mm, "T1 12MM HFM", "? gives no corner radius"},
+      {mm, "T1 12MM ENDMILL CORNER=1", "bullmill 12, corner 1"},
+      {mm, "T1 12MM CORNER=1", "bullmill 12, corner 1"},
+      {mm, "TOOL DIA:10 CORNER:2", "bullmill 10, corner 2"},
+      {mm, "T1 DC=12 RE=1", "bullmill 12, corner 1"},
+      {mm, "T1 12MM ENDMILL RE 0.5", "bullmill 12, corner 0.5"},
+  });
+}
+
 }  // namespace
 }  // namespace mrsim

@@ -30,7 +30,7 @@ constexpr WordRow kWordRows[] = {
     {diameter, either,
      "DIA DIAM DIAMETER DURCHMESSER DIAMETRO DI~METRO DIAMETRE DIAM~TRE PREMER DMR SREDNICA "
      "~REDNICA"},
-    {diameter, behind, "FI PHI DM"},
+    {diameter, behind, "FI PHI DM DC"},
     {register_of, behind, "OFF OFFSET COMP REG REGISTER"},
     {WordRole::radius, either,
      "CR CRAD RC LR RAD RADIUS ECKENRADIUS ECKRADIUS RAYON RADIO RAGGIO PROMIEN RADIJ"},

@@ -61,6 +61,7 @@ bool joined_by_signs(const CommentView& view, std::size_t first, std::size_t end
 
 // "DRILL #10 HOLE", "#6 SCREW DRILL": the number may be that of the screw.
 bool is_of_screw(const CommentView& view, std::size_t i) {
+  if (view.is(i, "SCREW") && view.is(i + 1, "MACHINE")) return false;  // a short drill
   return view.is_one(i, {"SCREW", "SCREWS", "BOLT", "HOLE", "HOLES", "CLEARANCE", "CLR"});
 }
 

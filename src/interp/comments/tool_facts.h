@@ -73,6 +73,7 @@ struct ToolFacts {
   bool bare_kind = false;        ///< nothing but the kind and its attributes: "BAR STOP"
   bool padded_radius = false;    ///< "R05"
   bool alternatives = false;     ///< "12MM OR 1/2 ENDMILL"
+  bool shaped = false;           ///< "TAPER", "UNDERCUT": no end mill, if nothing else names a kind
   bool round_insert = false;     ///< "BUTTON TOOL", "ROUND INSERT"
   std::vector<ToolLength> bare;  ///< numbers with a point that nothing names: "CNMG .8"
   bool holes = false;            ///< "4 DRILL HOLES"

@@ -85,8 +85,8 @@ double beside(const ToolLength& radius, const ToolHint& hint, double unit) {
 
 // A corner radius that the tool can have. A bull-nose mill of half its diameter is a ball mill.
 bool fill_corner(const ToolHint& hint, double unit, Tool& out, std::string& why) {
-  out.corner_radius =
-      hint.corner && hint.trade != ToolTrade::tap ? beside(hint.corner, hint, unit) : 0;
+  const ToolLength& corner = hint.corner ? hint.corner : hint.nose;  // "DC=12 RE=1"
+  out.corner_radius = corner && hint.trade != ToolTrade::tap ? beside(corner, hint, unit) : 0;
   if (out.type == ToolType::endmill && out.corner_radius > 0) out.type = ToolType::bullmill;
   const double radius = out.diameter / 2;
   // D of a tapered mill is where its flank meets the plane of the tip: inside a ball's equator.

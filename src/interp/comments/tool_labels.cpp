@@ -213,10 +213,13 @@ void LabelReader::read_register(const Label& label) {
     view_.take(label.first - 1);
 }
 
-// "D10 ENDMILL CORNER 0.5"; "CORNER 1" is a place.
+// "D10 ENDMILL CORNER 0.5", "CORNER=1"; "CORNER 1" is a place.
 void LabelReader::read_corner(const Label& label) {
   const std::size_t number = number_behind(label);
-  if (number == kNone || !view_[number].decimals || !has_corner()) return;
+  const bool corner = has_corner() || (facts_.kinds.empty() && facts_.names_tool);
+  if (number == kNone || !corner) return;
+  const bool signed_size = view_.is(label.end, "=") || view_.is(label.end, ":");
+  if (!view_[number].decimals && !signed_size) return;
   keep(WordRole::radius, number);
   take(label, number);
 }

@@ -126,6 +126,8 @@ void Settler::settle_type() {
     hint_.type = ToolType::turning;
   else if (!k && !facts_.insert && !facts_.blade && (!facts_.angles.empty() || facts_.bare_angle))
     doubt("names an angle, and no kind of tool");
+  else if (!k && !hint_.type && facts_.shaped && !hint_.diameters.empty() && !facts_.turned_side)
+    doubt("names a shape, and no kind of tool");
   if (k && !hint_.type && is_turning(k->type)) settle_work(*k);
   if (facts_.round_insert) settle_round_insert();
   if (!hint_.type && (facts_.turned_side || facts_.bores)) take_nose_of_work();

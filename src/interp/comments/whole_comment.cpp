@@ -34,6 +34,17 @@ bool names_round_insert(const CommentView& view, std::size_t i) {
          view.is_one(i, {"RUNDPLATTE", "PILZ", "PILZSTAHL", "PILZWERKZEUG"});
 }
 
+// Words that say of a tool without a name that it is no plain end mill; BN is a
+// ball nose or a bull nose.
+bool tells_shape(const CommentView& view, std::size_t i) {
+  if (view.is(i, "BN") && view.is_one(i + 1, {"R", "CR", "RAD"})) return false;
+  return view.is_one(i, {"TAPER", "TAPERED", "CONE",      "CONICAL",   "CONIC",   "VEE",
+                         "ENGR",  "DEBURR",  "DEBURRING", "FORM",      "DISC",    "DISK",
+                         "WHEEL", "COVE",    "OVOLO",     "LOLLI",     "DTAIL",   "UNDERCUT",
+                         "BN",    "BNM",     "RADIUSED",  "ROUNDNOSE", "BACKSPOT"}) ||
+         (view.is(i, "ROUND") && view.is(i + 1, "NOSE"));
+}
+
 }  // namespace
 
 void read_whole_comment(const CommentView& view, ToolFacts& facts) {
@@ -50,6 +61,7 @@ void read_whole_comment(const CommentView& view, ToolFacts& facts) {
     facts.alternatives |= view.is_one(i, {"OR", "ODER", "OU"}) && i > 0 &&
                           view[i - 1].is_number() && view.has(i + 1) && view[i + 1].is_number();
     facts.round_insert |= names_round_insert(view, i);
+    facts.shaped |= tells_shape(view, i);
     if (view.number(i) && view[i].decimals && !view[i].angle) facts.bare.push_back(view.length(i));
   }
 }
