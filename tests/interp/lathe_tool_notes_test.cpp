@@ -179,6 +179,42 @@ TEST(ToolNotes, StationsOfLathes) {
   EXPECT_EQ(tools("T002012 (DRILL 8MM)" + cut), "2:8 tool-station") << "or something else";
 }
 
+// A comment that names its tool by the number, in a list above the program: what its words say of
+// the work counts, too.
+TEST(ToolNotes, WorkOfATurretToolInAList) {
+  const auto tool = [](const std::string& comment) {
+    InterpOptions options = at_origin(Dialect::fanuc, MachineKind::lathe);
+    options.table.tools.clear();
+    const Program p = read_text(comment + "\nT0505\nG0 X30. Z2.\nG1 Z-5. F.2\n", options);
+    return p.tools.empty() ? Tool{} : p.tools[0];
+  };
+  EXPECT_EQ(tool("(T0505 ID FINISH)").type, ToolType::boring);
+  EXPECT_EQ(tool("(T5 ROUGH BORE)").type, ToolType::boring);
+  EXPECT_EQ(tool("(TOOL 5 - INSIDE FINISH)").type, ToolType::boring);
+  EXPECT_EQ(tool("(T0505 OD FINISH R0.8)").nose_radius, 0.8);
+  EXPECT_EQ(tool("(T0505 OD FINISH)").type, ToolType::turning);
+  EXPECT_EQ(tool("(T0404 ID FINISH)").type, ToolType::turning);
+}
+
+// No insert for the outside leaves its cut towards the axis.
+TEST(ToolNotes, BarsWithoutData) {
+  const auto told = [](const std::string& work) {
+    InterpOptions options = at_origin(Dialect::fanuc, MachineKind::lathe);
+    options.table.tools.clear();
+    return codes(read_text("G97 S500 M3\nT0505\nG0 X30. Z2.\n" + work, options));
+  };
+  for (const char* bores :
+       {"G1 Z-20. F.2\nX28.\nG0 Z2.\n", "G1 Z-20. F.2\nG0 U-1.\nZ2.\n", "G1 Z-20. F.2\nG0 X29. Z2.",
+        "G1 X26. Z-20. F.2\nZ-30.\nX24.\nG0 Z2.\n", "G90 X32. Z-20. F.2\n",
+        "G0 X20.\nG71 U1. R.5\nG71 P1 Q2 U-.4 W.1 F.2\nN1 G0 X40.\nG1 Z-10. F.1\nN2 X20.\n"})
+    EXPECT_EQ(told(bores), "tool-unknown") << bores;
+  for (const char* turns :
+       {"G1 Z-20. F.2\nX32.\nG0 Z2.\n", "G1 Z-20. F.2\nG0 X32.\nX28. Z2.\n",
+        "G0 Z0\nG1 X-1.6 F.2\nG0 Z2.\n", "G1 Z0 F.2\nX-1.6\nG0 Z2.\n", "G1 Z-5. F.2\nG0 Z2.\n",
+        "G1 X0 Z-5. F.2\nX-1.6\nG0 Z2.\n", "G1 Z-20. F.2\nX35. Z-30.\nG0 X40.\nZ2.\nX26.\n"})
+    EXPECT_EQ(told(turns), "") << turns;
+}
+
 // Words for the work above a T word name its tool, but not in a list above the first cut.
 TEST(ToolNotes, WorkAboveTheTWordOfALathe) {
   const auto tools = [](const std::string& text) {

@@ -240,5 +240,15 @@ TEST(RecogniseMachine, G74WithRAloneIsALathes) {
   EXPECT_EQ(recognised(head + "G74 Z-40. R2. F1.\nM30\n").machine, MachineKind::automatic);
 }
 
+// J and K of GSK's lathes: the run-out of a thread, and choices of its cycles.
+TEST(RecogniseMachine, JOfALathesCyclesIsNoArc) {
+  const std::string head = "O1\nT0101 (16ER AG60)\nG0 X35. Z5.\n";
+  for (const char* work :
+       {"G92 X29. Z-30. F2. J3. K1.5 L2\nX28.6\n", "G92 X29. Z-30. I11 J3. K1.5\n",
+        "G71 U1.5 R1.\nG71 P1 Q2 U.4 W.1 J1 K1\nN1 G0 X20.\nN2 G1 Z-9.\n"})
+    EXPECT_EQ(recognised(head + work).machine, MachineKind::lathe) << work;
+  EXPECT_EQ(recognised("O1\nT1 M6\nG43 H1 Z5.\nG71 I1. J30. K20. L3\n").machine, MachineKind::mill);
+}
+
 }  // namespace
 }  // namespace mrsim

@@ -44,7 +44,7 @@ class MotionEmitter : public ControlPart {
   void note_zero();
   void turn_to_plus(Motion& motion);
   bool may_stand_below() const;
-  void refuse_undescribed_drill(const Motion& motion);
+  void refuse_undescribed_tool(const Motion& motion);
   void refuse_live_tool(const Motion& motion);
   void warn_unknown_start(const Motion& motion);
   void give(const PathMove& move);
@@ -72,6 +72,8 @@ class MotionEmitter : public ControlPart {
   bool idle_ = true;
   double last_length_ = 0;
   bool bored_ = false;  ///< the last motion fed along the axis of a lathe
+  static constexpr double kNothingCut = 1e99;
+  double inmost_cut_ = kNothingCut;  ///< of a lathe: how near to the axis the last feeds along -Z
   std::size_t cuts_ = 0;
   int unknown_starts_ = 0;  ///< cuts in a row that end where an axis is unknown
 };

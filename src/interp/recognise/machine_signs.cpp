@@ -74,8 +74,12 @@ bool milling_cycle(const std::string& c) {
   return false;
 }
 
-// G86, G87 of Fagor's lathes: J is the number of the thread's starts.
-bool threads(const std::string& c) {
+// J of lathes: the number of a thread's starts (G86, G87 of Fagor), the run-out of one (G92 of
+// GSK), a choice of its cycles (G71 P Q J K).
+bool turns_with_j(const std::string& c) {
+  if (has_word(c, "G92") && has_axis(c, 'Z')) return has_axis(c, 'F') || has_axis(c, 'I');
+  for (const std::string_view g : {"G70", "G71", "G72", "G73"})
+    if (turning_cycle(c, g)) return true;
   return (has_word(c, "G86") || has_word(c, "G87")) && has_axis(c, 'Q') && has_axis(c, 'B');
 }
 
@@ -141,7 +145,7 @@ void MachineSigns::line(const LineScan& s, int n) {
   if (milling_cycle(c)) note_first(milling_cycle_, "a milling cycle", n);
   const bool data = is_transformed(c) || sets_data(c);
   if (!data && has_axis(c, 'Y')) note_first(mill_, "a motion with Y", n);
-  if (!data && has_axis(c, 'J') && !threads(c)) note_first(mill_, "an arc with J", n);
+  if (!data && has_axis(c, 'J') && !turns_with_j(c)) note_first(mill_, "an arc with J", n);
   if (s.comment.empty()) return;
   const ToolHint hint = read_tool_comment(s.comment);
   if (!hint.type) return;

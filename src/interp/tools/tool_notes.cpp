@@ -82,6 +82,7 @@ void ToolNotes::comment(std::string_view bytes, const std::string& called, bool 
   }
   if (turret_digits_ > 0 && hint.id_digits >= turret_digits_)
     hint.id = fmt::format("{}", turret_station(std::stol(hint.id), hint.id_digits));
+  if (lathe_ && !hint.id.empty() && !hint) name_by_operation(hint);  // "T0505 ID FINISH"
   if (!hint.id.empty() && hint) return add(hint.id, hint);
   if (const std::string& id = hint.id.empty() ? called : hint.id; !id.empty() && !hint)
     not_understood_.try_emplace(id, hint.text);
