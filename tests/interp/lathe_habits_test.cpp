@@ -290,7 +290,7 @@ TEST(LatheHabits, WidthsAsOfBladesAreAskedFor) {
   InterpOptions options = at_origin(Dialect::fanuc, MachineKind::lathe);
   options.table.tools.clear();
   const auto told = [&](const std::string& comment) {
-    return codes(read_text("T0303 (" + comment + ")\nG0 X30. Z-5.\nG1 X20. F.1\nX32.\n", options));
+    return codes(read_text("T0303 (" + comment + ")\nG0 X30. Z2.\nG1 Z-5. F.1\nX32.\n", options));
   };
   for (const char* blade : {"LAMA 3MM", "Corte 2.5 mm", "KNIFE 6MM"})
     EXPECT_EQ(told(blade), "tool-unknown") << blade;

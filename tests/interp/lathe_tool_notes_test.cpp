@@ -215,6 +215,25 @@ TEST(ToolNotes, BarsWithoutData) {
     EXPECT_EQ(told(turns), "") << turns;
 }
 
+// Nor does it plunge and go straight back.
+TEST(ToolNotes, BladesWithoutData) {
+  const auto told = [](const std::string& work) {
+    InterpOptions options = at_origin(Dialect::fanuc, MachineKind::lathe);
+    options.table.tools.clear();
+    return codes(read_text("G97 S500 M3\nT0505\nG0 X52. Z2.\n" + work, options), Severity::error);
+  };
+  for (const char* plunges :
+       {"Z-20.\nG1 X40. F.1\nG0 X52.\n", "Z-20.\nG1 X40. F.1\nX52.\n",
+        "Z-40.\nG1 X-1. F.1\nG0 X60.\n", "Z-20.\nG1 X46. F.1\nG0 X47.\nG1 X40.\nG0 X52.\n",
+        "Z-20.\nG75 R.5\nG75 X30. Z-28. P2000 Q2500 F.1\n", "X20.\nZ-20.\nG1 X30. F.1\nG0 X20.\n"})
+    EXPECT_EQ(told(plunges), "tool-unknown") << plunges;
+  for (const char* turns :
+       {"Z0\nG1 X-1.6 F.2\nG0 X52.\n", "X40.\nG1 Z-20. F.2\nX46.\nG0 X52.\n",
+        "Z-20.\nG1 X40. F.1\nG0 Z-19.\nX52.\n", "X46.\nG1 Z-20. F.2\nX42.\nX52.\n",
+        "Z-20.\nG1 X50.5 F.1\nZ-30.\nG0 X52.\n"})
+    EXPECT_EQ(told(turns), "") << turns;
+}
+
 // Words for the work above a T word name its tool, but not in a list above the first cut.
 TEST(ToolNotes, WorkAboveTheTWordOfALathe) {
   const auto tools = [](const std::string& text) {

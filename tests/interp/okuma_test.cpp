@@ -196,6 +196,20 @@ TEST(Okuma, G71OfLathesIsAThread) {
 }
 
 // G74 is a deep hole or grooves of a face, G73 grooves of a diameter.
+// W is the axis of the sub-spindle or of the tailstock there, and no increment of Z.
+TEST(Okuma, WOfLathesIsAnAxisOfItsOwn) {
+  const auto told = [](const std::string& block) {
+    InterpOptions options = at_origin(Dialect::automatic, MachineKind::lathe);
+    return codes(read_text("$A.MIN%\nG0 X20 Z2\n" + block + "\nG1 Z-5 F.1\n", options));
+  };
+  EXPECT_EQ(told("G0 W-300"), "not-supported");
+  EXPECT_EQ(told("G1 U2 F.2"), "not-supported");
+  EXPECT_EQ(told("G91 G0 X2 Z1\nG90"), "");
+  EXPECT_EQ(codes(read_text("O1\nG0 X20. Z2.\nG1 W-3. F.2\n",
+                            at_origin(Dialect::fanuc, MachineKind::lathe))),
+            "");
+}
+
 TEST(Okuma, StrokesOfLathes) {
   EXPECT_EQ(osp_named("G0 X0 Z3\nG74 X0 Z-20 D8 L16 F.1 E1\n"),
             "r0,0,3 l0,0,-5 l0,0,-13 l0,0,-20 r0,0,3");

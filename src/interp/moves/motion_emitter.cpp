@@ -15,7 +15,6 @@ namespace {
 constexpr std::size_t kAllMoves = static_cast<std::size_t>(-1);
 constexpr double kBeyondAxis = 2;  // mm: faces are cut no farther beyond the axis
 constexpr double kOnAxis = 0.05;   // mm: a drill that runs out by less still drills on the axis
-constexpr double kFreed = 0.02;    // mm: bars leave the wall of their bore by more
 
 }  // namespace
 
@@ -205,37 +204,16 @@ void MotionEmitter::warn_unknown_start(const Motion& motion) {
                     motion, "start");
 }
 
-// What the insert for the outside that tools without data are taken to have does not do: in along
-// the axis with the feed and back, as a drill; out of a cut nearer to the axis, as a bar that
-// bores.
+// The insert that tools without data are taken to have would cut another part.
 void MotionEmitter::refuse_undescribed_tool(const Motion& motion) {
-  const double away = motion.end.z - motion.start.z;
-  const bool axial = std::abs(motion.start.x) < kOnAxis && std::abs(motion.end.x) < kOnAxis;
-  const bool drilled = bored_ && axial && away > 0;
-  const bool feeds = motion.kind != MotionKind::rapid && !motion.assumed_start;
-  bored_ = axial && away < -kOnAxis && motion.kind == MotionKind::line && feeds;
-  const bool freed = !feeds && away > kOnAxis && inmost_cut_ < kNothingCut &&
-                     motion.start.x < inmost_cut_ + kFreed && motion.end.x > kOnAxis &&
-                     motion.end.x < inmost_cut_ - kFreed;
-  if (feeds && away < -kOnAxis)
-    inmost_cut_ = std::min({inmost_cut_, motion.start.x, motion.end.x});
-  else if (!feeds && (away > 0 || motion.end.x > inmost_cut_))
-    inmost_cut_ = kNothingCut;
-  if (!(drilled || freed) || motion.tool < 0) return;
+  const UndescribedTool::Kind kind = undescribed_.told_by(motion, program_.zero_height);
+  if (kind.does.empty() || motion.tool < 0) return;
   const Tool& tool = program_.tools[static_cast<std::size_t>(motion.tool)];
   if (!is_turning(tool.type) || !tool.origin.starts_with(kNoToolData)) return;
-  const std::string does =
-      drilled ? fmt::format(
-                    "goes in and out along the axis, as a drill does, but there are no "
-                    "data for it: give --tool {0}=drill:d=10, or say in a comment what it "
-                    "is (T{0} BAR STOP)",
-                    tool.id)
-              : fmt::format(
-                    "leaves its cut towards the axis, as a bar that bores does, but there "
-                    "are no data for it: give --tool {0}=boring:insert=CCMT,r=0.4, or say "
-                    "in a comment what it is (T{0} BORING BAR)",
-                    tool.id);
-  reporter_.once_at(Severity::error, "tool-unknown", fmt::format("tool {} {}", tool.id, does),
+  reporter_.once_at(Severity::error, "tool-unknown",
+                    fmt::format("tool {0} {1}, but there are no data for it: give --tool {0}={2}, "
+                                "or say in a comment what it is (T{0} {3})",
+                                tool.id, kind.does, kind.option, kind.comment),
                     control_.tool.place, "drill:" + tool.id);
 }
 

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "interp/moves/travel_check.h"
+#include "interp/moves/undescribed_tool.h"
 #include "interp/path/compensation.h"
 #include "interp/text/motion_sink.h"
 #include "interp/tools/compensation_words.h"
@@ -71,9 +72,7 @@ class MotionEmitter : public ControlPart {
   std::string told_tool_;
   bool idle_ = true;
   double last_length_ = 0;
-  bool bored_ = false;  ///< the last motion fed along the axis of a lathe
-  static constexpr double kNothingCut = 1e99;
-  double inmost_cut_ = kNothingCut;  ///< of a lathe: how near to the axis the last feeds along -Z
+  UndescribedTool undescribed_;
   std::size_t cuts_ = 0;
   int unknown_starts_ = 0;  ///< cuts in a row that end where an axis is unknown
 };

@@ -49,7 +49,22 @@ bool OkumaTurning::rewrite() {
     if (code.value == 94) code.value = 98;                // the feed per minute
   }
   drop("E");  // the feed along the contour of LAP
-  return true;
+  return !moves_other_axis();
+}
+
+// "G0 W-300": the sub-spindle's or the tailstock's axis; X and Z are increments behind G91 alone.
+bool OkumaTurning::moves_other_axis() {
+  for (const Word& word : block_.words)
+    if (word.address == letter('G') && (word.value == 4 || (word.value >= 70 && word.value < 90)))
+      return false;
+  for (const char c : {'U', 'W'})
+    if (const Word* word = in_block(c))
+      return !error("not-supported",
+                    fmt::format("{} is an axis of its own on Okuma's lathes, which is not "
+                                "supported; for increments of X and Z they have G91",
+                                c),
+                    *word);
+  return false;
 }
 
 // A taper by I or A.

@@ -20,6 +20,7 @@ class OkumaTurning : public ControlPart {
   Word* in_block(char c);
   void drop(std::string_view letters);
   void move_to(char from, char to, double factor);
+  bool moves_other_axis();
   bool has_taper(Word& code);
   bool thread(Word& code);
   bool compound_thread(Word& code);

@@ -1,0 +1,78 @@
+#include "interp/moves/undescribed_tool.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace mrsim {
+namespace {
+
+constexpr double kAtAxis = 0.05;  // mm: a drill that runs out by less still drills on the axis
+constexpr double kFreed = 0.02;   // mm: bars leave the wall of their bore by more
+constexpr double kPlunge = 1;     // mm: faces are cut above this depth, grooves below it
+constexpr double kSamePlace = 1e-6;
+
+}  // namespace
+
+UndescribedTool::Kind UndescribedTool::told_by(const Motion& motion, double face) {
+  const bool feeds = motion.kind != MotionKind::rapid && !motion.assumed_start;
+  const bool drill = drills(motion, feeds), bar = bores(motion, feeds);
+  const bool blade = plunges(motion, feeds, face);
+  rapid_ = motion.kind == MotionKind::rapid;
+  if (drill) return {"goes in and out along the axis, as a drill does", "drill:d=10", "BAR STOP"};
+  if (bar)
+    return {"leaves its cut towards the axis, as a bar that bores does", "boring:insert=CCMT,r=0.4",
+            "BORING BAR"};
+  if (blade)
+    return {"plunges and goes straight back, as a blade does", "grooving:w=3", "GROOVE 3MM"};
+  return {};
+}
+
+// In along the axis with the feed and back.
+bool UndescribedTool::drills(const Motion& motion, bool feeds) {
+  const double away = motion.end.z - motion.start.z;
+  const bool axial = std::abs(motion.start.x) < kAtAxis && std::abs(motion.end.x) < kAtAxis;
+  const bool told = drilled_ && axial && away > 0;
+  drilled_ = axial && away < -kAtAxis && motion.kind == MotionKind::line && feeds;
+  return told;
+}
+
+// Out of a cut along -Z with a rapid that is nearer to the axis.
+bool UndescribedTool::bores(const Motion& motion, bool feeds) {
+  const double away = motion.end.z - motion.start.z;
+  const bool told = !feeds && away > kAtAxis && inmost_cut_ < kNothingCut &&
+                    motion.start.x < inmost_cut_ + kFreed && motion.end.x > kAtAxis &&
+                    motion.end.x < inmost_cut_ - kFreed;
+  if (feeds && away < -kAtAxis)
+    inmost_cut_ = std::min({inmost_cut_, motion.start.x, motion.end.x});
+  else if (!feeds && (away > 0 || motion.end.x > inmost_cut_))
+    inmost_cut_ = kNothingCut;
+  return told;
+}
+
+// From where a rapid has led along X with the feed, in strokes perhaps, and back at the same Z.
+bool UndescribedTool::plunges(const Motion& motion, bool feeds, double face) {
+  const double along = motion.end.x - motion.start.x;
+  if (motion.kind == MotionKind::arc || std::abs(motion.end.z - motion.start.z) > kSamePlace ||
+      motion.assumed_start) {
+    plunging_ = false;
+    return false;
+  }
+  const double deep = plunged_to_ - plunged_from_;
+  const bool back = plunging_ && along * deep < 0;
+  if (back) {
+    const bool out = (motion.end.x - plunged_from_) * deep <= kSamePlace;
+    if (out) plunging_ = false;
+    return out && std::abs(deep) > kPlunge && motion.end.z < face - kPlunge;
+  }
+  if (!feeds || !(plunging_ || rapid_)) {
+    plunging_ = false;
+    return false;
+  }
+  if (!plunging_) plunged_from_ = plunged_to_ = motion.start.x;
+  plunging_ = true;
+  const bool deeper = std::abs(motion.end.x - plunged_from_) > std::abs(deep);
+  if (deeper) plunged_to_ = motion.end.x;
+  return false;
+}
+
+}  // namespace mrsim
