@@ -21,6 +21,7 @@ TEST(LatheToolReadings, Inserts) {
       {lathe_mm, "STEEL 1018", "-"},
       {lathe_inch, "PARTING TOOL .118", "grooving, width 2.9972"},
       {lathe_mm, "STECHSTAHL B3", "grooving, width 3"},
+      {lathe_mm, "STECHDREHER B3", "grooving, width 3"},
       {lathe_mm, "T0303 GROOVE 3MM", "grooving, width 3"},
       {lathe_inch, "T0606 .125 CUTOFF", "grooving, width 3.175"},
       {lathe_inch, "1.0 U-DRILL", "drill 25.4"},

@@ -78,7 +78,7 @@ struct Modal {
   int plane = 0;         ///< 0 = G17, 1 = G18, 2 = G19, 3 = by `normal`
   Vec3 normal{0, 0, 1};  ///< CODESYS G16
   bool incremental = false;
-  bool has_increments = false;  ///< the program has said G91
+  bool has_increments = false;  ///< the program has said G91, or other words of systems B and C
   bool inch = false;            ///< lengths
   /// Of a number without a point, in the program's unit.
   double least_increment() const { return inch ? 1e-4 : 1e-3; }
@@ -105,6 +105,8 @@ struct Modal {
   int edge = 1;  ///< D number; CODESYS: see edge_radius
   bool edge_given = false;
   double edge_radius = 0;  ///< CODESYS: D, mm
+  bool system_c =
+      false;           ///< of the lathes of FANUC: G72 to G78 are cycles that G70 to G76 are in A
   bool okuma = false;  ///< words are those of OSP: G53 and G56 H are lengths of tools, G71 a thread
   Code length = Code::length_off;
   double length_offset = 0;  ///< mm along the tool axis

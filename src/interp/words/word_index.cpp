@@ -1,6 +1,7 @@
 #include "interp/words/word_index.h"
 
 #include "core/text_io.h"
+#include "interp/words/code_systems.h"
 #include "interp/words/okuma_turning.h"
 
 #include <algorithm>
@@ -120,6 +121,7 @@ bool WordIndex::run() {
                              text_of(*cycle)),
                  *cycle);
   read_okuma_corner();
+  CodeSystems(control_).rewrite();
   bool ok = OkumaTurning(control_).rewrite();
   block_.offset_number = number_of_offset();
   for (std::size_t i = 0; i < block_.words.size(); ++i) {
