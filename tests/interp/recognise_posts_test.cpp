@@ -247,6 +247,7 @@ TEST(RecogniseMachine, JOfALathesCyclesIsNoArc) {
        {"G92 X29. Z-30. F2. J3. K1.5 L2\nX28.6\n", "G92 X29. Z-30. I11 J3. K1.5\n",
         "G71 U1.5 R1.\nG71 P1 Q2 U.4 W.1 J1 K1\nN1 G0 X20.\nN2 G1 Z-9.\n"})
     EXPECT_EQ(recognised(head + work).machine, MachineKind::lathe) << work;
+  EXPECT_EQ(recognised(head + "G65 P9100 X5. J2.\nG1 Z-9. F.2\n").machine, MachineKind::lathe);
   EXPECT_EQ(recognised("O1\nT1 M6\nG43 H1 Z5.\nG71 I1. J30. K20. L3\n").machine, MachineKind::mill);
 }
 

@@ -117,6 +117,17 @@ TEST(WordsOfMakers, TurningCyclesOfCodeSystemB) {
   EXPECT_EQ(turn("G79 X10 Z-2 F0.2\nZ-4\n"), turn("G94 X10 Z-2 F0.2\nZ-4\n"));
 }
 
+// G41.1 of FANUC turns a knife along the path: no compensation. What ends it, and polygon turning,
+// stands in the heads of programs.
+TEST(WordsOfMakers, NormalDirectionControl) {
+  const InterpOptions mill = at_origin(Dialect::fanuc);
+  EXPECT_EQ(codes(read_text("G40.1\nG41.1\nG1 X5. F100\n", mill)), "not-supported");
+  EXPECT_EQ(path_text(read_text("G40 G40.1 G50.2\nG1 X5. F100\n", mill)), "l5,0,0");
+  EXPECT_EQ(codes(read_text("G96 S100 P1 M3\nG1 X5. F.2\n",
+                            at_origin(Dialect::fanuc, MachineKind::lathe))),
+            "");
+}
+
 // G70 and G71 alone are the units there. G90 stays absolute, and G92 sets the zero.
 TEST(WordsOfMakers, TurningCyclesOfCodeSystemC) {
   const auto turn = [](const std::string& text) {

@@ -75,8 +75,9 @@ bool milling_cycle(const std::string& c) {
 }
 
 // J of lathes: the number of a thread's starts (G86, G87 of Fagor), the run-out of one (G92 of
-// GSK), a choice of its cycles (G71 P Q J K).
+// GSK), a choice of its cycles (G71 P Q J K); or an argument of a macro.
 bool turns_with_j(const std::string& c) {
+  if (has_word(c, "G65") || has_word(c, "G66")) return true;
   if (has_word(c, "G92") && has_axis(c, 'Z')) return has_axis(c, 'F') || has_axis(c, 'I');
   for (const std::string_view g : {"G70", "G71", "G72", "G73"})
     if (turning_cycle(c, g)) return true;

@@ -116,10 +116,12 @@ constexpr Row kFanucCodes[] = {
     {301, C::ignored, G::oneshot},
     {310, C::probe, G::oneshot},
     {370, C::probe, G::oneshot},  // measures the tool
+    {401, C::ignored, G::other},  // ends normal direction control
     {411, C::comp_left, G::comp},
     {421, C::comp_right, G::comp},
     {434, C::unsupported, G::length},
     {435, C::unsupported, G::length},
+    {502, C::ignored, G::other},  // ends polygon turning
     {520, C::local_shift, G::oneshot},
     {530, C::suppress_frames, G::oneshot},
     {531, C::unsupported, G::oneshot},

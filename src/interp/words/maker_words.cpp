@@ -22,6 +22,14 @@ std::optional<bool> MakerWords::read(const Word& word, Code code) {
                              "not supported: write those of system A, G90, G92 and G94",
                              text_of(word)),
                  word);
+  // LinuxCNC's have the diameter in D, in programs that are read as FANUC's, too.
+  const bool follows_path = word.value == 41.1 || word.value == 42.1;
+  if (is(Dialect::fanuc) && follows_path && !peek('D'))
+    return error("not-supported",
+                 fmt::format("{} without D is normal direction control, where an axis turns the "
+                             "tool along the path, which is not supported",
+                             text_of(word)),
+                 word);
   if (modal_.okuma && word.value >= 101 && word.value <= 120 && word.value != 116)
     return okuma_macro(word);
   const bool mirror = word.value == 101 || (word.value == 100 && !peek('T'));

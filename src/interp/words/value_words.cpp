@@ -189,6 +189,8 @@ bool ValueWords::speed() {
     modal_.speed_limit = word->value;
   }
   if (is(Dialect::ngc)) take('$');  // which spindle
+  const bool speeds = (block_.groups >> static_cast<unsigned>(Group::speed) & 1U) != 0;
+  if (is(Dialect::fanuc) && lathe() && speeds) take('P');  // the axis that G96 counts by
   const Word* word = take('S');
   if (word && beeps()) return true;
   if (word && word->value < 0) return error("speed-range", "S must not be negative", *word);
