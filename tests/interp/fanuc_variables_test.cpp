@@ -87,5 +87,16 @@ TEST(Macro, OptionsThatMeetNothingAreTold) {
             "--set does nothing to this program for WIDTH (never read), LEN (never read)");
 }
 
+// What the machine does with them moves nothing.
+TEST(FanucVariables, CountersAndOutputsKeepWhatIsSet) {
+  const auto path = [](const std::string& text) {
+    return path_text(read_text(text + "M30\n", at_origin(Dialect::fanuc)));
+  };
+  EXPECT_EQ(path("#3901=#3901+1\nG1 X#3901 F100\n"), "l1,0,0");
+  EXPECT_EQ(path("#1100=1\n#1132=5\n#3001=0\nG1 X#1132 Y#3001 F100\n"), "l5,0,0");
+  EXPECT_EQ(path("G1 X#1000 F100\n"), " | variable-number");
+  EXPECT_EQ(path("IF[#3902 GT 5] GOTO 9\nN9 G1 X1. F100\n").substr(0, 18), " | variable-number");
+}
+
 }  // namespace
 }  // namespace mrsim

@@ -171,9 +171,21 @@ bool FanucValues::write_register(double number, const Value& value) {
   return true;
 }
 
+namespace {
+
+constexpr int kPartsMade = 3901, kPartsWanted = 3902;
+
+// Timers, counters of parts, outputs: what a program sets there moves nothing.
+bool is_kept(double number) {
+  return number == 3001 || number == 3002 || number == kPartsMade || number == kPartsWanted ||
+         (number >= 1100 && number <= 1135);
+}
+
+}  // namespace
+
 bool FanucValues::read(int number, Value& out, std::string& why) const {
   double value = 0;
-  bool known = false;
+  bool known = number == kPartsMade;  // none yet
   if (const auto given = outside_.find(number); given != outside_.end()) {
     value = given->second;
     known = true;
@@ -181,7 +193,7 @@ bool FanucValues::read(int number, Value& out, std::string& why) const {
     known = modal(number, value);
   } else if (number > 5000 && number < 5101) {
     known = position(number, value, why);
-  } else {
+  } else if (!known) {
     known = read_register(number, value, why);
   }
   out = Value::of(value);
@@ -192,6 +204,10 @@ bool FanucValues::read(int number, Value& out, std::string& why) const {
 
 bool FanucValues::write(double number, const Value& value, std::string& why) {
   if (!tools_ && value.is_number()) {  // before the program runs: --set
+    outside_[static_cast<int>(number)] = value.number;
+    return true;
+  }
+  if (is_kept(number) && value.is_number()) {
     outside_[static_cast<int>(number)] = value.number;
     return true;
   }

@@ -27,7 +27,7 @@ class FanucValues : public StateValues {
   bool mill_group(int group, double& out) const;
   bool lathe_group(int group, double& out) const;
 
-  std::map<int, double> outside_;  ///< given with --set
+  std::map<int, double> outside_;  ///< given with --set, or kept for the program
 };
 
 }  // namespace mrsim
