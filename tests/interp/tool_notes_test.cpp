@@ -308,5 +308,31 @@ TEST(ToolNotes, NoRegisterOfAnUnknownTool) {
             "tool-unknown");
 }
 
+// Where T makes a tool ready and M6 brings the one that waits.
+TEST(ToolNotes, ToolsThatWaitForTheirM6) {
+  const auto tools = [](const std::string& text) {
+    InterpOptions options = at_origin(Dialect::fanuc);
+    options.table.tools.clear();
+    for (const char* id : {"1", "2", "3"}) {
+      Tool tool;
+      tool.id = id;
+      tool.diameter = 10;
+      options.table.tools.push_back(tool);
+    }
+    const Program p = read_text(text, options);
+    std::string out;
+    for (const Motion& motion : p.motions)
+      out += motion.tool < 0 ? "- " : p.tools[static_cast<std::size_t>(motion.tool)].id + " ";
+    return out + codes(p);
+  };
+  const std::string cut = "G1 X5. F100\n", back = "X0\n";
+  EXPECT_EQ(tools("T1\nM6 T2\n" + cut + "M6 T3\n" + back + "M6\n" + cut), "1 2 3 tool-order");
+  EXPECT_EQ(tools("M6 T1\n" + cut + "T2\nM6 T2\n" + back), "1 2 ");
+  EXPECT_EQ(tools("T1 M6\nT2\n" + cut + "T3 M6\n" + back), "1 3 ") << "the call of T2 is left over";
+  EXPECT_EQ(tools("T1 M6 T2\n" + cut + "T2 M6 T3\n" + back), "1 2 ");
+  EXPECT_EQ(tools("M6\nT2\n" + cut + "M6\nT1\n" + back), "- 2 tool-unknown");
+  EXPECT_EQ(tools("T2\n" + cut), "2 ");
+}
+
 }  // namespace
 }  // namespace mrsim

@@ -32,7 +32,8 @@ struct ToolState {
   bool chosen = false;
   bool direct_change = false;  ///< a mill without M6: T changes at once
   bool failed = false;
-  bool below = false;  ///< a turning tool that works at X below 0, see MotionEmitter
+  bool came_unnamed = false;  ///< an M6 stood before any T word
+  bool below = false;         ///< a turning tool that works at X below 0, see MotionEmitter
 };
 
 struct Control {

@@ -107,8 +107,13 @@ bool ToolChanger::apply() {
   const Word* word = block_.set_tool ? block_.set_tool : take('T');
   if (word && cancels_offset(*word)) return true;
   if (word || block_.tool_change) control_.saved_tool = tool_;
+  const bool mill = is(Dialect::fanuc) && !lathe();
+  if (mill && block_.tool_change && !word && !tool_.pending.active && !tool_.chosen)
+    tool_.came_unnamed = true;
   if (word) {
+    const bool brought = mill && brings_waiting(*word);
     if (!select(*word)) return false;
+    if (brought) return true;
     if (block_.tool_change) tool_.direct_change = false;  // M6
     if (lathe() || is(Dialect::codesys) || tool_.direct_change) block_.tool_change = true;
   }
@@ -121,6 +126,24 @@ bool ToolChanger::apply() {
   // A second T beside M6 makes the next tool ready.
   for (const Word& next : block_.words)
     if (next.address == letter('T') && &next != word && !select(next)) return false;
+  return true;
+}
+
+// "T1", "M6 T2" behind it: machines whose T makes a tool ready bring T1, and T2 is the next.
+bool ToolChanger::brings_waiting(const Word& word) {
+  if (!block_.tool_change || !tool_.pending.active || tool_.pending.id == id_of(word)) return false;
+  const bool behind = std::any_of(block_.words.begin(), block_.words.end(), [&](const Word& m) {
+    return m.address == letter('M') && m.value == 6 && m.column < word.column;
+  });
+  if (!behind) return false;
+  reporter_.once(
+      Severity::warning, "tool-order",
+      fmt::format("M6 {0} is read as the change to T{1}, which was called before, and {0} "
+                  "as the call of the next: where it brings {0} at once, leave the call "
+                  "of T{1} out",
+                  text_of(word), tool_.pending.id),
+      word, "tool-order");
+  change();
   return true;
 }
 
@@ -193,6 +216,15 @@ void ToolChanger::take_commented(const Word& where) {
 void ToolChanger::require(const Word& where, bool cuts) {
   if (cuts) notes_.cut();
   if (tool_.index >= 0 || tool_.failed) return;
+  if (!tool_.chosen && tool_.pending.active && cuts && tool_.came_unnamed && !given("")) {
+    tool_.failed = true;
+    return reporter_.add_at(
+        Severity::error, "tool-unknown",
+        fmt::format("T{0} is called behind M6, and no T word before it: which tool is in the "
+                    "spindle here is not told: write T and its number before that M6",
+                    tool_.pending.id),
+        tool_.pending.at);
+  }
   if (!tool_.chosen && tool_.pending.active && cuts) {
     reporter_.once_at(
         Severity::note, "tool-not-changed",

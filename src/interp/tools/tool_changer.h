@@ -47,6 +47,7 @@ class ToolChanger : public ControlPart {
  private:
   bool cancels_offset(const Word& word);
   bool select(const Word& word);
+  bool brings_waiting(const Word& word);
   bool suffix(const Word& word);
   void change();
   void take_commented(const Word& where);
