@@ -300,13 +300,14 @@ void LabelReader::read_diameter(const Label& label) {
   }
 }
 
-// "Ø5", "D=6."
+// "Ø5", "D=6.", "D: 12. R: 0."; "D: 1" may be a register.
 void LabelReader::read_signs() {
   for (std::size_t i = 0; i + 1 < view_.size(); ++i) {
     const std::size_t value = view_.value_behind(i);
     if (value == kNone || !(view_[value].value > 0)) continue;
     const bool sign = view_.is(i, "~") && !(i > 0 && view_.glued(i));
-    const bool letter = view_.is(i, "D") && view_.is(i + 1, "=") && value == i + 2;
+    const bool sized = view_.is(i + 1, ":") && (view_[value].decimals || view_.is(value + 1, "R"));
+    const bool letter = view_.is(i, "D") && (view_.is(i + 1, "=") || sized) && value == i + 2;
     if (!sign && !letter) continue;
     facts_.names_tool |= letter;
     facts_.named.push_back(view_.length(value));
