@@ -334,5 +334,34 @@ TEST(ToolNotes, ToolsThatWaitForTheirM6) {
   EXPECT_EQ(tools("T2\n" + cut), "2 ");
 }
 
+// NX writes a tool in several comments, above the call or below it.
+TEST(ToolNotes, AToolInSeveralComments) {
+  const auto tool = [](const std::string& before, const std::string& behind,
+                       const std::string& kind = "Milling Tool-5 Parameters") {
+    InterpOptions options = at_origin(Dialect::sinumerik);
+    options.table.tools.clear();
+    const std::string comments = ";TOOL NAME : MILL_D10\n;DESCRIPTION : " + kind +
+                                 "\n;TOOL DIAMETER : 10.00\n;CORNER RADIUS : 1.00\n";
+    const std::string call = ";First Tool\nSUPA G0 Z500 D0\nT=\"MILL_D10\"\nM6\n";
+    const Program p = read_text(
+        (before.empty() ? "" : comments) + call + (behind.empty() ? "" : comments) + "G1 X5 F100\n",
+        options);
+    return p.tools.empty() ? Tool{} : p.tools[0];
+  };
+  for (const Tool& told : {tool("above", ""), tool("", "below")}) {
+    EXPECT_EQ(told.type, ToolType::bullmill);
+    EXPECT_EQ(told.diameter, 10);
+    EXPECT_EQ(told.corner_radius, 1);
+  }
+  EXPECT_EQ(tool("", "").type, ToolType::endmill) << "by its name";
+  InterpOptions options = at_origin(Dialect::fanuc);
+  options.table.tools.clear();
+  const Program ball = read_text(
+      "(TOOL NAME: MILL_D10)\n(DESCRIPTION: Milling Tool-Ball Mill)\nT1 M6\nG1 X5. F100\n",
+      options);
+  ASSERT_EQ(ball.tools.size(), 1U);
+  EXPECT_EQ(ball.tools[0].type, ToolType::ballmill);
+}
+
 }  // namespace
 }  // namespace mrsim

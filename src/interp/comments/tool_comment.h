@@ -73,7 +73,7 @@ struct ToolHint {
   /// It adds a corner radius to what other comments say of the tool.
   bool only_corner() const { return !type && diameter == 0 && id.empty() && corner; }
   /// It adds a diameter to them.
-  bool only_diameter() const { return diameter_line && !type && id.empty() && !names_tool; }
+  bool only_diameter() const { return diameter_line && !type && id.empty(); }
 };
 
 /// Its size is one of the trade in inches: "1/2 END MILL", "CNMG-432".

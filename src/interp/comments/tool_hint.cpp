@@ -292,6 +292,21 @@ std::string doubt_of_turning(const ToolHint& hint, double unit, const Tool& out)
   return out.type == ToolType::grooving ? doubt_of_blade(hint, unit, out) : "";
 }
 
+void merge_kind(ToolHint& into, const ToolHint& more) {
+  const bool plain = into.type == ToolType::endmill;  // "CR=2" makes a bull-nose mill of it
+  // "TOOL NAME: MILL_D10", "DESCRIPTION: MILLING TOOL-BALL MILL".
+  const bool kind_of_it = plain && !into.firm && more.type && more.firm && more.names_tool &&
+                          more.diameters.empty() && !is_turning(*more.type);
+  if (kind_of_it) into.trade = more.trade;
+  if (!into.type || kind_of_it || (plain && more.type == ToolType::bullmill)) {
+    into.type = more.type;
+  } else if (more.type && *more.type != *into.type && into.doubt.empty() &&
+             !more.diameters.empty() && !into.diameters.empty() &&
+             !(*into.type == ToolType::bullmill && *more.type == ToolType::endmill)) {
+    into.doubt = "name different kinds of tool";
+  }
+}
+
 }  // namespace
 
 void merge_hint(ToolHint& into, const ToolHint& more) {
@@ -300,14 +315,7 @@ void merge_hint(ToolHint& into, const ToolHint& more) {
     into.id_digits = more.id_digits;
   }
   into.names_tool |= more.names_tool;
-  const bool plain = into.type == ToolType::endmill;  // "CR=2" makes a bull-nose mill of it
-  if (!into.type || (plain && more.type == ToolType::bullmill)) {
-    into.type = more.type;
-  } else if (more.type && *more.type != *into.type && into.doubt.empty() &&
-             !more.diameters.empty() && !into.diameters.empty() &&
-             !(*into.type == ToolType::bullmill && *more.type == ToolType::endmill)) {
-    into.doubt = "name different kinds of tool";
-  }
+  merge_kind(into, more);
   into.bare_size = into.diameters.empty() ? more.bare_size : into.bare_size && more.bare_size;
   into.diameters.insert(into.diameters.end(), more.diameters.begin(), more.diameters.end());
   if (into.diameter == 0) into.diameter = more.diameter;

@@ -61,6 +61,7 @@ void read_tool_id(CommentView& view, ToolFacts& facts) {
     const bool diameter = view.is_one(at + 1, {"DIA", "DIAM", "DIAMETER"}) &&
                           !view.is(at + 2, "OFF") &&
                           view.value_behind(at + 1) == CommentView::kNone;  // "TOOL 10 DIA"
+    if (view.is_one(at + 1, {"PARAMETERS", "PARAMETER"})) continue;  // "MILLING TOOL-5 PARAMETERS"
     if (view.number(at) && !diameter)
       set_id(view, facts, at);
     else if (view.is_one(at, {"CHANGE", "PATH", "STEEL", "OFFSET", "COMP", "STICK", "MUST"}))

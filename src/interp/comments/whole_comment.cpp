@@ -15,10 +15,11 @@ bool is_corner_line(const CommentView& view) {
   return view.has(i) && view[i].is_number() && (radius || view[i].decimals) && i + 1 == view.size();
 }
 
-// "DIAMETER: 8.0" and nothing else.
+// "DIAMETER: 8.0", "TOOL DIAMETER: 8.0" and nothing else.
 bool is_diameter_line(const CommentView& view) {
-  if (!view.word(0) || comment_word(view[0].text).role != WordRole::diameter) return false;
-  const std::size_t i = view.behind(0);
+  const std::size_t at = view.is_one(0, {"TOOL", "CUTTER"}) ? 1 : 0;
+  if (!view.word(at) || comment_word(view[at].text).role != WordRole::diameter) return false;
+  const std::size_t i = view.behind(at);
   return view.has(i) && view[i].is_number() && i + 1 == view.size();
 }
 

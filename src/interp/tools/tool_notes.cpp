@@ -77,8 +77,8 @@ void ToolNotes::comment(std::string_view bytes, const std::string& called, bool 
   ToolHint hint = read_tool_comment(bytes);
   if (hint.only_diameter()) {
     if (!called.empty()) not_understood_.try_emplace(called, hint.text);
-    if (!run_.empty() && called.empty() && alone) merge_hint(run_.back(), hint);
-    return;
+    const bool added = called.empty() && alone && add_size(hint);
+    if (added || !hint.names_tool) return;
   }
   if (turret_digits_ > 0 && hint.id_digits >= turret_digits_)
     hint.id = fmt::format("{}", turret_station(std::stol(hint.id), hint.id_digits));
@@ -98,7 +98,10 @@ void ToolNotes::comment(std::string_view bytes, const std::string& called, bool 
   if (lathe_ && (cuts_ || heads) && !hint && (hint.operation || hint.bores))
     name_by_operation(hint);
   lists_ = lists_ || heads_list(hint.text);
-  if (hint.only_corner()) return add_corner(hint);
+  if (hint.only_corner()) {
+    add_size(hint);
+    return;
+  }
   if (!(hint || !hint.id.empty())) return;
   const bool is_tool = hint.names_tool || (hint.type && lists_) || is_tool_with_size(hint);
   if (hint.id.empty() && is_tool && hint.diameter > 0) add_nameless(hint);
@@ -152,12 +155,16 @@ void ToolNotes::name_by_operation(ToolHint& hint) {
     hint.type = ToolType::boring;
 }
 
-// It counts beside other comments about the tool only.
-void ToolNotes::add_corner(const ToolHint& hint) {
-  if (blocks_since_change_ == 0 && find(current_) != nullptr)
+// "DIAMETER: 10.0", "CORNER RADIUS: 1.0": they count beside other comments about the tool only.
+bool ToolNotes::add_size(const ToolHint& hint) {
+  if (blocks_since_change_ == 0 && find(current_) != nullptr) {
     add(current_, hint);
-  else if (!run_.empty())
-    merge_hint(run_.back(), hint);
+    return true;
+  }
+  if (run_.empty()) return false;
+  if (!named_.empty() && named_.back().text == run_.back().text) merge_hint(named_.back(), hint);
+  merge_hint(run_.back(), hint);
+  return true;
 }
 
 // "(Endmill 3mm)" in a program without T words.

@@ -56,7 +56,7 @@ class ToolNotes {
  private:
   void add(const std::string& id, const ToolHint& hint);
   static void name_by_operation(ToolHint& hint);
-  void add_corner(const ToolHint& hint);
+  bool add_size(const ToolHint& hint);
   void add_no_cutter(const std::string& id);
   bool add_by_name(const std::string& id);
   void settle_run();
