@@ -363,5 +363,28 @@ TEST(ToolNotes, AToolInSeveralComments) {
   EXPECT_EQ(ball.tools[0].type, ToolType::ballmill);
 }
 
+// A tool with its number, and lines below that tell its kind and its corner.
+TEST(ToolNotes, LinesBelowTheToolsNumber) {
+  const auto tool = [](const std::string& comments) {
+    InterpOptions options = at_origin(Dialect::fanuc);
+    options.table.tools.clear();
+    const Program p = read_text(comments + "\nT1 M6\nG1 X5. F100\n", options);
+    if (p.tools.empty()) return std::string("none");
+    return fmt::format("{} {:g} {:g}", static_cast<int>(p.tools[0].type), p.tools[0].diameter,
+                       p.tools[0].corner_radius);
+  };
+  const auto is = [](ToolType type, double d, double r) {
+    return fmt::format("{} {:g} {:g}", static_cast<int>(type), d, r);
+  };
+  EXPECT_EQ(tool("(T1 6MM)\n(BALL NOSE)"), is(ToolType::ballmill, 6, 0));
+  EXPECT_EQ(tool("(T1 6MM)\n(SPOT DRILL)"), is(ToolType::drill, 6, 0));
+  EXPECT_EQ(tool("(TOOL 1: EM 6MM)\n(R: 0.5)"), is(ToolType::bullmill, 6, 0.5));
+  EXPECT_EQ(tool("(TOOL NO.: 1)\n(TOOL NAME: EM 10)\n(CR=0.5)"), is(ToolType::bullmill, 10, 0.5));
+  EXPECT_EQ(tool("(T1 ENDMILL)\n(DIA: 10.)\n(CORNER R 0.5)"), is(ToolType::bullmill, 10, 0.5));
+  EXPECT_EQ(tool("(T1 6MM ENDMILL)\n(RADIUS 20)"), is(ToolType::endmill, 6, 0)) << "of the work";
+  EXPECT_EQ(tool("(T1 6MM ENDMILL)\n(CHAMFER)"), is(ToolType::endmill, 6, 0)) << "the work";
+  EXPECT_EQ(tool("(T1: SHANK D12)\n(CUTTER D10 R1)"), is(ToolType::endmill, 0, 0)) << "asks";
+}
+
 }  // namespace
 }  // namespace mrsim

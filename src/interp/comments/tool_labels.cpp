@@ -342,6 +342,9 @@ void LabelReader::read_letter_d() {
     if (!view_.is(i, "D") || !view_.number(i + 1) || !view_.glued(i + 1)) continue;
     const CommentToken& value = view_[i + 1];
     view_.take(i, i + 2);
+    if (i > 0 && view_.is_one(i - 1, {"SHANK", "SHK", "SHAFT", "SCHAFT", "NECK", "HOLDER",
+                                      "TOOLHOLDER", "COLLET", "CHUCK", "ARBOR"}))
+      continue;                                         // what holds it
     if (view_.is(i + 2, "=") && view_.number(i + 3)) {  // "D1=10": which of the diameters?
       view_.take(i + 2, i + 4);
       continue;

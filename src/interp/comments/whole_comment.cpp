@@ -6,13 +6,20 @@
 namespace mrsim {
 namespace {
 
-// "TIP RADIUS: 1.0", "CORNER: 1.0" and nothing else: a line of several about one tool.
+// "TIP RADIUS: 1.0", "CORNER: 1.0", "CR 0.5", "R: 0.5" and nothing else: a line of several about
+// one tool. "R5" and "RADIUS 5" may be the work's.
 bool is_corner_line(const CommentView& view) {
   std::size_t i = view.is_one(0, {"TOOL", "CUTTER"}) ? 1 : 0;
-  if (!view.is_one(i, {"TIP", "CORNER"})) return false;
-  const bool radius = view.is_one(i + 1, {"RADIUS", "RAD"});
-  i = view.behind(radius ? i + 1 : i);
-  return view.has(i) && view[i].is_number() && (radius || view[i].decimals) && i + 1 == view.size();
+  const bool named = view.is_one(i, {"TIP", "CORNER"});
+  i += named ? 1 : 0;
+  const bool tools_own = view.is_one(i, {"CR", "CRAD", "RC"});
+  const bool radius = tools_own || view.is_one(i, {"RADIUS", "RAD", "R"});
+  i += radius ? 1 : 0;
+  if (i == 0 || !(named || radius)) return false;
+  const bool signed_off = view.is_one(i, {":", "="});
+  i = view.behind(i - 1);
+  if (!view.has(i) || !view[i].is_number() || i + 1 != view.size()) return false;
+  return named ? radius || view[i].decimals : tools_own || signed_off;
 }
 
 // "DIAMETER: 8.0", "TOOL DIAMETER: 8.0" and nothing else.

@@ -83,7 +83,10 @@ void ToolNotes::comment(std::string_view bytes, const std::string& called, bool 
   if (turret_digits_ > 0 && hint.id_digits >= turret_digits_)
     hint.id = fmt::format("{}", turret_station(std::stol(hint.id), hint.id_digits));
   if (lathe_ && !hint.id.empty() && !hint) name_by_operation(hint);  // "T0505 ID FINISH"
-  if (!hint.id.empty() && hint) return add(hint.id, hint);
+  if (!hint.id.empty() && hint) {
+    told_id_ = called.empty() && alone ? hint.id : std::string();
+    return add(hint.id, hint);
+  }
   if (const std::string& id = hint.id.empty() ? called : hint.id; !id.empty() && !hint)
     not_understood_.try_emplace(id, hint.text);
   if (!called.empty()) {
@@ -97,6 +100,7 @@ void ToolNotes::comment(std::string_view bytes, const std::string& called, bool 
   // Behind the first cut it is no list of what the program does.
   if (lathe_ && (cuts_ || heads) && !hint && (hint.operation || hint.bores))
     name_by_operation(hint);
+  if (tells_kind(hint)) return add(open_id(), hint);
   lists_ = lists_ || heads_list(hint.text);
   if (hint.only_corner()) {
     add_size(hint);
@@ -110,6 +114,7 @@ void ToolNotes::comment(std::string_view bytes, const std::string& called, bool 
   if (hint.id.empty()) add_unnumbered(hint);
   if (hint.id.empty() && !cuts_ && named_.size() < kLongestList) named_.push_back(hint);
   if (run_.size() == kLongestList) settle_run();
+  told_id_.clear();
   run_.push_back(std::move(hint));
 }
 
@@ -155,10 +160,22 @@ void ToolNotes::name_by_operation(ToolHint& hint) {
     hint.type = ToolType::boring;
 }
 
+// The tool with a number that the comment before is about, or the one just changed to.
+const std::string& ToolNotes::open_id() const {
+  return blocks_since_change_ == 0 && find(current_) != nullptr ? current_ : told_id_;
+}
+
+// "T1 6MM", and "BALL NOSE" below it.
+bool ToolNotes::tells_kind(const ToolHint& hint) const {
+  const ToolHint* const open = open_id().empty() ? nullptr : find(open_id());
+  return open && !open->type && open->diameter > 0 && hint.type && hint.id.empty() &&
+         hint.diameters.empty() && (hint.firm || hint.bare_kind);
+}
+
 // "DIAMETER: 10.0", "CORNER RADIUS: 1.0": they count beside other comments about the tool only.
 bool ToolNotes::add_size(const ToolHint& hint) {
-  if (blocks_since_change_ == 0 && find(current_) != nullptr) {
-    add(current_, hint);
+  if (const std::string& id = open_id(); !id.empty()) {
+    add(id, hint);
     return true;
   }
   if (run_.empty()) return false;
@@ -230,6 +247,7 @@ void ToolNotes::change(const std::string& id) {
 
 void ToolNotes::end_block() {
   settle_run();
+  told_id_.clear();
   if (blocks_since_change_ < 1) ++blocks_since_change_;
 }
 

@@ -56,6 +56,8 @@ class ToolNotes {
  private:
   void add(const std::string& id, const ToolHint& hint);
   static void name_by_operation(ToolHint& hint);
+  const std::string& open_id() const;
+  bool tells_kind(const ToolHint& hint) const;
   bool add_size(const ToolHint& hint);
   void add_no_cutter(const std::string& id);
   bool add_by_name(const std::string& id);
@@ -77,7 +79,8 @@ class ToolNotes {
   bool cuts_ = false, cuts_since_change_ = false;
   bool adopted_ = false;  ///< nameless_ is the tool
   std::string other_, current_;
-  std::string called_;  ///< the tool that a T word has named, before the next cut and change
+  std::string told_id_;  ///< of the comment before, in lines without a block
+  std::string called_;   ///< the tool that a T word has named, before the next cut and change
   int blocks_since_change_ = 1;
 };
 
