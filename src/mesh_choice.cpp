@@ -145,13 +145,15 @@ bool has_searched_helix(const CutList& cuts) {
 }
 
 // What a mesh within the tolerance takes where creases lie everywhere: bytes and seconds of a cell,
-// within a factor of four. A relief by a taper with 0.7 million took 1.7 GB and 51 s.
-constexpr double kCellBytes = 2.5e3, kCellSeconds = 5e-5;
+// within a factor of four. A relief by a taper with 0.7 million took 1.7 GB and 51 s. 50 threads by
+// a form tool, whose crests are narrower than cells, took 1.1 million instead of 0.12, and 264 s.
+constexpr double kCellBytes = 2.5e3, kCellSeconds = 5e-5, kSearchedSeconds = 10 * kCellSeconds;
 
-std::string needs_text(const detail::SurfaceSurvey& survey, double cell) {
+std::string needs_text(const detail::SurfaceSurvey& survey, double cell, bool searches_helix) {
   const double cells = std::max(survey.cells(cell), sweeps_met(survey));
+  const double seconds = cells * (searches_helix ? kSearchedSeconds : kCellSeconds);
   return fmt::format("would take about {} cells, perhaps {:.1g} GB and {:.0f} s of one core",
-                     count_text(cells), cells * kCellBytes / 1e9, std::ceil(cells * kCellSeconds));
+                     count_text(cells), cells * kCellBytes / 1e9, std::ceil(seconds));
 }
 
 // `why`: a clause about the tolerance.
@@ -188,7 +190,7 @@ void fit_voxel(const detail::SurfaceSurvey& survey, double cell, MeshChoice& cho
                                         given, choice.voxel_reason);
     return;
   }
-  take_grid(choice, needs_text(survey, cell));
+  take_grid(choice, needs_text(survey, cell, choice.searches_helix));
   choice.voxel_reason =
       choice.voxel > finest
           ? fmt::format("{:.6g} mm would take about {} cells", finest,
