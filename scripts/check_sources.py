@@ -19,8 +19,8 @@ ROOT = os.path.realpath(os.path.join(os.path.dirname(os.path.abspath(__file__)),
 
 def commands(folder):
     """(source, its command without an output) of each source of the library and the program."""
-    subprocess.run(["cmake", "-S", ROOT, "-B", folder, "-G", "Ninja", "-DCMAKE_BUILD_TYPE=Release", "-DMRSIM_TESTS=OFF", "-DMRSIM_FUZZ=OFF",
-                    "-DCMAKE_EXPORT_COMPILE_COMMANDS=ON"], check=True, stdout=subprocess.DEVNULL)
+    subprocess.run(["cmake", "--preset", "sources", "-B", folder], cwd=ROOT, check=True,
+                   stdout=subprocess.DEVNULL)
     with open(os.path.join(folder, "compile_commands.json"), encoding="utf-8") as file:
         for entry in json.load(file):
             words = shlex.split(entry["command"])

@@ -24,7 +24,7 @@ MOST = 40  # sources of a join
 
 def flags_of_sources(folder):
     """Source, from the root -> its compiler flags, as text, by a build that joins none."""
-    subprocess.run(["cmake", "--preset", "release", "-DMRSIM_TESTS=OFF", "-DMRSIM_FUZZ=OFF", "-B", folder], cwd=ROOT, check=True, stdout=subprocess.DEVNULL)
+    subprocess.run(["cmake", "--preset", "sources", "-B", folder], cwd=ROOT, check=True, stdout=subprocess.DEVNULL)
     found = {}
     with open(os.path.join(folder, "compile_commands.json"), encoding="utf-8") as file:
         for entry in json.load(file):

@@ -4,7 +4,7 @@
 #include "mesh/cells/mesh_report.h"
 #include "mesh/solid/mesh_plan.h"
 #include "mesh_choice.h"
-#include "part_mesh.h"
+#include "mesh_store.h"
 #include "removal/part/stock.h"
 #include <mrsim/mrsim.h>
 
@@ -28,7 +28,7 @@ class MeshMaker {
   /// and "memory".
   MeshReport make();
   /// Requires: make().
-  PartMesh& part() { return *part_; }
+  MeshStore& part() { return *part_; }
   /// Bytes that the run was expected to take at its peak.
   double memory() const { return memory_; }
 
@@ -41,7 +41,7 @@ class MeshMaker {
   MeshChoice& choice_;
   MeshSink& next_;
   int threads_;
-  std::optional<PartMesh> part_;
+  std::optional<MeshStore> part_;
   double memory_ = 0;
 };
 

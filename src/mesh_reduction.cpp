@@ -15,7 +15,7 @@ constexpr DistanceError kError{1e-4, 0.01};
 
 }  // namespace
 
-bool reduce_part(const Job& job, JobResult& result, PartMesh& part, Outputs& outputs) {
+bool reduce_part(const Job& job, JobResult& result, MeshStore& part, Outputs& outputs) {
   if (job.max_triangles == 0) return false;
   const TriMesh& before = part.in_memory();
   if (before.triangles.size() <= job.max_triangles) return false;

@@ -37,7 +37,7 @@ std::string spill_folder(const std::vector<std::string>& paths);
 /// mesh is made, the others in finish().
 class Outputs final : public MeshSink {
  public:
-  /// `threads`: of what is written while the mesh is made.
+  /// `threads`: for files that are written while the mesh is made.
   Outputs(const std::vector<std::string>& paths, const MeshFileOptions& options, int threads);
   ~Outputs() override;
   Outputs(const Outputs&) = delete;

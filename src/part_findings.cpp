@@ -86,7 +86,7 @@ void warn_of_coarse_mesh(const Job& job, JobResult& result) {
                      result.reduction.most));
 }
 
-void summarize_part(JobResult& result, PartMesh& part, const CutList& cuts, double volume) {
+void summarize_part(JobResult& result, MeshStore& part, const CutList& cuts, double volume) {
   result.summary = part.summary();
   const MeshSummary& s = result.summary;
   if (!s.closed || !s.oriented || !s.manifold || s.degenerate > 0)
@@ -98,7 +98,7 @@ void summarize_part(JobResult& result, PartMesh& part, const CutList& cuts, doub
 }
 
 // Dropping was asked for, so it is a note; pieces left lying in the part are a warning.
-void keep_pieces(JobResult& result, PartMesh& part, KeepPieces keep, bool in_vdb) {
+void keep_pieces(JobResult& result, MeshStore& part, KeepPieces keep, bool in_vdb) {
   const std::vector<Piece> pieces = find_pieces(part.audit(), part.source());
   const bool drop = keep == KeepPieces::largest;
   for (const Piece& piece : pieces)
@@ -171,7 +171,7 @@ void report_mesh(JobResult& result, const MeshReport& found) {
   if (!found.thin.empty()) warn_of_thin(result);
 }
 
-void report_slabs(JobResult& result, const PartMesh& part, const Stock& stock) {
+void report_slabs(JobResult& result, const MeshStore& part, const Stock& stock) {
   result.slabs = part.blocks();
   const auto limit = static_cast<double>(stock.memory_limit());
   report(result, Severity::note, "slabs",

@@ -3,7 +3,7 @@
 
 #include "mesh/extract.h"
 #include "mesh_choice.h"
-#include "part_mesh.h"
+#include "mesh_store.h"
 #include "removal/part/stock.h"
 #include <mrsim/mrsim.h>
 
@@ -26,14 +26,14 @@ void warn_of_idle_tools(JobResult& result, bool stock_assumed);
 
 void tell_choice(JobResult& result, const MeshChoice& choice);
 void report_mesh(JobResult& result, const MeshReport& found);
-void report_slabs(JobResult& result, const PartMesh& part, const Stock& stock);
+void report_slabs(JobResult& result, const MeshStore& part, const Stock& stock);
 
 /// Finds the pieces and drops all but the largest where that was asked for. `in_vdb`: a .vdb is
 /// written, which holds all.
-void keep_pieces(JobResult& result, PartMesh& part, KeepPieces keep, bool in_vdb);
+void keep_pieces(JobResult& result, MeshStore& part, KeepPieces keep, bool in_vdb);
 
 /// Figures of what is kept. `volume`: of the part, mm^3. Throws
 /// InternalError where the mesh is no closed, oriented 2-manifold.
-void summarize_part(JobResult& result, PartMesh& part, const CutList& cuts, double volume);
+void summarize_part(JobResult& result, MeshStore& part, const CutList& cuts, double volume);
 
 }  // namespace mrsim

@@ -18,9 +18,9 @@
 #include "mesh_choice.h"
 #include "mesh_maker.h"
 #include "mesh_reduction.h"
+#include "mesh_store.h"
 #include "outputs.h"
 #include "part_findings.h"
-#include "part_mesh.h"
 #include "play.h"
 #include "removal/collision/collisions.h"
 #include "removal/part/default_stock.h"
@@ -185,7 +185,7 @@ Stock carve_part(const Job& job, const StockShape& shape, const CutList& cuts, M
 double make_mesh(const Job& job, JobResult& result, Stock& stock, MeshChoice& choice,
                  MeshMaker& maker) {
   const MeshReport found = maker.make();
-  const PartMesh& part = maker.part();
+  const MeshStore& part = maker.part();
   if (part.source().triangles() == 0) refuse_empty(stock.field(), choice.voxel);
   tell_choice(result, choice);
   if (stock.in_slabs()) report_slabs(result, part, stock);
@@ -199,7 +199,7 @@ double make_mesh(const Job& job, JobResult& result, Stock& stock, MeshChoice& ch
 }
 
 // Drops loose pieces where that was asked for. Returns the volume of the part, mm^3.
-double settle_pieces(const Job& job, JobResult& result, double excess, PartMesh& part,
+double settle_pieces(const Job& job, JobResult& result, double excess, MeshStore& part,
                      Outputs& outputs) {
   keep_pieces(result, part, job.keep, writes_vdb(job));
   const bool is_whole = std::all_of(result.pieces.begin(), result.pieces.end(),
@@ -301,13 +301,13 @@ void simulate(const Job& job, JobResult& result) {
   add_collisions(result.program, cuts, result.collisions);
   clock.done("collisions");
 
-  const int block_threads = choice.tolerance > 0 ? job.mesh.threads : 1;
+  const int stream_threads = choice.tolerance > 0 ? job.mesh.threads : 1;
   MeshFileOptions files = job.files;
   files.threads = job.mesh.threads;
-  Outputs outputs(job.outputs, files, block_threads);
-  MeshMaker maker(job, stock, choice, outputs, block_threads);
+  Outputs outputs(job.outputs, files, stream_threads);
+  MeshMaker maker(job, stock, choice, outputs, stream_threads);
   const double excess = make_mesh(job, result, stock, choice, maker);
-  PartMesh& part = maker.part();
+  MeshStore& part = maker.part();
   clock.done("mesh");
   const double volume = settle_pieces(job, result, excess, part, outputs);
   clock.done("check");

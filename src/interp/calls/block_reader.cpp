@@ -72,7 +72,7 @@ bool BlockReader::read_line(Activation& top) {
 // Without the parts of it that are repeated.
 BlockReader::Activation& BlockReader::program_read() {
   std::size_t i = stack_.size() - 1;
-  while (i > 0 && !stack_[i].level) --i;
+  while (i > 0 && !stack_[i].counts_as_call) --i;
   return stack_[i];
 }
 
@@ -159,7 +159,7 @@ std::unique_ptr<LineSource> BlockReader::source_of(const std::string& file) {
 
 bool BlockReader::enter(CallRequest request, const Word& word) {
   const std::size_t limit = depth_limit(control_.dialect);
-  if (request.level && levels_ >= limit)
+  if (request.counts_as_call && levels_ >= limit)
     return error("subprogram-depth",
                  fmt::format("more than {} subprograms inside one another{}", limit,
                              is(Dialect::fanuc)       ? " (alarm 077)"
@@ -171,20 +171,20 @@ bool BlockReader::enter(CallRequest request, const Word& word) {
   if (stack_.size() > kMostStretches)
     return error("subprogram-depth", "too many repeats inside one another", word);
   Activation next;
-  next.call = request.level ? call_site(block_.line_number) : stack_.back().call;
+  next.call = request.counts_as_call ? call_site(block_.line_number) : stack_.back().call;
   next.file = file_index(request.file);
   next.source = source_of(request.file);
   next.source->seek(request.begin.offset, request.begin.line);
   next.resume = request.begin.position;
   next.begin = request.begin;
   next.end = request.end;
-  next.level = request.level;
-  next.started = !request.level;
+  next.counts_as_call = request.counts_as_call;
+  next.started = !request.counts_as_call;
   next.repeats = static_cast<int>(std::min<long>(request.repeats - 1, 100'000'000));
   next.on_start = std::move(request.on_start);
   next.on_end = std::move(request.on_end);
   next.on_left = std::move(request.on_left);
-  levels_ += next.level ? 1U : 0U;
+  levels_ += next.counts_as_call ? 1U : 0U;
   if (next.on_start) next.on_start();
   stack_.push_back(std::move(next));
   return true;
@@ -193,13 +193,13 @@ bool BlockReader::enter(CallRequest request, const Word& word) {
 void BlockReader::pop() {
   reporter_.forget_text();
   Activation& top = stack_.back();
-  levels_ -= top.level ? 1U : 0U;
+  levels_ -= top.counts_as_call ? 1U : 0U;
   idle_[program_.files[static_cast<std::size_t>(top.file)]].push_back(std::move(top.source));
   stack_.pop_back();
 }
 
 void BlockReader::leave_stretches() {
-  while (stack_.size() > 1 && !stack_.back().level) pop();
+  while (stack_.size() > 1 && !stack_.back().counts_as_call) pop();
 }
 
 bool BlockReader::ends_at_header(const Word* program) {
@@ -294,7 +294,7 @@ void BlockReader::end_of_text() {
 
 // A FANUC subprogram whose text ends without M99.
 void BlockReader::missing_return() {
-  if (!is(Dialect::fanuc) || stack_.size() < 2 || !stack_.back().level) return;
+  if (!is(Dialect::fanuc) || stack_.size() < 2 || !stack_.back().counts_as_call) return;
   if (stack_.back().end != std::numeric_limits<std::uint64_t>::max()) return;  // a contour
   reporter_.forget_text();
   Word place;
@@ -335,7 +335,7 @@ void BlockReader::end_activation(bool loops) {
     if (top.on_start) top.on_start();
     top.source->seek(top.begin.offset, top.begin.line);
     top.has_line = false;
-    top.started = !top.level;
+    top.started = !top.counts_as_call;
     top.resume = top.begin.position;
     return;
   }

@@ -24,7 +24,7 @@ struct CallRequest {
   Place begin;
   std::uint64_t end = std::numeric_limits<std::uint64_t>::max();  ///< offset where it ends
   long repeats = 1;
-  bool level = true;  ///< counts as a call: in the depth, and in the places of findings
+  bool counts_as_call = true;      ///< in the depth, and in the places of findings
   std::function<void()> on_start;  ///< before every run
   std::function<void()> on_end;    ///< after every run
   std::function<void()> on_left;   ///< after the last run, once the caller is read again
@@ -103,7 +103,7 @@ class BlockReader : public ControlPart {
     int repeats = 0;  ///< further runs after this one
     Place begin;
     std::uint64_t end = std::numeric_limits<std::uint64_t>::max();
-    bool level = true;
+    bool counts_as_call = true;
     std::function<void()> on_start, on_end, on_left;
   };
 

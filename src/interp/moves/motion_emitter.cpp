@@ -70,7 +70,7 @@ void MotionEmitter::change_tool() {
   event(std::move(change));
 }
 
-// An event comes before the moves that came behind it.
+// Events that were programmed before this move go out before it.
 void MotionEmitter::give(const PathMove& move) {
   if (!events_.empty()) give_events(move.order);
   send(move.motion, move.placed);

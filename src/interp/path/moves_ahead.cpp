@@ -91,8 +91,9 @@ bool MovesAhead::squeezed(std::size_t i, std::size_t next, Vec2 entered) const {
   return progress(piece, entered, out) < -kTouch / (piece.arc ? piece.radius : 1);
 }
 
-// Whether `piece`, run from `from`, meets the n-th following element, or the way round the corner
-// behind that one: then `way` has the rest of it. `keep`: the element that comes next.
+// Whether `piece`, starting at `from`, meets the n-th following element, or else the path round the
+// outside corner after that element. Then `way` holds the rest of that path and `keep` the next
+// element to be moved.
 bool MovesAhead::meets(const PlanePiece& piece, Vec2 from, std::size_t n, CornerWay& way,
                        std::size_t& keep) const {
   const std::size_t j = following(n), next = following(n + 1);
@@ -146,8 +147,8 @@ bool MovesAhead::meet_inside(const PlanePiece& piece, Vec2 from, std::size_t nea
   return false;
 }
 
-// The element behind an outside corner has no room: `piece`, or what is run round the corner, goes
-// to where it meets a later one.
+// The element after an outside corner has no room: `piece`, or the path round the corner, is
+// extended to where it meets a later element.
 void MovesAhead::close_over(const PlanePiece& piece, Vec2 from, CornerWay& way) {
   if (meet_inside(piece, from, 2, way)) return;
   for (std::size_t i = 0; i < way.count; ++i) {

@@ -27,8 +27,8 @@ struct Crossings {
 bool within(const ProfilePiece& arc, Vec2 p) {
   const double sense = arc.ccw ? 1 : -1;
   const Vec2 q = p - arc.center;
-  return sense * cross(arc.start - arc.center, q) >= -kSamePlace &&
-         sense * cross(arc.end - arc.center, q) <= kSamePlace;
+  return sense * cross(arc.start - arc.center, q) >= -kSameTurnPlace &&
+         sense * cross(arc.end - arc.center, q) <= kSameTurnPlace;
 }
 
 Crossings crossings(const ProfilePiece& piece, double y) {
@@ -36,15 +36,15 @@ Crossings crossings(const ProfilePiece& piece, double y) {
   if (piece.arc) {
     const double r = length(piece.start - piece.center), up = y - piece.center.y;
     const double square = (r - up) * (r + up);
-    if (square < -kSamePlace) return out;
+    if (square < -kSameTurnPlace) return out;
     const double half = std::sqrt(std::max(0.0, square));
     for (const double x : {piece.center.x + half, piece.center.x - half})
       if (within(piece, {x, y})) out.add(x);
     return out;
   }
   const auto [low, high] = std::minmax(piece.start.y, piece.end.y);
-  if (low > y + kSamePlace || high < y - kSamePlace) return out;
-  if (high - low < kSamePlace) {
+  if (low > y + kSameTurnPlace || high < y - kSameTurnPlace) return out;
+  if (high - low < kSameTurnPlace) {
     out.add(piece.start.x);
     out.add(piece.end.x);
   } else {
@@ -74,7 +74,7 @@ void LevelCuts::arc(const ProfilePiece& piece, Vec2 to) {
 bool LevelCuts::falls(std::size_t i, double level) {
   const ProfilePiece& piece = pieces_[i];
   if (piece.arc) return arc_falls(i, level);
-  if (piece.start.y <= piece.end.y + kSamePlace) return false;
+  if (piece.start.y <= piece.end.y + kSameTurnPlace) return false;
   Vec2 to = piece.end;
   if (level >= piece.end.y) {
     const Crossings found = crossings(piece, level);
@@ -91,13 +91,13 @@ bool LevelCuts::falls(std::size_t i, double level) {
 
 bool LevelCuts::arc_falls(std::size_t i, double level) {
   const ProfilePiece& piece = pieces_[i];
-  if (at_.x - piece.end.x <= kSamePlace) {  // it has been run
+  if (at_.x - piece.end.x <= kSameTurnPlace) {  // it has been run
     at_ = piece.end;
     return true;
   }
   Crossings found = crossings(piece, level);
-  if (found.count == 0) found = crossings(piece, level - kSamePlace);
-  if (piece.ccw ? at_.x - kSamePlace > piece.center.x : at_.x <= piece.center.x) return false;
+  if (found.count == 0) found = crossings(piece, level - kSameTurnPlace);
+  if (piece.ccw ? at_.x - kSameTurnPlace > piece.center.x : at_.x <= piece.center.x) return false;
   if (piece.ccw) {  // falls behind its top
     const bool below = found.count == 0 || found.last() > piece.center.x;
     arc(piece, below ? piece.end : Vec2{found.last(), level});
@@ -113,8 +113,8 @@ bool LevelCuts::arc_falls(std::size_t i, double level) {
 bool LevelCuts::rises(std::size_t i) {
   const ProfilePiece& piece = pieces_[i];
   if (!piece.arc) {
-    if (piece.end.y + kSamePlace < piece.start.y) return false;
-    if (length(at_ - piece.start) > kSamePlace) {
+    if (piece.end.y + kSameTurnPlace < piece.start.y) return false;
+    if (length(at_ - piece.start) > kSameTurnPlace) {
       fail(i, "the contour can not be followed here");
       return false;
     }
@@ -170,13 +170,13 @@ LevelCuts::Cut LevelCuts::cut(std::size_t& i) {
     const Crossings found = crossings(pieces_[k], at_.y);
     if (found.count == 0) continue;
     const double end = k == i ? found.last() : found.first();
-    if (end - kSamePlace > at_.x) continue;  // behind the tool
-    if (std::abs(end - at_.x) >= kSamePlace) {
+    if (end - kSameTurnPlace > at_.x) continue;  // behind the tool
+    if (std::abs(end - at_.x) >= kSameTurnPlace) {
       cut_to(i, end);
       return Cut::done;
     }
     if (k == i) continue;
-    if (length(at_ - pieces_[k].start) >= kSamePlace) return Cut::done;  // nothing to cut
+    if (length(at_ - pieces_[k].start) >= kSameTurnPlace) return Cut::done;  // nothing to cut
     i = k;
     return Cut::next_piece;
   }
@@ -205,8 +205,8 @@ ProfileFault LevelCuts::run() {
       fail(i, "the contour and the passes over it are more than the cycle is read for");
       break;
     }
-    if (level - kSamePlace > at_.y) {
-      const double down = std::ceil((level - kSamePlace - at_.y) / how_.step);
+    if (level - kSameTurnPlace > at_.y) {
+      const double down = std::ceil((level - kSameTurnPlace - at_.y) / how_.step);
       if (down > static_cast<double>(kMostSteps)) {
         fail(i, "the depth of a pass is too small for the contour");
         break;
@@ -222,7 +222,7 @@ ProfileFault LevelCuts::run() {
       } else {
         break;
       }
-    } else if (std::abs(at_.y - level) > kSamePlace) {
+    } else if (std::abs(at_.y - level) > kSameTurnPlace) {
       ++i;  // the level lies below this piece
     } else {
       const Cut one = cut(i);

@@ -7,7 +7,7 @@
 
 namespace mrsim {
 
-inline constexpr double kSamePlace = 1e-6;  ///< of the program's unit
+inline constexpr double kSameTurnPlace = 1e-6;  ///< of the program's unit
 
 class LevelCuts {
  public:

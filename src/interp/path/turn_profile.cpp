@@ -106,7 +106,7 @@ Vec2 circles_meet(const ProfilePiece& a, const ProfilePiece& b) {
   const Vec2 d = b.center - a.center;
   const double apart = length(d), ra = length(a.start - a.center), rb = length(b.start - b.center);
   const Vec2 near = middle(a.end, b.start);
-  if (apart <= kSamePlace) return near;
+  if (apart <= kSameTurnPlace) return near;
   const double along = (apart * apart + ra * ra - rb * rb) / (2 * apart);
   const double half = std::sqrt(std::max(0.0, ra * ra - along * along));
   const Vec2 unit = (1 / apart) * d, foot = a.center + along * unit;
@@ -117,7 +117,7 @@ Vec2 circles_meet(const ProfilePiece& a, const ProfilePiece& b) {
 
 // Ends the first piece and begins the second where they meet.
 void join(ProfilePiece& a, ProfilePiece& b) {
-  if (a.arc != b.arc && length(a.end - b.start) < kSamePlace) return;
+  if (a.arc != b.arc && length(a.end - b.start) < kSameTurnPlace) return;
   a.end = b.start = a.arc && b.arc ? circles_meet(a, b)
                     : a.arc        ? line_meets_circle(b, a, b.start)
                     : b.arc        ? line_meets_circle(a, b, b.start)

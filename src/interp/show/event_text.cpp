@@ -16,7 +16,7 @@ const char* kind_name(EventKind kind) {
   return kNames[static_cast<int>(kind)];
 }
 
-// Of what kind the event is within its kind; a dwell and a tool change have none.
+// The state that an event sets, such as cw of a spindle; a dwell and a tool change have none.
 const char* state_name(const Event& event) {
   static constexpr const char* kTurns[] = {"off", "cw", "ccw"};
   static constexpr const char* kCoolants[] = {"off", "mist", "flood", "through"};

@@ -26,7 +26,8 @@ bool SinumerikContours::run(const CycleCall& call, const Word& where) {
   return waits_;
 }
 
-// NAME, its kind, two labels. Calls behind one another add up; a cycle that runs ends the list.
+// CYCLE62(NAME, kind, two labels) names a contour. Calls in a row add contours to a list; the first
+// call after a cycle has used the list starts a new one.
 bool SinumerikContours::name_contour() {
   if (named_used_) named_.clear();
   named_used_ = false;

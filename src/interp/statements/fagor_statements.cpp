@@ -172,7 +172,7 @@ bool FagorStatements::repeat_part(std::size_t p) {
   request.begin = first;
   request.end = behind.offset;
   request.repeats = static_cast<long>(runs);
-  request.level = false;
+  request.counts_as_call = false;
   return reader_.enter(std::move(request), place_word(from, p));
 }
 

@@ -29,7 +29,7 @@ bool SinumerikStatements::starts_statement(std::string_view line, std::size_t p)
   const std::string name = upper_case(line.substr(from, std::min<std::size_t>(p - from, 33)));
   while (p < line.size() && (line[p] == ' ' || line[p] == '\t')) ++p;
   const char next = p < line.size() ? line[p] : '\0';
-  if (name == "MCALL") {  // of a cycle: not a matter of the language
+  if (name == "MCALL") {  // MCALL of a cycle is read elsewhere
     SubprogramName called;
     while (p < line.size() && is_name(line[p])) called.text += upper(line[p++]);
     return called.text.empty() ? modal_call_.active : reader_.has_subprogram(called);
@@ -194,7 +194,7 @@ bool SinumerikStatements::go_to(const std::string& word, std::size_t p) {
               from, p);
 }
 
-// A label or N10, from the block that is being read on, or back from it.
+// Finds a label or a block number, forwards from the block being read, or backwards.
 bool SinumerikStatements::find_target(const std::string& target, bool forward, bool backward,
                                       Place& to) {
   const ProgramOutline& all = places_.outline();
@@ -357,7 +357,7 @@ bool SinumerikStatements::run_part(const std::vector<std::string>& labels, bool 
   }
   request.end = end.offset;
   request.repeats = static_cast<long>(std::min(std::max(0.0, runs), 1e8));
-  request.level = false;
+  request.counts_as_call = false;
   reader_.set_position(p);
   return reader_.enter(std::move(request), place_word(from, p));
 }

@@ -22,11 +22,11 @@ struct VoxelEdge {
   int axis = 0;
 };
 
-/// Edges of the voxel lattice in a cell above a voxel, but for those on its high sides, that show
-/// what the cell may hide: whose ends lie on the same side of the surface, have different owners,
-/// and are near enough to it for it to pass twice between them, but for run_evenly(); and, where
-/// all corners of the cell lie on one side (`alike`), those that the surface passes once. The
-/// surface's area in voxels tells what it costs: some eight samples for each.
+/// Edges of the voxel lattice in a cell larger than a voxel that may hide surface; the cell's high
+/// sides are left out. An edge counts if its ends lie on one side of the surface, have different
+/// owners, and are near enough to it for the surface to pass twice between them, unless d runs
+/// evenly along it (run_evenly()). If all corners of the cell lie on one side (`alike`), edges that
+/// the surface passes once count too. Cost: some eight samples for each voxel of the surface.
 std::vector<VoxelEdge> doubtful_inside(const ExactField& field, const Lattice& lattice,
                                        std::span<const std::uint32_t> candidates,
                                        const LatticePoint& origin, std::int32_t voxels, bool alike);

@@ -31,8 +31,8 @@ struct Passage {
 };
 
 // A point between a and b that lies on the other side than both, by sections of the golden rule on
-// |d|; false where none is found. As d is 1-Lipschitz, its values tell early that there is none in
-// what is left.
+// |d|; false where none is found. As d is 1-Lipschitz, the search stops early when no such point
+// can lie in the remaining interval.
 bool find_between(const Probe& probe, const EdgeEnd& a, const EdgeEnd& b, bool ends_inside,
                   Vec3& out) {
   constexpr double kGolden = 0.3819660112501051;

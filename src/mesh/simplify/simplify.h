@@ -15,12 +15,12 @@ namespace mrsim::detail {
 
 struct SimplifyLimits {
   double tolerance = 0;  ///< mm
-  double lateral = 0;    ///< mm: how far a border between owners may move where no crease is
-  double straight = 0;   ///< mm: the same on plane faces, where its vertices lie on it
+  double lateral = 0;    ///< mm: how far a border between owners may move on a smooth curved face
+  double straight = 0;   ///< mm: the same on a plane face, in which the border's vertices lie
 };
 
-/// Which triangles lie within the limits, of those that were measured: for the next time that the
-/// same mesh is simplified, with more vertices locked.
+/// Which measured triangles lie within the limits. Kept so that simplifying the same mesh again,
+/// with more vertices locked, need not measure them again.
 struct MeasuredTriangles {
   std::vector<FlatMap> of_block;  ///< the last one: what lies between the blocks
 };

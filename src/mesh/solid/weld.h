@@ -29,7 +29,8 @@ class Welder {
 /// side left out. Colours of merged vertices: the first.
 TriMesh weld(const TriMesh& mesh);
 
-/// Numbers the vertices that triangles name, in their order; their former numbers.
+/// Renumbers the vertices in use without gaps, in ascending order, also in `triangles`. Returns the
+/// former number of each.
 std::vector<std::uint32_t> number_used(std::vector<std::array<std::uint32_t, 3>>& triangles,
                                        std::size_t vertices);
 

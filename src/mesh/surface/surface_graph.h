@@ -1,5 +1,6 @@
 // The surface over cells before it is triangles: crossings of edges, segments in faces from
-// crossing to crossing, loops of segments about cells, and the steps that fill it.
+// crossing to crossing, loops of segments about cells, and the steps that fill it. Faces of a cell
+// are its six sides; faces of the part, smooth pieces of its surface, are named as such.
 #pragma once
 
 #include "mesh/cells/cells.h"

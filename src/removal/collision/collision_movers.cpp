@@ -168,7 +168,7 @@ bool Selection::stays_in(const Motion& cut, const Motion& rapid, const Known& to
   const auto above = [&](const Vec3& p, double t) {
     const Vec3 w = p - (from + t * travel);
     const double height = clears_above ? std::max(0.0, dot(w, up)) : 0;
-    return length(w - height * up) <= kSamePlace;
+    return length(w - height * up) <= kSameTip;
   };
   const auto lies_in = [&](const Vec3& p) {
     const Vec3 level = clears_above ? travel - dot(travel, up) * up : travel;

@@ -12,7 +12,7 @@
 
 namespace mrsim {
 
-inline constexpr double kSamePlace = 1e-6;  ///< mm
+inline constexpr double kSameTip = 1e-6;  ///< mm: tips this near are at one place
 
 /// Whether it goes anywhere.
 bool moves(const Motion& m);

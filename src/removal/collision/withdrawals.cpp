@@ -43,7 +43,7 @@ std::size_t Withdrawals::rapids_since_cut(std::size_t at) const {
     const Motion& m = motions_[i];
     if (i != at && !moves(m)) continue;
     if (m.tool != motions_[at].tool || m.assumed_start) return 0;
-    if (i != at && distance(m.end, from) > kSamePlace) return 0;
+    if (i != at && distance(m.end, from) > kSameTip) return 0;
     if (m.kind != MotionKind::rapid) return rapids;
     from = m.start;
     ++rapids;

@@ -99,7 +99,7 @@ bool SweepBuilder::wanted(const Motion& m) const {
   return selection_.cuts;
 }
 
-// Nothing that is asked lies as high as the tool stays: it decides no distance there.
+// The tool stays above the highest point that will ever be asked for: its sweep cannot matter.
 bool SweepBuilder::stays_above(const Motion& m, const Profile& tool) const {
   constexpr double kClear = 1e-3;  // mm
   if (std::isinf(selection_.top) || m.tool_axis != Vec3{0, 0, 1}) return false;

@@ -10,7 +10,8 @@
 
 namespace mrsim {
 
-/// A helix about Z, or a horizontal arc, as a place sees it: the same for all tools on it.
+/// A helix about Z, or a horizontal arc, prepared for one point p; it serves every tool on the
+/// path.
 class ConeHelix {
  public:
   /// Requires: path.horizontal, at most one turn from `begin` to `end`; the path outlives this.
@@ -21,8 +22,8 @@ class ConeHelix {
     bool is_exact = false;  ///< else a bound from below, and about where the least distance lies
   };
   /// The least distance over the positions from `begin` to `end`, up to 1e-12 of the size; not
-  /// exact where a corner, a ball or a torus may be nearest. Where none is less than `limit`, a
-  /// bound of them that is not either. Requires: tool.is_convex().
+  /// exact where a corner, a ball or a torus may be nearest. If it is at least `limit`, the result
+  /// may be any lower bound that is too. Requires: tool.is_convex().
   Minimum minimum(const Profile& tool,
                   double limit = std::numeric_limits<double>::infinity()) const;
 

@@ -1,8 +1,8 @@
-// The history of a block whose sweeps all hold, with each place, everything above it: those of
-// upright cutters that reach above the stock and nowhere narrow. Their distances do not grow
-// upwards, so each column is cut from its top down: a sweep is asked at the top of what is left,
-// and only where it removes that, further down. This takes a distance for each sweep and column,
-// where CutWalker takes one for each sweep and voxel.
+// The history of a block whose sweeps are closed upwards: one that holds a point holds everything
+// above it. Upright cutters that reach above the stock and nowhere narrow leave such sweeps. Their
+// distances do not grow upwards, so each column is cut from its top down: a sweep is evaluated at
+// the top of what is left, and further down only if it removes that. This takes a distance for each
+// sweep and column, where CutWalker takes one for each sweep and voxel.
 #pragma once
 
 #include "removal/history/cut_sink.h"
@@ -31,7 +31,7 @@ class ColumnWalker {
   static constexpr std::size_t kLanes = kSide * kSide;  // its columns
   static constexpr int kDeep = 64;                      // voxels of a column
 
-  using List = std::vector<std::uint32_t>;  // places in sweeps_, ascending
+  using List = std::vector<std::uint32_t>;  // indices into sweeps_, ascending
   // A square of columns.
   struct Part {
     std::array<std::int32_t, 3> origin{};

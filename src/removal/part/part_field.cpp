@@ -88,8 +88,8 @@ class CandidateDescent final : public ExactField::Descent {
     const CandidateList& left = levels_[level].left;
     if (left.closed) return left.size() <= kShortList;
     if (left.size() > kShortCostly) return false;
-    static thread_local Candidates opened;
-    return left.size() <= 1 || list(levels_[level], opened);
+    static thread_local Candidates expanded;
+    return left.size() <= 1 || list(levels_[level], expanded);
   }
   void candidates(std::size_t level, Candidates& out) const override { list(levels_[level], out); }
 
@@ -181,13 +181,13 @@ ExactField::Region PartField::restrict_strips(const PruneRegion& region, double 
   return out.empty() && in_stock ? Region::material : Region::mixed;
 }
 
-void PartField::restrict_columns(const PruneRegion& block, double band, const CandidateList& in,
-                                 bool in_stock, Columns& columns) const {
+void PartField::restrict_quarters(const PruneRegion& block, double band, const CandidateList& in,
+                                  bool in_stock, Quarters& quarters) const {
   const bool strips = is_of_strips(sweeps_, in);
   std::array<std::size_t, 4> near{};
-  if (strips) near = nearest_strips(block, columns.back().region.center.x - block.center.x, in);
-  for (std::size_t k = 0; k < columns.size(); ++k) {
-    Column& c = columns[k];
+  if (strips) near = nearest_strips(block, quarters.back().region.center.x - block.center.x, in);
+  for (std::size_t k = 0; k < quarters.size(); ++k) {
+    Quarter& c = quarters[k];
     c.in_stock = in_stock;
     c.found = strips ? restrict_strips(c.region, band, in, near[k], c.in_stock, c.left)
                      : restrict_to(c.region, band, in, c.in_stock, c.left);

@@ -28,15 +28,15 @@ class PartField final : public ExactField {
                      bool& in_stock, Candidates& out) const;
   /// The same for the four columns of a block, side by side in the order of
   /// CandidateKernels::strip_quarters, whose list is `in`.
-  struct Column {
+  struct Quarter {
     PruneRegion region;
     Region found = Region::mixed;
     bool in_stock = false;
     Candidates left;
   };
-  using Columns = std::array<Column, 4>;
-  void restrict_columns(const PruneRegion& block, double band, const CandidateList& in,
-                        bool in_stock, Columns& columns) const;
+  using Quarters = std::array<Quarter, 4>;
+  void restrict_quarters(const PruneRegion& block, double band, const CandidateList& in,
+                         bool in_stock, Quarters& quarters) const;
   std::unique_ptr<Descent> descent(const Vec3& origin,
                                    std::span<const std::uint32_t> in) const override;
   FieldSample sample(const Vec3& p, std::span<const std::uint32_t> candidates) const override;

@@ -44,7 +44,7 @@ bool expand_turned(const SweepTable& table, const PruneRegion& region, double re
   ids.resize(plain);
   for (const TurnMember& m : members) ids.push_back(m.sweep);
   std::sort(ids.begin(), ids.end());
-  // A sweep and its mirror image are one.
+  // A sweep and its mirror image have the same number: one of them is kept.
   ids.erase(std::unique(ids.begin(), ids.end()), ids.end());
   return true;
 }

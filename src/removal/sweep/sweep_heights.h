@@ -18,7 +18,7 @@ namespace mrsim {
 
 struct ToolPath;
 
-/// Whether sweep i holds, with each place, everything above it.
+/// Whether sweep i is closed upwards: if it holds a point, it holds everything above it.
 bool is_upward(const SweepTable& sweeps, std::uint32_t i);
 
 /// The tools of a table as undersides.
@@ -33,7 +33,7 @@ class SweepUndersides {
   std::vector<Underside> tools_;  ///< by shape; empty ones where the tool is not rising
 };
 
-/// The heights of some sweeps, named by their places in a list.
+/// The heights of some sweeps, named by their indices in a list.
 class SweepHeights {
  public:
   /// `low`, `high`: the heights between which anything is asked, mm. `close`: where bounds of a
@@ -49,7 +49,7 @@ class SweepHeights {
   std::uint32_t run_end(std::uint32_t place) const {
     return run_of_[place] == kNoRun ? place + 1 : runs_[run_of_[place]].end;
   }
-  /// No bottom() of them within r of (x, y) is less; infinite, perhaps, where it is not below
+  /// No bottom() of them within r of (x, y) is less; may be infinite if the true one is at least
   /// `below`. Requires: run_end() is not the next place.
   double run_lower(std::uint32_t place, double x, double y, double r, double below) const;
 

@@ -33,8 +33,8 @@ class Underside {
   struct Slant {
     double u = 0, v = 0, length = 0, slope = 0;
   };
-  /// Lowest height that the tool reaches at the place, above the lower end of the tip's path;
-  /// infinite, perhaps, where it is not lower than `below`. Requires: is_convex().
+  /// Lowest height that the tool reaches at the place, above the lower end of the tip's path; may
+  /// be infinite if the true height is at least `below`. Requires: is_convex().
   double bottom(const Slant& at, double below = std::numeric_limits<double>::infinity()) const;
   /// The least and the greatest bottom() of all places within r of this one, or bounds of them.
   struct Bounds {

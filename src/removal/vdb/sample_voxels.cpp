@@ -84,14 +84,14 @@ class BlockCarver : LeafWriter {
     const auto first = [&](std::size_t part) {
       return origin.offsetBy(part >> 1 ? kSize : 0, part & 1 ? kSize : 0, 0);
     };
-    for (std::size_t part = 0; part < columns_.size(); ++part) {
-      PruneRegion& column = columns_[part].region;
-      column = PruneRegion::column(center(first(part), kSize, kLast), half(kSize), half(kLast));
-      column.expand_packs = true;
+    for (std::size_t part = 0; part < quarters_.size(); ++part) {
+      PruneRegion& quarter = quarters_[part].region;
+      quarter = PruneRegion::column(center(first(part), kSize, kLast), half(kSize), half(kLast));
+      quarter.expand_packs = true;
     }
-    field_.restrict_columns(block, band_, sweeps, in_stock, columns_);
-    for (std::size_t part = 0; part < columns_.size(); ++part) {
-      const PartField::Column& c = columns_[part];
+    field_.restrict_quarters(block, band_, sweeps, in_stock, quarters_);
+    for (std::size_t part = 0; part < quarters_.size(); ++part) {
+      const PartField::Quarter& c = quarters_[part];
       if (c.found == ExactField::Region::material) fill_material(first(part), kSize, kLast);
       if (c.found == ExactField::Region::mixed)
         evaluate(first(part), kSize, kLast, c.left, c.in_stock);
@@ -166,7 +166,7 @@ class BlockCarver : LeafWriter {
   std::vector<LeafPair> leaves_;
   LeafPair leaf_;
   LeafView view_;  // of it
-  PartField::Columns columns_;
+  PartField::Quarters quarters_;
 };
 
 class ProgressMeter {

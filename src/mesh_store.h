@@ -16,11 +16,11 @@
 
 namespace mrsim {
 
-class PartMesh final : public MeshSink {
+class MeshStore final : public MeshSink {
  public:
   /// `folder`: where it is kept on disk; none: in memory, up to `room` bytes. `threads`: of checks.
   /// `next` takes the blocks too.
-  PartMesh(const std::optional<std::string>& folder, double room, int threads, MeshSink& next);
+  MeshStore(const std::optional<std::string>& folder, double room, int threads, MeshSink& next);
 
   /// Throws Error "memory" where there is no room for it.
   void take(const MeshBlock& block) override;

@@ -1,4 +1,4 @@
-#include "part_mesh.h"
+#include "mesh_store.h"
 
 #include "core/error.h"
 
@@ -6,13 +6,13 @@
 
 namespace mrsim {
 
-PartMesh::PartMesh(const std::optional<std::string>& folder, double room, int threads,
-                   MeshSink& next)
+MeshStore::MeshStore(const std::optional<std::string>& folder, double room, int threads,
+                     MeshSink& next)
     : room_(room), next_(next), audit_(threads), collected_(collector_.mesh()) {
   if (folder) spilled_ = std::make_unique<SpilledMesh>(*folder);
 }
 
-void PartMesh::take(const MeshBlock& block) {
+void MeshStore::take(const MeshBlock& block) {
   is_full_ = !spilled_ && static_cast<double>(collector_.bytes_with(block)) > room_;
   if (is_full_) throw Error("memory", "the mesh takes more than it was expected to");
   ++blocks_;
@@ -25,7 +25,7 @@ void PartMesh::take(const MeshBlock& block) {
   next_.take(block);
 }
 
-void PartMesh::restart() {
+void MeshStore::restart() {
   blocks_ = 0;
   audit_.restart();
   owners_.clear();
@@ -34,15 +34,15 @@ void PartMesh::restart() {
   next_.restart();
 }
 
-const MeshSource& PartMesh::source() const {
+const MeshSource& MeshStore::source() const {
   if (piece_) return *piece_;
   if (spilled_) return *spilled_;
   return collected_;
 }
 
-MeshSummary PartMesh::summary() const { return audit_.summary(kept_); }
+MeshSummary MeshStore::summary() const { return audit_.summary(kept_); }
 
-void PartMesh::keep(const Piece& piece) {
+void MeshStore::keep(const Piece& piece) {
   auto chosen = std::make_unique<PieceOfMesh>(audit_, source(), piece);
   kept_ = chosen->wanted();
   if (spilled_)
@@ -53,7 +53,7 @@ void PartMesh::keep(const Piece& piece) {
   source().for_each_block([this](const MeshBlock& block) { owners_.add(block.owners); });
 }
 
-void PartMesh::replace(TriMesh mesh) {
+void MeshStore::replace(TriMesh mesh) {
   collector_.mesh() = std::move(mesh);
   audit_.restart();
   kept_.clear();
@@ -64,7 +64,7 @@ void PartMesh::replace(TriMesh mesh) {
   });
 }
 
-void PartMesh::set_origin(const OwnerTable& origin) {
+void MeshStore::set_origin(const OwnerTable& origin) {
   if (spilled_)
     spilled_->set_origin(origin);
   else
