@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""No two sources that are compiled together have an anonymous name in common, and no two classes of the library one name.
+"""No two sources that are compiled together have an anonymous name in common, and no two classes or constants of the library one name.
 
 Builds with MRSIM_UNITY join sources in groups, in which two equal names are one definition too many. Which sources share a
 group changes with each new file, so an ordinary build does not show it. Configures such a build in a temporary folder (some
@@ -108,7 +108,8 @@ def check(build):
 
 
 def check_classes():
-    """Two classes of one name in one namespace: the linker would take one's inline functions, and vectors of it, for the other's."""
+    """Two classes or constants of one name in one namespace: the linker would take one's inline functions, and vectors of it, or its
+    value for the other's."""
     seen = collections.defaultdict(list)
     for path in sorted([*ROOT.glob("src/**/*.h"), *ROOT.glob("src/**/*.cpp"), *ROOT.glob("include/**/*.h")]):
         spaces, text = [], path.read_text()
@@ -120,12 +121,14 @@ def check_classes():
                 spaces.pop()
             elif (match := TYPE.match(line)) and "" not in spaces and line[match.end(1) : match.end(1) + 2] != "::":
                 seen["::".join([*spaces, match.group(1)])].append(f"{path.relative_to(ROOT)}:{number}")
+            elif line.startswith("inline ") and (match := VALUE.match(line)) and "" not in spaces:
+                seen["::".join([*spaces, match.group(1)])].append(f"{path.relative_to(ROOT)}:{number}")
     faults = 0
     for name, places in sorted(seen.items()):
         if len(places) > 1:
             faults += 1
             print(f"{places[0]}: {name} is also in {', '.join(places[1:])}")
-    print(f"{len(seen)} classes, {faults} names of several")
+    print(f"{len(seen)} classes and constants, {faults} names of several")
     return not seen or faults > 0
 
 

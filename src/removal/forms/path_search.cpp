@@ -52,13 +52,13 @@ PathSample search_horizontal(const PathObjective& F, double begin, double end, d
   while (first < begin) first += kTwoPi;
   if (first <= end)
     if (const auto wall = F.upright_wall(near, begin, end)) return nearer(best, {*wall, first});
-  const auto [reach, beyond] = F.convex_part();
+  const PathObjective::Convex convex = F.convex_part();
   static thread_local std::vector<Interval> open;
   open.clear();
   double from = begin;
   for (double facing = first - kTwoPi; from < end; facing += kTwoPi) {
-    const double lo = std::clamp(facing - reach, from, end),
-                 hi = std::clamp(facing + reach, lo, end);
+    const double lo = std::clamp(facing - convex.reach, from, end),
+                 hi = std::clamp(facing + convex.reach, lo, end);
     if (lo > from) open.push_back({from, lo});
     from = hi;
     const double half = 0.5 * (hi - lo);
@@ -70,7 +70,8 @@ PathSample search_horizontal(const PathObjective& F, double begin, double end, d
   const auto bound = [&](const Interval& in, double nearest) {
     return F.horizontal_bound(0.5 * (in.lo + in.hi), 0.5 * (in.hi - in.lo), nearest);
   };
-  std::erase_if(open, [&](const Interval& in) { return bound(in, beyond) >= best.distance; });
+  std::erase_if(open,
+                [&](const Interval& in) { return bound(in, convex.beyond) >= best.distance; });
   if (open.empty()) return best;
   best = nearer(best, ends(F, begin, end));
   double finest = 0;
