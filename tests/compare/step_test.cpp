@@ -5,11 +5,10 @@
 #include "core/units.h"
 #include "mesh/solid/half_edges.h"
 #include "support/mesh_asserts.h"
+#include "support/temp_folder.h"
 #include <mrsim/solid_files.h>
 
 #include <cmath>
-#include <cstdio>
-#include <filesystem>
 #include <functional>
 #include <regex>
 
@@ -34,8 +33,8 @@ namespace mrsim {
 namespace {
 
 std::string write_step(const TopoDS_Shape& shape, const char* name, const char* unit = "MM") {
-  const std::string path =
-      (std::filesystem::temp_directory_path() / (std::string("mrsim_step_test_") + name)).string();
+  static const testing::TempFolder folder;
+  const std::string path = folder.path(name);
   STEPControl_Writer writer;
   Interface_Static::SetCVal("write.step.unit", unit);
   writer.Transfer(shape, STEPControl_AsIs);
@@ -60,14 +59,12 @@ TEST(ReadStep, IsClosedAndWithinTheDeflection) {
     EXPECT_GE(excess, 0);
     EXPECT_LE(excess, deflection * 2 * kPi * 8 * 10);
   }
-  std::remove(path.c_str());
 }
 
 TEST(ReadStep, ConvertsUnits) {
   const std::string path = write_step(drilled_block(), "inch.step", "INCH");
   const MeshSummary s = check_mesh(read_step(path, 0.01));
   EXPECT_NEAR(s.bounds.hi.x, 60 * 25.4, 1e-3);  // the writer labels its numbers, and no more
-  std::remove(path.c_str());
 }
 
 TEST(ReadStep, SaysWhatIsWrong) {
@@ -83,7 +80,6 @@ TEST(ReadStep, SaysWhatIsWrong) {
   EXPECT_NE(damaged(bytes.substr(0, bytes.size() / 2)), "");
   EXPECT_NE(damaged("ISO-10303-21;\nHEADER;\nENDSEC;\nDATA;\n#1=CARTESIAN_POINT('',(1.E999,"), "");
   EXPECT_EQ(testing::error_code([&] { read_step("/nonexistent.step"); }), "file-missing");
-  std::remove(face.c_str());
 }
 
 // A prism of 15 mm over a closed spline, and a polygon of points on that.
@@ -134,13 +130,11 @@ TEST(ReadStep, IsAsNearAsItSays) {
   testing::expect_closed_manifold(mesh);
   EXPECT_LE(farthest(mesh, beside), std::hypot(0.02, spacing));
   EXPECT_LE(mesh.triangles.size(), 2000u);  // none where the prism is straight
-  std::remove(path.c_str());
 
   const std::string ball = write_step(BRepPrimAPI_MakeSphere(12).Shape(), "ball.step");
   EXPECT_LE(farthest(read_step(ball, 0.002),
                      [](const Vec3& p) { return std::hypot(p.x, p.y, p.z) - 12; }),
             0.002);
-  std::remove(ball.c_str());
 }
 
 TopoDS_Compound together(const TopoDS_Shape& a, const TopoDS_Shape& b) {
@@ -171,7 +165,6 @@ TEST(ReadStep, ReadsEverySolidOrNone) {
   EXPECT_EQ(changed(std::regex(R"((MANIFOLD_SOLID_BREP\('',)#\d+)"), "$1#99999"),
             "step-unreadable");
   EXPECT_EQ(changed(std::regex("DATA;"), "DATA; /* #99999 */"), "");  // a comment names nothing
-  std::remove(path.c_str());
 }
 
 TEST(ReadStep, SaysWhatBoundsNoSolid) {
@@ -185,7 +178,6 @@ TEST(ReadStep, SaysWhatBoundsNoSolid) {
                       "solid left out"),
             note.npos)
       << note;
-  std::remove(path.c_str());
 }
 
 }  // namespace

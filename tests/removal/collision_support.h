@@ -16,8 +16,6 @@ inline StockShape block() { return box_stock({0, 0, -20}, {100, 60, 0}); }
 
 inline StockShape bar() { return round_stock(25, 0, 0, 50); }
 
-inline Tool mill(double diameter, double flutes = 0) { return endmill(diameter, 0, flutes); }
-
 // Moves from where the last one ended; lines are numbered from 1.
 class Moves {
  public:

@@ -17,14 +17,14 @@ namespace {
 using testing::bar;
 using testing::block;
 using testing::check;
+using testing::endmill;
 using testing::expect_none;
 using testing::expect_one;
-using testing::mill;
 using testing::Moves;
 
 TEST(Collisions, RapidThroughABlockIsAsDeepAsItsTip) {
   const Moves m = Moves({-10, 30, 5}).rapid({-10, 30, -3}).rapid({110, 30, -3});
-  const CollisionReport report = check(block(), m.motions, mill(10));
+  const CollisionReport report = check(block(), m.motions, endmill(10));
   expect_one(report, 1, ToolPart::cutter, 3);
   EXPECT_NEAR(report.lines[0].place.z, -3, 0.01);
   EXPECT_LE(std::abs(report.lines[0].place.y - 30), 5.001);
@@ -33,7 +33,7 @@ TEST(Collisions, RapidThroughABlockIsAsDeepAsItsTip) {
 }
 
 TEST(Collisions, PlungeWithABallIsAsDeepAsItsPole) {
-  Tool ball = mill(6);
+  Tool ball = endmill(6);
   ball.type = ToolType::ballmill;
   const Moves m = Moves({40, 30, 5}).rapid({40, 30, -4});
   const CollisionReport report = check(block(), m.motions, ball);
@@ -44,7 +44,7 @@ TEST(Collisions, PlungeWithABallIsAsDeepAsItsPole) {
 
 // The place is one of that depth, also beside a sharp tip.
 TEST(Collisions, TheDeepestPlaceOfADrillIsItsTip) {
-  Tool tool = mill(6);
+  Tool tool = endmill(6);
   tool.type = ToolType::drill;
   tool.tip_angle = radians(90);
   std::mt19937 random(3);
@@ -66,17 +66,17 @@ TEST(Collisions, GrazingFacesIsNone) {
                       .rapid({-10, 65, -5})  // along a side, a diameter away from it
                       .rapid({-10, 30, -0.009})
                       .rapid({110, 30, -0.009});  // less deep than a touch
-  expect_none(check(block(), m.motions, mill(10)));
+  expect_none(check(block(), m.motions, endmill(10)));
   const Moves deeper = Moves({-10, 30, -0.05}).rapid({110, 30, -0.05});
-  expect_one(check(block(), deeper.motions, mill(10), 0.25), 0, ToolPart::cutter, 0.05);
+  expect_one(check(block(), deeper.motions, endmill(10), 0.25), 0, ToolPart::cutter, 0.05);
 }
 
 TEST(Collisions, MaterialCountsAtTheMomentOfTheMove) {
   const Vec3 a{20, 30, -4}, b{80, 30, -4};
   const Moves after = Moves(a).cut(b).rapid(a).rapid(b + Vec3{0, 0, 1}).rapid(b + Vec3{0, 0, 20});
-  expect_none(check(block(), after.motions, mill(10)));
+  expect_none(check(block(), after.motions, endmill(10)));
   const Moves before = Moves(a).rapid(b).cut(a);
-  expect_one(check(block(), before.motions, mill(10)), 0, ToolPart::cutter, 4);
+  expect_one(check(block(), before.motions, endmill(10)), 0, ToolPart::cutter, 4);
 }
 
 // The usual ends of a cut: straight out, back along the slot, a helix out of a bore.
@@ -92,12 +92,12 @@ TEST(Collisions, RetractsTouchOnly) {
                         .rapid({60, 30, -6})
                         .rapid({45, 30, -6})
                         .rapid({45, 30, 10});
-    expect_none(check(block(), m.motions, mill(8, flutes)));
+    expect_none(check(block(), m.motions, endmill(8, 0, flutes)));
   }
 }
 
 TEST(Collisions, RetractFromAPocketWithClosedFlutesAndAShankOfTheSameDiameter) {
-  Tool tool = mill(8, 5);
+  Tool tool = endmill(8, 0, 5);
   tool.shank = {{8, 8, 40}};
   Moves m({20, 20, 5});
   for (const double z : {-4.0, -8.0, -12.0}) {
@@ -109,7 +109,7 @@ TEST(Collisions, RetractFromAPocketWithClosedFlutesAndAShankOfTheSameDiameter) {
 }
 
 TEST(Collisions, HolderInASlotNarrowerThanItself) {
-  Tool tool = mill(10, 6);
+  Tool tool = endmill(10, 0, 6);
   tool.holder = {{30, 30, 40}};
   // The holder begins 6 mm above the tip: at Z-9 it reaches 3 mm into the block.
   const Moves m = Moves({-20, 30, -4}).cut({120, 30, -4}).cut({120, 30, -9}).cut({-20, 30, -9});
@@ -117,7 +117,7 @@ TEST(Collisions, HolderInASlotNarrowerThanItself) {
 }
 
 TEST(Collisions, ShankWiderThanTheCutterInADeepPocket) {
-  Tool tool = mill(6, 5);
+  Tool tool = endmill(6, 0, 5);
   tool.shank = {{8, 8, 30}};
   const Moves m =
       Moves({30, 30, 2}).cut({30, 30, -4}).cut({70, 30, -4}).cut({70, 30, -9}).cut({30, 30, -9});
@@ -137,7 +137,7 @@ TEST(Collisions, ShankWiderThanTheCutterInADeepPocket) {
 }
 
 TEST(Collisions, WhatLaterMotionsRemoveIsStillThere) {
-  Tool tool = mill(10, 6);
+  Tool tool = endmill(10, 0, 6);
   tool.holder = {{30, 30, 40}};
   const Moves m = Moves({-20, 30, -9}).cut({120, 30, -9}).cut({120, 40, -9}).cut({-20, 40, -9});
   const CollisionReport report = check(block(), m.motions, tool);
@@ -146,7 +146,7 @@ TEST(Collisions, WhatLaterMotionsRemoveIsStillThere) {
 }
 
 TEST(Collisions, TiltedHolder) {
-  Tool tool = mill(10, 10);
+  Tool tool = endmill(10, 0, 10);
   tool.holder = {{40, 40, 40}};
   Moves m = Moves({-10, 30, -1}).cut({110, 30, -1});
   const Vec3 axis = normalized({0, 1, 1});
@@ -190,7 +190,7 @@ TEST(Collisions, DrillOnTheAxisOfTheBar) {
                         .rapid({x, 0, 55})
                         .rapid({x, 0, 26})
                         .cut({x, 0, 60});
-    const CollisionReport report = check(bar(), m.motions, mill(10));
+    const CollisionReport report = check(bar(), m.motions, endmill(10));
     expect_one(report, 4, ToolPart::cutter, 4);
     EXPECT_NEAR(report.lines[0].place.z, 26, 0.01);
     EXPECT_NEAR(report.lines[0].volume, 4 * kPi * 25, 5);
@@ -198,20 +198,20 @@ TEST(Collisions, DrillOnTheAxisOfTheBar) {
   // A rapid beside the axis into the bar is found, too.
   const Moves aside =
       Moves({0, 0, 60}).cut({0, 0, 40}).rapid({0, 0, 60}).rapid({15, 0, 60}).rapid({15, 0, 45});
-  expect_one(check(bar(), aside.motions, mill(10)), 3, ToolPart::cutter, 5);
+  expect_one(check(bar(), aside.motions, endmill(10)), 3, ToolPart::cutter, 5);
 }
 
 TEST(Collisions, AssumedStartsAndToollessRapidsAreLeftOut) {
   Moves m = Moves({0, 0, 0}).rapid({50, 30, -5}).rapid({60, 30, -5}).cut({70, 30, -5});
   m.motions[0].assumed_start = true;
   m.motions[1].tool = -1;
-  expect_none(check(block(), m.motions, mill(10)));
+  expect_none(check(block(), m.motions, endmill(10)));
 }
 
 TEST(Collisions, ManyLinesAreCounted) {
   Moves m({-10, 30, 5});
   for (int i = 0; i < 25; ++i) m.rapid({i * 3.0, 30, -1}).rapid({i * 3.0, 30, 5});
-  const CollisionReport report = check(block(), m.motions, mill(1));
+  const CollisionReport report = check(block(), m.motions, endmill(1));
   EXPECT_EQ(report.lines.size(), 20u);
   EXPECT_GT(report.more, 0u);
 }
@@ -220,7 +220,7 @@ TEST(Collisions, TheDeepestLinesAreListed) {
   Moves m({-10, 30, 5});
   for (int i = 0; i < 25; ++i)
     m.rapid({i * 3.0, 30, 5}).rapid({i * 3.0, 30, -1 - 0.1 * i}).rapid({i * 3.0, 30, 5});
-  const CollisionReport report = check(block(), m.motions, mill(1));
+  const CollisionReport report = check(block(), m.motions, endmill(1));
   ASSERT_EQ(report.lines.size(), 20u);
   double deepest = 0;
   for (const Collision& c : report.lines) {
@@ -237,7 +237,7 @@ TEST(Collisions, OneLineOfManyMotionsIsOnePlace) {
         .rapid({10.0 + 10 * i, 10, -1.0 - i})
         .rapid({10.0 + 10 * i, 10, 5});
   for (Motion& motion : m.motions) motion.line = 7;
-  const CollisionReport report = check(block(), m.motions, mill(2));
+  const CollisionReport report = check(block(), m.motions, endmill(2));
   expect_one(report, 13, ToolPart::cutter, 5);
   EXPECT_EQ(report.lines[0].motions, 10u);  // down and up
 }
@@ -248,7 +248,7 @@ TEST(Collisions, ThreadsAndThresholds) {
   const auto pick = [&](double lo, double hi) {
     return lo + (hi - lo) * static_cast<double>(random() % 1000) / 999;
   };
-  Tool tool = mill(6, 4);
+  Tool tool = endmill(6, 0, 4);
   tool.shank = {{6, 6, 5}, {9, 9, 5}};
   tool.holder = {{20, 30, 20}};
   Moves m({50, 30, 10});
@@ -285,7 +285,7 @@ TEST(Collisions, AgreeWithDenseSampling) {
   StockShape stock;
   stock.box = {{0, 0, -5}, {20, 20, 0}};
   for (unsigned scene = 0; scene < testing::rounds(4); ++scene) {
-    Tool tool = mill(scene % 2 == 0 ? 3 : 5, 4);
+    Tool tool = endmill(scene % 2 == 0 ? 3 : 5, 0, 4);
     tool.type = scene % 3 == 0 ? ToolType::ballmill : ToolType::endmill;
     Moves m({10, 10, 1});
     for (int i = 0; i < 16; ++i) {
