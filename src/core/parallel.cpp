@@ -1,7 +1,5 @@
 #include "core/parallel.h"
 
-#include <algorithm>
-
 #include <tbb/blocked_range.h>
 #include <tbb/info.h>
 #include <tbb/parallel_for.h>
@@ -30,12 +28,6 @@ void parallel_for(std::size_t count, int threads, const std::function<void(std::
                         for (std::size_t i = range.begin(); i != range.end(); ++i) body(i);
                       });
   });
-}
-
-void parallel_for_chunks(std::size_t count, int threads, std::size_t chunk,
-                         const std::function<void(std::size_t, std::size_t)>& body) {
-  parallel_for((count + chunk - 1) / chunk, threads,
-               [&](std::size_t k) { body(k * chunk, std::min(count, (k + 1) * chunk)); });
 }
 
 }  // namespace mrsim
