@@ -108,6 +108,27 @@ TEST(Glb, RefusesWhatIsWrong) {
   EXPECT_EQ(parse_code(bad, MeshFormat::glb), "glb-truncated");
 }
 
+// Counts and indices: whole, however they are written, and within what a conversion is defined for.
+TEST(Glb, RefusesNumbersThatAreNoCounts) {
+  const auto with = [](const std::string& from, const std::string& to) {
+    std::string nodes = R"([{"mesh":0,"name":"padding, that the length of the file stays"}])";
+    std::string file = tetrahedron_glb(nodes);
+    const std::size_t at = file.find(from), grown = to.size() - from.size();
+    file.replace(at, from.size(), to);
+    return file.erase(file.find("padding"), grown);
+  };
+  EXPECT_EQ(parse_code(with("\"mesh\":0", "\"mesh\":0.0"), MeshFormat::glb), "");
+  for (const char* bad : {"1e300", "-1", "0.5", "1e19", "-1e300"})
+    for (const std::string key : {"\"mesh\":", "\"POSITION\":", "\"scene\":", "\"nodes\":["})
+      EXPECT_EQ(parse_code(with(key + "0", key + bad), MeshFormat::glb), "glb-syntax")
+          << key << bad;
+  for (const char* bad : {"1e300", "-4", "4.5", "4294967300.5"})
+    EXPECT_EQ(parse_code(with("\"count\":4", std::string("\"count\":") + bad), MeshFormat::glb),
+              "glb-syntax")
+        << bad;
+  EXPECT_EQ(parse_code(with("Type\":5126", "Type\":4294972422"), MeshFormat::glb), "glb-syntax");
+}
+
 // 60 000 instances of 3 000 points, of which a triangle uses three.
 std::string glb_of_instances() {
   constexpr std::size_t kNodes = 60000, kPoints = 3000;

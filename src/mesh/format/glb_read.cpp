@@ -9,6 +9,7 @@
 #include <array>
 #include <cmath>
 #include <functional>
+#include <limits>
 #include <optional>
 
 #include <fmt/format.h>
@@ -44,7 +45,7 @@ std::array<Vec3, 3> axes_of(double x, double y, double z, double w) {
 struct Numbers {
   const char* data = nullptr;
   std::size_t count = 0, stride = 0, width = 0;
-  int type = 0;
+  std::size_t type = 0;
   bool normalized = false;
 
   double at(std::size_t i, std::size_t k) const {
@@ -109,7 +110,10 @@ class GlbReader {
                  std::size_t first);
   void add_colors(const Json& attributes, std::size_t count);
   void read_extras(const Json& mesh);
-  Numbers numbers(std::size_t accessor) const;
+  template <typename Int = std::size_t>
+  Int whole(const Json& value) const;
+  std::size_t whole_or(const Json& object, const char* key, std::size_t otherwise) const;
+  Numbers numbers(const Json& accessor) const;
   Frame frame_of(const Json& node) const;
 
   std::string_view bytes_, binary_;
@@ -142,9 +146,25 @@ void GlbReader::split_chunks() {
                                                  extension.dump().substr(0, 60)));
 }
 
-Numbers GlbReader::numbers(std::size_t accessor) const {
-  const Json& a = json_.at("accessors").at(accessor);
-  const Json& view = json_.at("bufferViews").at(a.at("bufferView").get<std::size_t>());
+// A whole number, which may be written 5.0. The library's own conversion drops fractions and signs,
+// and of 1e300 it is undefined.
+template <typename Int>
+Int GlbReader::whole(const Json& value) const {
+  constexpr double kExact = 9007199254740992;  // 2^53
+  const double number = value.get<double>();
+  if (number != std::floor(number) || number < double(std::numeric_limits<Int>::min()) ||
+      number > std::min(kExact, double(std::numeric_limits<Int>::max())))
+    builder_.fail("syntax", fmt::format("it has {} where a count or an index stands", number));
+  return Int(number);
+}
+
+std::size_t GlbReader::whole_or(const Json& object, const char* key, std::size_t otherwise) const {
+  return object.contains(key) ? whole(object.at(key)) : otherwise;
+}
+
+Numbers GlbReader::numbers(const Json& accessor) const {
+  const Json& a = json_.at("accessors").at(whole(accessor));
+  const Json& view = json_.at("bufferViews").at(whole(a.at("bufferView")));
   if (a.contains("sparse") || view.at("buffer") != 0)
     throw Error("glb-unsupported",
                 "the GLB file keeps its numbers sparse or in other files, which is not read");
@@ -154,18 +174,18 @@ Numbers GlbReader::numbers(std::size_t accessor) const {
   const std::string shape = a.at("type");
   for (const auto& [known, width] : kShapes)
     if (known == shape) out.width = width;
-  out.type = a.at("componentType");
+  out.type = whole(a.at("componentType"));
   out.normalized = a.value("normalized", false);
-  out.count = a.at("count");
+  out.count = whole(a.at("count"));
   const std::size_t size = out.type == 5125 || out.type == 5126   ? 4
                            : out.type == 5122 || out.type == 5123 ? 2
                            : out.type == 5120 || out.type == 5121 ? 1
                                                                   : 0;
   const std::size_t row = size * out.width;
   if (row == 0) builder_.fail("syntax", "it has numbers of an unknown kind");
-  out.stride = view.value("byteStride", row);
-  const std::size_t begin = view.value("byteOffset", std::size_t(0));
-  const std::size_t inner = a.value("byteOffset", std::size_t(0));
+  out.stride = whole_or(view, "byteStride", row);
+  const std::size_t begin = whole_or(view, "byteOffset", 0);
+  const std::size_t inner = whole_or(a, "byteOffset", 0);
   if (begin > binary_.size() || inner > binary_.size() - begin || out.stride < row ||
       out.stride > 255 || out.count > binary_.size() ||
       (out.count > 0 && (out.count - 1) * out.stride + row > binary_.size() - begin - inner))
@@ -201,8 +221,8 @@ Frame GlbReader::frame_of(const Json& node) const {
 void GlbReader::for_each_primitive(const Visitor& visit) {
   nodes_ = 0;
   const Json& scenes = json_.at("scenes");
-  for (const Json& node : scenes.at(json_.value("scene", std::size_t(0))).at("nodes"))
-    visit_node(node.get<std::size_t>(), {}, 0, visit);
+  for (const Json& node : scenes.at(whole_or(json_, "scene", 0)).at("nodes"))
+    visit_node(whole(node), {}, 0, visit);
 }
 
 void GlbReader::visit_node(std::size_t index, const Frame& outer, int depth, const Visitor& visit) {
@@ -211,12 +231,11 @@ void GlbReader::visit_node(std::size_t index, const Frame& outer, int depth, con
   const Json& node = json_.at("nodes").at(index);
   const Frame frame = outer * frame_of(node);
   if (node.contains("mesh")) {
-    const Json& mesh = json_.at("meshes").at(node.at("mesh").get<std::size_t>());
+    const Json& mesh = json_.at("meshes").at(whole(node.at("mesh")));
     for (const Json& primitive : mesh.at("primitives")) visit(primitive, frame);
   }
   if (!node.contains("children")) return;
-  for (const Json& child : node.at("children"))
-    visit_node(child.get<std::size_t>(), frame, depth + 1, visit);
+  for (const Json& child : node.at("children")) visit_node(whole(child), frame, depth + 1, visit);
 }
 
 void GlbReader::read_extras(const Json& mesh) {
@@ -230,18 +249,18 @@ void GlbReader::read_extras(const Json& mesh) {
   for (const Json& tool : told.value("tools", Json::array()))
     origin_.read(fmt::format("tool {} {}", i++, tool.get<std::string>()));
   for (const Json& o : told.value("origins", Json::array()))
-    origin_.read(fmt::format("owner {} {} {} {}", o.at(0).get<int>(), o.at(1).get<int>(),
-                             o.at(2).get<int>(), o.at(3).get<int>()));
+    origin_.read(fmt::format("owner {} {} {} {}", whole<int>(o.at(0)), whole<int>(o.at(1)),
+                             whole<int>(o.at(2)), whole<int>(o.at(3))));
   for (const Json& l : told.value("legend", Json::array()))
     if (builder_.mesh().legend.size() < kMostLegend)
-      if (auto label = read_legend_line(fmt::format("legend {} {} {} {}", l.at(0).get<int>(),
-                                                    l.at(1).get<int>(), l.at(2).get<int>(),
+      if (auto label = read_legend_line(fmt::format("legend {} {} {} {}", whole<int>(l.at(0)),
+                                                    whole<int>(l.at(1)), whole<int>(l.at(2)),
                                                     l.at(3).get<std::string>())))
         builder_.mesh().legend.push_back(std::move(*label));
 }
 
 void GlbReader::add_primitive(const Json& primitive, const Frame& frame) {
-  if (primitive.value("mode", 4) != 4)
+  if (whole_or(primitive, "mode", 4) != 4)
     throw Error(
         "glb-unsupported",
         "the GLB file holds lines, points or strips, which bound no part; export triangles");
