@@ -5,7 +5,6 @@
 
 #include "mesh/points/surface_search.h"
 
-#include <array>
 #include <bit>
 #include <cstdint>
 #include <vector>
