@@ -29,12 +29,27 @@ CrowdedTriangles crowded_triangles(std::span<const std::array<float, 3>> vertice
   return out;
 }
 
-std::set<CellPlace> crossed_cells(std::span<const CrowdedTriangles* const> tiles, int threads) {
+namespace {
+
+constexpr std::size_t kTogether = 100'000;  ///< triangles that are worth a search
+
+// Tiles from `first` on whose triangles are looked at together: whole layers, at least two, until
+// there are enough.
+std::size_t end_of_group(std::span<const CrowdedTile> tiles, std::size_t first) {
+  std::size_t end = first, triangles = 0;
+  while (end < tiles.size() &&
+         (triangles < kTogether || tiles[end].layer <= tiles[first].layer + 1 ||
+          tiles[end].layer == tiles[end - 1].layer))
+    triangles += tiles[end++].triangles->triangles.size();
+  return end;
+}
+
+void add_crossed(std::span<const CrowdedTile> tiles, int threads, std::set<CellPlace>& bad) {
   Welder welder;
   std::vector<Vec3> vertices;
   std::vector<CellPlace> cells;
   std::vector<std::array<std::uint32_t, 3>> triangles;
-  for (const CrowdedTriangles* tile : tiles)
+  for (const auto& [layer, tile] : tiles)
     for (const auto& t : tile->triangles) {
       std::array<std::uint32_t, 3> triangle{};
       for (std::size_t k = 0; k < 3; ++k) {
@@ -46,12 +61,24 @@ std::set<CellPlace> crossed_cells(std::span<const CrowdedTriangles* const> tiles
       }
       triangles.push_back(triangle);
     }
-  std::set<CellPlace> bad;
-  if (triangles.empty()) return bad;
   for (const auto& [i, j] : self_intersections(vertices, triangles, threads))
     for (const std::uint32_t k : {i, j})
       for (const std::uint32_t v : triangles[k])
         if (cells[v].size > 0) bad.insert(cells[v]);
+}
+
+}  // namespace
+
+// The last layer of a group is the first of the next one, since its triangles meet those of both.
+std::set<CellPlace> crossed_cells(std::span<const CrowdedTile> tiles, int threads) {
+  std::set<CellPlace> bad;
+  for (std::size_t first = 0; first < tiles.size();) {
+    const std::size_t end = end_of_group(tiles, first);
+    add_crossed(tiles.subspan(first, end - first), threads, bad);
+    const bool is_layer = tiles[first].layer == tiles[end - 1].layer;  // the next one is far off
+    while (tiles[first].layer < tiles[end - 1].layer) ++first;
+    if (is_layer || end == tiles.size()) first = end;
+  }
   return bad;
 }
 

@@ -35,7 +35,13 @@ CrowdedTriangles crowded_triangles(std::span<const std::array<float, 3>> vertice
                                    std::span<const std::array<std::uint32_t, 3>> triangles,
                                    std::span<const CellPlace> cell_of);
 
-/// The cells whose triangles meet others.
-std::set<CellPlace> crossed_cells(std::span<const CrowdedTriangles* const> tiles, int threads);
+struct CrowdedTile {
+  std::int32_t layer = 0;  ///< tiles meet those of their own layer and of the next ones
+  const CrowdedTriangles* triangles = nullptr;
+};
+
+/// The cells whose triangles meet others. Requires: layers ascend. Takes the memory of a few layers
+/// at a time, or of `kTogether` triangles.
+std::set<CellPlace> crossed_cells(std::span<const CrowdedTile> tiles, int threads);
 
 }  // namespace mrsim::detail

@@ -20,6 +20,7 @@ namespace mrsim::detail {
 /// The order of tiles: by their places on three axes, the first named first.
 struct TileOrder {
   std::array<int, 3> axes{0, 1, 2};
+  std::int32_t layer(const LatticePoint& place) const { return component(place, axes[0]); }
   /// Grows with the order; `place` in tiles.
   std::uint64_t key(const LatticePoint& place) const {
     std::uint64_t k = 0;

@@ -323,9 +323,10 @@ class UniformMesher {
   }
 
   std::set<CellPlace> crossed() const {
-    std::vector<const CrowdedTriangles*> crowded;
-    for (const TileNotes& notes : notes_)
-      if (!notes.crowded.triangles.empty()) crowded.push_back(&notes.crowded);
+    std::vector<CrowdedTile> crowded;
+    for (std::size_t i = 0; i < set_.tiles.size(); ++i)
+      if (!notes_[i].crowded.triangles.empty())
+        crowded.push_back({set_.order.layer(set_.tiles[i].place), &notes_[i].crowded});
     std::set<CellPlace> bad = crossed_cells(crowded, options_.threads);
     for (const TileNotes& notes : notes_) bad.insert(notes.touching.begin(), notes.touching.end());
     return bad;

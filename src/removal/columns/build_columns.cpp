@@ -5,6 +5,7 @@
 #include "core/ordered.h"
 #include "removal/columns/sweep_builder.h"
 #include "removal/columns/sweep_classes.h"
+#include "removal/forms/outline.h"
 #include "removal/forms/upright_sweep.h"
 
 #include <algorithm>
@@ -124,6 +125,23 @@ void add_chains(SweepColumns& c) {
   }
 }
 
+// A rounded tool on a level path has a closed form.
+void add_outlines(SweepColumns& c) {
+  if (c.profiles.empty()) return;
+  std::vector<std::size_t> first;
+  for (const ToolShape& shape : c.shapes) {
+    first.push_back(c.outline_edges.size());
+    if (!shape.turning && !shape.cutter.is_rounded()) append_outline(shape.cutter, c.outline_edges);
+  }
+  first.push_back(c.outline_edges.size());
+  for (std::size_t k = 0; k < c.shapes.size(); ++k) {
+    const Profile& cutter = c.shapes[k].cutter;
+    const auto edges =
+        std::span<const OutlineEdge>(c.outline_edges).subspan(first[k], first[k + 1] - first[k]);
+    c.outlines.push_back({edges, cutter.max_radius(), cutter.bottom()});
+  }
+}
+
 void add_slants(SweepColumns& c) {
   for (const SweepRef& ref : c.refs) {
     if (ref.kind != SweepKind::path || !c.paths.is_line(ref.row) ||
@@ -156,6 +174,7 @@ void tag_others(SweepColumns& c) {
     const SingleForm form = ref.kind == SweepKind::turn          ? SingleForm::turned
                             : has_record && c.is_slant_line(ref) ? SingleForm::slant
                             : has_record && c.is_chain(ref)      ? SingleForm::chain
+                            : has_record && c.has_outline(ref)   ? SingleForm::outline
                             : has_record && c.upright_arc(ref)   ? SingleForm::upright
                                                                  : SingleForm::box;
     c.tags[i] = kOtherForm << kTagShift | static_cast<std::uint32_t>(form) << kSingleShift |
@@ -182,6 +201,7 @@ void build_columns(std::span<const Motion> program, std::span<const Tool> tools,
   out.uniform = out.uniform && !out.refs.empty();
   add_chains(out);
   add_slants(out);
+  add_outlines(out);
   add_uprights(out);
   tag_others(out);
   cut_pieces(out);

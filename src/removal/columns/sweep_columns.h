@@ -48,14 +48,6 @@ inline double height_number(std::uint32_t number) {
   return number < (1u << 24) ? number : std::numeric_limits<double>::quiet_NaN();
 }
 
-/// A horizontal path in plan: the slots of LineSlot or ArcSlot before `low`.
-struct ProfileRow {
-  bool arc = false;
-  double c[ArcSlot::low] = {};
-  double z = 0;       ///< height of the tip
-  double length = 0;  ///< of the path in plan, mm
-};
-
 struct SweepRef {
   SweepKind kind = SweepKind::profile;
   bool split : 1 = false;  ///< arc whose wall can meet itself: its halves are patches of their own
@@ -69,7 +61,7 @@ struct SweepRef {
 inline constexpr std::uint32_t kTagShift = 30, kOtherForm = 3, kTagRow = (1u << kTagShift) - 1;
 /// Of the other form, above the row: what bounds the distance of a sweep that is asked on its own;
 /// or the lists that it is asked in.
-enum class SingleForm : std::uint32_t { box, slant, chain, turned, upright };
+enum class SingleForm : std::uint32_t { box, slant, chain, outline, turned, upright };
 inline constexpr std::uint32_t kSingleShift = 27, kSingleRow = (1u << kSingleShift) - 1;
 inline bool is_other(std::uint32_t tag) { return tag >> kTagShift == kOtherForm; }
 /// Requires: is_other(tag).
@@ -87,6 +79,8 @@ struct SweepColumns {
   std::vector<ArcRecord> plane_arcs;
   std::vector<BallArc> ball_arcs;
   std::vector<ProfileRow> profiles;
+  std::vector<OutlineEdge> outline_edges;
+  std::vector<OutlineTool> outlines;  ///< by shape; empty when no profile has one
   PathColumn paths;
   std::vector<ChainLine> chain_lines;    ///< by row of paths; empty when there are none
   std::vector<ChainTool> chain_tools;    ///< by shape, likewise
@@ -124,6 +118,11 @@ struct SweepColumns {
   /// Whether it is one of a tool with slant_minimum().
   bool is_slant_line(const SweepRef& ref) const {
     return ref.kind == SweepKind::path && !slant_lines.empty() && slant_lines[ref.row].length > 0;
+  }
+  /// Whether it is one on a level path whose tool has an outline.
+  bool has_outline(const SweepRef& ref) const {
+    return ref.kind == SweepKind::profile && !outlines.empty() &&
+           !outlines[static_cast<std::size_t>(ref.shape)].edges.empty();
   }
   /// The path of a mill on an arc in an upright plane, in the frame of its tool; else null.
   const ToolPath* upright_arc(const SweepRef& ref) const {

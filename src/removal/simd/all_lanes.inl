@@ -9,5 +9,6 @@
 #include "removal/simd/upright_lanes.inl"
 //
 #include "removal/simd/chain_lanes.inl"
+#include "removal/simd/outline_lanes.inl"
 //
 #include "removal/simd/ball_height_lanes.inl"

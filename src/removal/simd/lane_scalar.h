@@ -6,6 +6,7 @@
 #include "removal/field/record_slots.h"
 #include "removal/simd/chain_record.h"
 #include "removal/simd/helix_record.h"
+#include "removal/simd/outline_record.h"
 #include "removal/simd/slant_record.h"
 #include "removal/simd/upright_record.h"
 

@@ -6,6 +6,7 @@
 #include "removal/field/record_slots.h"
 #include "removal/simd/chain_record.h"
 #include "removal/simd/helix_record.h"
+#include "removal/simd/outline_record.h"
 #include "removal/simd/slant_record.h"
 #include "removal/simd/upright_record.h"
 #include "removal/tool/polygon.h"
@@ -89,6 +90,13 @@ struct SweepKernels {
   /// Brings `points` up to date with sweep `id`, a straight move of a convex tool.
   void (*chain)(const ChainTool& tool, const ChainLine& line, std::uint32_t id,
                 PointColumns& points);
+  /// Distances of p from level paths, all arcs or all lines, of one tool. Where one is above
+  /// `limit`, any number above it. `out` has room for a multiple of PointColumns::kPad.
+  void (*outline_list)(const OutlineTool& tool, const ProfileRow* paths, const std::uint32_t* rows,
+                       std::size_t n, const Vec3& p, double limit, double* out);
+  /// Brings `points` up to date with sweep `id`, a tool of that outline on a level path.
+  void (*outline)(const OutlineTool& tool, const ProfileRow& row, std::uint32_t id,
+                  PointColumns& points);
   /// Signed distances of (x, y) from eight polygons with `count` sides less `round`, the bits of
   /// polygon_distance. Lanes may repeat a side. `out` is a whole cache line.
   void (*polygons)(const PolygonSides* sides, std::size_t count, const double* round, double x,

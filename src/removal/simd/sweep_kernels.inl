@@ -201,6 +201,41 @@ static void chain_least_of(const ChainTool& tool, const ChainLine& line, std::ui
   }
 }
 
+static void outline_list(const OutlineTool& tool, const ProfileRow* paths,
+                         const std::uint32_t* rows, std::size_t n, const Vec3& p, double limit,
+                         double* out) {
+  const V x = splat(p.x), y = splat(p.y), z = splat(p.z);
+  const bool is_arc = paths[rows[0]].arc;
+  std::uint32_t some[kLanes];
+  V c[ArcSlot::low + 1];
+  for (std::size_t k = 0; k < n; k += kLanes) {
+    pick(rows, k, n, some);
+    load_columns(paths, 1, some, c);
+    const V rho = is_arc ? arc_rho(c, x, y) : line_rho(c, x, y), above = z - c[ArcSlot::low];
+    const V bound = vmax(rho - splat(tool.radius), splat(tool.bottom) - above);
+    const bool counts = any(less_equal(bound, splat(limit + kBoundError)));
+    store(out + k, counts ? outline_distance(tool.edges, rho, above) : bound);
+  }
+}
+
+static void outline_least(const OutlineTool& tool, const ProfileRow& row, std::uint32_t id,
+                          PointColumns& points) {
+  const V own = splat(static_cast<double>(id)), tip = splat(row.z);
+  const V radius = splat(tool.radius), bottom = splat(row.z + tool.bottom);
+  V c[ArcSlot::low];
+  for (std::size_t j = 0; j < ArcSlot::low; ++j) c[j] = splat(row.c[j]);
+  for (std::size_t k = 0; k < points.count; k += kLanes) {
+    const V x = read(points.x + k), y = read(points.y + k), z = read(points.z + k);
+    V least = read(points.least + k), nearest = read(points.nearest + k);
+    const V rho = row.arc ? arc_rho(c, x, y) : line_rho(c, x, y);
+    const V bound = vmax(rho - radius, bottom - z);
+    if (!any(less_equal(bound, least + splat(kBoundError)))) continue;
+    take_closer(outline_distance(tool.edges, rho, z - tip), own, least, nearest);
+    store(points.least + k, least);
+    store(points.nearest + k, nearest);
+  }
+}
+
 // polygon_distance side by side. The least root is the root of the least.
 struct SideSum {
   V most, least;
@@ -292,6 +327,8 @@ static const SweepKernels kKernels = {
     chain_bounds,
     chain_bounds_beside,
     chain_least_of,
+    outline_list,
+    outline_least,
     polygons,
     polygon_least,
     ball_heights,

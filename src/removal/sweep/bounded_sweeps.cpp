@@ -38,6 +38,7 @@ class SingleBounds {
   template <class Other>
   void find(std::span<const std::uint32_t> ids, double limit, const Other& other) {
     ListPart slants, chains;
+    LevelPart lines, arcs;
     const bool one_tool = c_.chain_tools.size() == 1;
     std::int32_t tool = 0;  // of `chains`
     for (std::size_t k = 0; k < ids.size(); ++k) {
@@ -52,10 +53,14 @@ class SingleBounds {
         other(ids[k]);
       } else if (single_form(tag) == SingleForm::slant) {
         slants.add(row, k);
+      } else if (single_form(tag) == SingleForm::outline) {
+        add_level(ids[k], row, k, limit, c_.profiles[row].arc ? arcs : lines);
       } else {
         bounds_[k] = box_bound(c_.bounds_of(c_.refs[ids[k]]), p_);
       }
     }
+    find_levels(limit, lines);
+    find_levels(limit, arcs);
     if (slants.n > 0) {
       sweep_kernels().slant_bounds(c_.slant_lines.data(), slants.rows, slants.n, p_, found_);
       scatter(slants);
@@ -70,6 +75,27 @@ class SingleBounds {
                                  p_, limit, found_);
     scatter(chains);
     chains.n = 0;
+  }
+  // Level paths of one tool, all arcs or all lines.
+  struct LevelPart {
+    ListPart part;
+    std::int32_t tool = 0;
+  };
+  void add_level(std::uint32_t id, std::uint32_t row, std::size_t place, double limit,
+                 LevelPart& level) {
+    const std::int32_t tool = c_.refs[id].shape;
+    if (tool != level.tool) find_levels(limit, level);
+    level.tool = tool;
+    level.part.add(row, place);
+  }
+  // Their distances: no bound is better.
+  void find_levels(double limit, LevelPart& level) {
+    ListPart& part = level.part;
+    if (part.n == 0) return;
+    sweep_kernels().outline_list(c_.outlines[static_cast<std::size_t>(level.tool)],
+                                 c_.profiles.data(), part.rows, part.n, p_, limit, found_);
+    scatter(part);
+    part.n = 0;
   }
   void scatter(const ListPart& part) {
     for (std::size_t k = 0; k < part.n; ++k) bounds_[part.places[k]] = found_[k];

@@ -89,6 +89,9 @@ void least_of(const SweepColumns& c, std::uint32_t id, PointColumns& points) {
     return sweep_kernels().chain(c.chain_tools[ref.shape], c.chain_lines[ref.row], id, points);
   if (c.is_slant_line(ref) && ref.frame == 0)
     return sweep_kernels().slant(c.slant_lines[ref.row], id, points);
+  if (ref.frame == 0 && c.has_outline(ref))
+    return sweep_kernels().outline(c.outlines[static_cast<std::size_t>(ref.shape)],
+                                   c.profiles[ref.row], id, points);
   if (is_upright(c.tags[id])) {
     const auto quarters = c.quarters_of(ref.row);
     return sweep_kernels().upright(quarters.data(), quarters.size(), id, points);

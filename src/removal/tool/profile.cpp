@@ -37,6 +37,8 @@ double side(const ProfileEdge& e, Vec2 q) {
   return e.convex ? d : -d;
 }
 
+}  // namespace
+
 Vec2 outward(const ProfileEdge& e, Vec2 q) {
   if (!e.is_arc()) return {e.direction.y, -e.direction.x};
   const Vec2 w = q - e.center;
@@ -44,8 +46,6 @@ Vec2 outward(const ProfileEdge& e, Vec2 q) {
   if (n == 0) return {e.convex ? 1.0 : -1.0, 0};
   return (e.convex ? 1 / n : -1 / n) * w;
 }
-
-}  // namespace
 
 struct Profile::Foot {
   double distance = std::numeric_limits<double>::infinity();  // unsigned

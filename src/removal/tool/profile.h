@@ -28,6 +28,9 @@ struct ProfileEdge {
   bool is_arc() const { return radius > 0; }
 };
 
+/// Unit, out of the solid: across the edge at q, a point of it or of the edge continued.
+Vec2 outward(const ProfileEdge& e, Vec2 q);
+
 struct ProfileSample {
   double distance = 0;
   Vec2 gradient;  ///< unit, d(distance) / d(r, z)
@@ -63,6 +66,8 @@ class Profile {
   int nearest_corner(Vec2 q) const;
   bool foot_is_corner(Vec2 q) const;
   Vec2 corner_direction(int corner) const;
+  /// Of the start of edge i, or the end of the last one.
+  Corner corner(std::size_t i) const { return corners_[i]; }
   Vec2 corner_point(int corner) const { return edges_[static_cast<std::size_t>(corner)].a; }
 
   /// Convex solids whose union this is, which overlap wherever they meet: the least of their
