@@ -1,10 +1,12 @@
 #include "mesh/simplify/owner_borders.h"
 
 #include "core/parallel.h"
+#include "mesh/simplify/apart_queue.h"
 #include "mesh/simplify/cut_mesh.h"
 #include "mesh/solid/self_intersection.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <deque>
 #include <optional>
@@ -34,14 +36,20 @@ class BorderCutter {
     for (int round = 0; round < kChordRounds && !edges_.empty(); ++round) {
       std::vector<std::uint32_t> seen;
       while (!edges_.empty()) {
-        seen.push_back(edges_.front());
-        cut_crossed_edges(take(edges_));
+        const auto some = edges_.take(cut_.mesh.triangles, cut_.mesh.vertices.size());
+        seen.insert(seen.end(), some.begin(), some.end());
+        const std::vector<Crossed> crossed = ask(some);
+        for (std::size_t k = 0; k < some.size(); ++k) cut_crossed_edges(some[k], crossed[k]);
       }
       std::sort(seen.begin(), seen.end());
       seen.erase(std::unique(seen.begin(), seen.end()), seen.end());
-      for (const std::uint32_t t : seen) relabel(t);
+      relabel(seen);
       chords_.assign(seen.begin(), seen.end());
-      while (!chords_.empty()) cut_deep_chords(take(chords_));
+      while (!chords_.empty()) {
+        const std::uint32_t first = chords_.front();
+        chords_.pop_front();
+        cut_deep_chords(first);
+      }
     }
     if (crosses_itself()) return before;
     return std::move(cut_.mesh);
@@ -49,12 +57,6 @@ class BorderCutter {
 
  private:
   enum class Plane : std::uint8_t { no, yes, cut };  ///< `cut`: more than one owner was seen in it
-
-  static std::uint32_t take(std::deque<std::uint32_t>& queue) {
-    const std::uint32_t first = queue.front();
-    queue.pop_front();
-    return first;
-  }
 
   // Whose face it is at a point of the surface; nothing where that is elsewhere.
   std::optional<FieldSample> face_at(const Vec3& p, std::int32_t& cell) const {
@@ -79,7 +81,7 @@ class BorderCutter {
         64);
     for (std::uint32_t t = 0; t < count; ++t) {
       if (others[t]) cut_.mesh.labels[t] = label_of(*others[t]);
-      if (plane_[t] == Plane::cut) edges_.push_back(t);
+      if (plane_[t] == Plane::cut) edges_.push(t);
     }
   }
 
@@ -123,9 +125,19 @@ class BorderCutter {
     if (is_new) mesh.faces.push_back(face);
     return static_cast<std::uint32_t>(id);
   }
-  void relabel(std::uint32_t t) {
+  std::optional<FieldSample> face_of(std::uint32_t t) const {
     std::int32_t cell = 0;
-    if (const auto face = face_at(cut_.middle(t), cell)) cut_.mesh.labels[t] = label_of(*face);
+    return face_at(cut_.middle(t), cell);
+  }
+  void relabel(std::uint32_t t) {
+    if (const auto face = face_of(t)) cut_.mesh.labels[t] = label_of(*face);
+  }
+  void relabel(const std::vector<std::uint32_t>& triangles) {
+    std::vector<std::optional<FieldSample>> faces(triangles.size());
+    parallel_for(
+        triangles.size(), threads_, [&](std::size_t k) { faces[k] = face_of(triangles[k]); }, 64);
+    for (std::size_t k = 0; k < triangles.size(); ++k)
+      if (faces[k]) cut_.mesh.labels[triangles[k]] = label_of(*faces[k]);
   }
 
   bool in_one_plane(std::uint32_t h) const {
@@ -142,11 +154,45 @@ class BorderCutter {
     return normalized(c - a - (dot(c - a, u) / dot(u, u)) * u);
   }
 
-  void cut_crossed_edges(std::uint32_t t) {
+  // Where borders cross the edges of a triangle with these corners: up to the first one, of the
+  // edges that had not been asked by then.
+  struct Crossed {
+    CutMesh::Corners corners{};
+    std::array<bool, 3> is_known{};
+    std::array<std::optional<Vec3>, 3> at;
+  };
+
+  // Most of the time goes into this, so it is found for many triangles at once. One that is changed
+  // before its turn comes is asked again.
+  std::vector<Crossed> ask(const std::vector<std::uint32_t>& triangles) const {
+    std::vector<Crossed> found(triangles.size());
+    parallel_for(
+        found.size(), threads_,
+        [&](std::size_t i) {
+          const std::uint32_t t = triangles[i];
+          Crossed& crossed = found[i];
+          crossed.corners = cut_.mesh.triangles[t];
+          for (std::uint32_t k = 0; k < 3; ++k) {
+            if (asked_.find(edge_key(3 * t + k)) >= 0) continue;
+            crossed.is_known[k] = true;
+            crossed.at[k] = border_on(3 * t + k);
+            if (crossed.at[k]) return;
+          }
+        },
+        8);
+    return found;
+  }
+  std::uint64_t edge_key(std::uint32_t h) const {
+    return static_cast<std::uint64_t>(cut_.from(h)) << 32 | cut_.to(h);
+  }
+
+  void cut_crossed_edges(std::uint32_t t, const Crossed& crossed) {
+    const bool is_same = cut_.mesh.triangles[t] == crossed.corners;
     for (std::uint32_t k = 0; k < 3; ++k) {
-      const std::uint32_t h = 3 * t + k, u = cut_.from(h), v = cut_.to(h);
-      if (!asked_.insert(static_cast<std::uint64_t>(u) << 32 | v, 0).second) continue;
-      const std::optional<Vec3> at = border_on(h);
+      const std::uint32_t h = 3 * t + k;
+      if (!asked_.insert(edge_key(h), 0).second) continue;
+      const bool known = is_same && crossed.is_known[k];
+      const std::optional<Vec3> at = known ? crossed.at[k] : border_on(h);
       if (!at) continue;
       const std::uint32_t o = cut_.opposite(h);
       if (!cut_.cut_edge(h, snap(*at))) continue;
@@ -154,7 +200,7 @@ class BorderCutter {
       const auto last = static_cast<std::uint32_t>(plane_.size() - 1);
       for (const std::uint32_t part : with_flips({t, o / 3, last - 1, last})) {
         plane_[part] = Plane::cut;
-        edges_.push_back(part);
+        edges_.push(part);
       }
       return;
     }
@@ -286,7 +332,7 @@ class BorderCutter {
         plane_[part] = Plane::cut;
         relabel(part);
         chords_.push_back(part);
-        edges_.push_back(part);
+        edges_.push(part);
       }
       return;
     }
@@ -324,10 +370,11 @@ class BorderCutter {
   double tolerance_;
   int threads_;
   CutMesh cut_;
-  FlatMap ids_;                               ///< of faces, in the mesh
-  FlatMap asked_;                             ///< edges by their vertices, as a triangle has them
-  std::vector<Plane> plane_;                  ///< by triangle
-  std::deque<std::uint32_t> edges_, chords_;  ///< triangles to look at
+  FlatMap ids_;                       ///< of faces, in the mesh
+  FlatMap asked_;                     ///< edges by their vertices, as a triangle has them
+  std::vector<Plane> plane_;          ///< by triangle
+  ApartQueue edges_;                  ///< triangles whose edges to look at
+  std::deque<std::uint32_t> chords_;  ///< and whose chords
 };
 
 }  // namespace
