@@ -41,6 +41,8 @@ constexpr int kCrowdedRounds = 3;         ///< of splitting cells with two piece
 constexpr double kSecondsPerByte = 3e-8;  ///< of one core: both go with the cells and their faces
 constexpr std::size_t kMostRounds = 24;   ///< of splitting, where a grid may take its place
 constexpr std::size_t kCarefulRounds = 4;  ///< of splitting, by one step each
+constexpr int kLateSteps = 3;              ///< of splitting in one round after those
+constexpr std::size_t kFew = 100;          ///< cells are few where nodes are as many times more
 constexpr std::size_t kDrawnRounds = 8;    ///< in which more detail may take the place of splitting
 
 class AdaptiveMesher {
@@ -251,19 +253,35 @@ class AdaptiveMesher {
                                 detail::memory_of_nodes(static_cast<double>(tree_.size()) + more));
     }
     first_nodes_ = 0;
-    const double nodes = is_late() ? 8 + 16 : 8;  // of each cell, as measured
-    detail::require_room(detail::kSplitMemory * nodes * static_cast<double>(cells.size()));
-    const std::size_t count = tree_.split(std::move(cells));
-    if (is_late()) tree_.split(std::vector<std::int32_t>(tree_.new_leaves()));
+    const std::size_t count = split(std::move(cells));
     timer_.step("tree");
     return count + refined > 0;
   }
 
+  // Returns how many cells were split. After some rounds their parts are split, too, while they are
+  // few: that costs less than another round.
+  std::size_t split(std::vector<std::int32_t> cells) {
+    const bool goes_on = report_.passes > kCarefulRounds;
+    const auto failed = static_cast<double>(cells.size()),
+               nodes = static_cast<double>(tree_.size());
+    const double later = goes_on ? 8 * (kLateSteps - 1) * nodes / kFew : 0;
+    detail::require_room(detail::kSplitMemory * (8 * failed + later));
+    few_failed_ = is_few(cells.size());
+    const std::size_t count = tree_.split(std::move(cells));
+    for (int k = 1; goes_on && k < kLateSteps && is_few(tree_.new_leaves().size()); ++k)
+      tree_.split(std::vector<std::int32_t>(tree_.new_leaves()));
+    return count;
+  }
+  bool is_few(std::size_t cells) const { return kFew * cells < tree_.size(); }
+
   // Before the first cells that `failed` are split. Where cells had to be split for the surface to
-  // be drawn at all, creases lie closer than cells, and those between them follow.
+  // be drawn at all, creases lie closer than cells, and those between them follow; where they were
+  // many, a node takes three times as long, in more rounds.
   void require_few(std::size_t failed) const {
+    constexpr double kDense = 1.1, kSlow = 3;
     const auto nodes = static_cast<double>(tree_.size());
-    detail::require_cells(nodes * (nodes / first_nodes_) + 8 * static_cast<double>(failed),
+    const double growth = nodes / first_nodes_, slow = growth > kDense ? kSlow : 1;
+    detail::require_cells(slow * growth * growth * (nodes + 8 * static_cast<double>(failed)),
                           options_.most_nodes);
   }
 
@@ -290,7 +308,7 @@ class AdaptiveMesher {
 
   // After some rounds few triangles fail: splitting too many cells about them is then cheaper than
   // another round.
-  bool is_late() const { return report_.passes > kCarefulRounds; }
+  bool is_late() const { return report_.passes > kCarefulRounds && few_failed_; }
 
   // Tells a triangle from all others of former rounds, which need not be certified again.
   static std::uint64_t triangle_hash(const LabelledMesh& mesh, std::size_t t) {
@@ -326,6 +344,7 @@ class AdaptiveMesher {
   CellOctree tree_;
   detail::MeshCertifier certifier_;
   std::size_t drawn_loops_ = 0;         ///< of the surface whose triangles were made last
+  bool few_failed_ = true;              ///< cells in the round before
   double first_nodes_ = 0;              ///< of the tree as it was made, 0 after the first round
   std::optional<DualSurface> surface_;  ///< until its triangles are final
   detail::FlatMap passed_;              ///< by hashes of triangles within the tolerance

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 namespace mrsim::detail {
 namespace {
@@ -14,6 +15,7 @@ using Triangle = std::array<std::uint32_t, 3>;
 
 constexpr std::uint32_t kLeaf = 8;   // triangles
 constexpr std::uint32_t kBlock = 8;  // triangles that go through the tree together
+constexpr std::size_t kPart = 512;   // triangles of a task, whole blocks
 constexpr float kFar = std::numeric_limits<float>::infinity();
 
 bool on_segment(const Vec3& p, const Vec3& a, const Vec3& b, int axis) {
@@ -142,16 +144,24 @@ struct Bounds {
   }
 };
 
-// A tree of boxes over the chosen triangles (none chosen: all), halved at the median of the longest
-// side.
+// The boxes of all triangles.
+std::vector<Bounds> boxes_of(std::span<const Vec3> vertices, std::span<const Triangle> triangles,
+                             int threads) {
+  constexpr std::size_t kChunk = 4096;
+  std::vector<Bounds> boxes(triangles.size());
+  parallel_for_chunks(triangles.size(), threads, kChunk, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t k = begin; k < end; ++k)
+      for (const std::uint32_t v : triangles[k]) boxes[k].extend(vertices[v]);
+  });
+  return boxes;
+}
+
+// A tree over the boxes of the chosen triangles (none chosen: all), halved at the median of the
+// longest side.
 class BoxTree {
  public:
-  BoxTree(std::span<const Vec3> vertices, std::span<const Triangle> triangles,
-          std::span<const char> chosen) {
-    boxes_.resize(triangles.size());
-    for (std::size_t k = 0; k < triangles.size(); ++k)
-      for (const std::uint32_t v : triangles[k]) boxes_[k].extend(vertices[v]);
-    for (std::uint32_t k = 0; k < triangles.size(); ++k)
+  BoxTree(std::vector<Bounds> boxes, std::span<const char> chosen) : boxes_(std::move(boxes)) {
+    for (std::uint32_t k = 0; k < boxes_.size(); ++k)
       if (chosen.empty() || chosen[k]) order_.push_back(k);
     if (!order_.empty()) build(0, static_cast<std::uint32_t>(order_.size()));
   }
@@ -243,26 +253,25 @@ std::vector<std::pair<std::uint32_t, std::uint32_t>> self_intersections(
     std::span<const Vec3> vertices, std::span<const Triangle> triangles, int threads,
     std::span<const char> chosen) {
   const PairTest test(vertices, triangles);
-  const BoxTree tree(vertices, triangles, chosen);
-  std::vector<std::vector<std::uint32_t>> found(triangles.size());
+  const BoxTree tree(boxes_of(vertices, triangles, threads), chosen);
+  const std::size_t count = triangles.size();
+  std::vector<std::vector<std::pair<std::uint32_t, std::uint32_t>>> found((count + kPart - 1) /
+                                                                          kPart);
   // Every triangle looks for the chosen ones; two chosen ones meet once.
-  const auto count = static_cast<std::uint32_t>(triangles.size());
-  parallel_for((count + kBlock - 1) / kBlock, threads,
-               [&](std::size_t block) {
-                 const std::uint32_t first = static_cast<std::uint32_t>(block) * kBlock,
-                                     end = std::min(first + kBlock, count);
-                 tree.visit(first, end, [&](std::uint32_t i, std::uint32_t j) {
+  parallel_for_chunks(count, threads, kPart, [&](std::size_t begin, std::size_t end) {
+    auto& pairs = found[begin / kPart];
+    for (std::size_t first = begin; first < end; first += kBlock)
+      tree.visit(static_cast<std::uint32_t>(first),
+                 static_cast<std::uint32_t>(std::min(first + kBlock, end)),
+                 [&](std::uint32_t i, std::uint32_t j) {
                    const bool is_chosen = chosen.empty() || chosen[i];
-                   if ((j > i || !is_chosen) && test.meet(i, j)) found[i].push_back(j);
+                   if ((j > i || !is_chosen) && test.meet(i, j)) pairs.emplace_back(i, j);
                  });
-                 for (std::uint32_t i = first; i < end; ++i)
-                   std::sort(found[i].begin(), found[i].end());
-               },
-               16);
-  std::vector<std::pair<std::uint32_t, std::uint32_t>> pairs;
-  for (std::uint32_t i = 0; i < found.size(); ++i)
-    for (const std::uint32_t j : found[i]) pairs.emplace_back(i, j);
-  return pairs;
+    std::sort(pairs.begin(), pairs.end());
+  });
+  std::vector<std::pair<std::uint32_t, std::uint32_t>> all;
+  for (const auto& pairs : found) all.insert(all.end(), pairs.begin(), pairs.end());
+  return all;
 }
 
 }  // namespace mrsim::detail
