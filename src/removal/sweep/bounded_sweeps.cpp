@@ -14,13 +14,6 @@ namespace {
 
 constexpr std::size_t kLongList = 32;  // sweeps: shorter lists are searched without runs of moves
 
-// Whether the distance of a sweep is found one sweep at a time: no kernel takes lists of its form.
-// Turning sweeps are in a tree instead.
-bool is_single(std::uint32_t tag) {
-  return is_other(tag) && single_form(tag) != SingleForm::turned &&
-         single_form(tag) != SingleForm::upright;
-}
-
 constexpr std::uint32_t kChainTag =
     kOtherForm << kTagShift | static_cast<std::uint32_t>(SingleForm::chain) << kSingleShift;
 
@@ -34,9 +27,8 @@ class SingleBounds {
 
   /// Finds the bounds of up to kListChunk sweeps, never above the distance but for rounding. A
   /// bound above `limit` may be any number above `limit`. It is minus infinity where nothing is
-  /// known, and NaN for a sweep that is not single, which is given to `other`.
-  template <class Other>
-  void find(std::span<const std::uint32_t> ids, double limit, const Other& other) {
+  /// known.
+  void find(std::span<const std::uint32_t> ids, double limit) {
     ListPart slants, chains;
     LevelPart lines, arcs;
     const bool one_tool = c_.chain_tools.size() == 1;
@@ -48,9 +40,6 @@ class SingleBounds {
         if (chains.n > 0 && own != tool) add_chains(tool, limit, chains);
         tool = own;
         chains.add(row, k);
-      } else if (!is_single(tag)) {
-        bounds_[k] = std::numeric_limits<double>::quiet_NaN();
-        other(ids[k]);
       } else if (single_form(tag) == SingleForm::slant) {
         slants.add(row, k);
       } else if (single_form(tag) == SingleForm::outline) {
@@ -126,7 +115,7 @@ std::optional<std::uint32_t> least_bound(const SweepColumns& c, std::span<const 
   std::optional<std::uint32_t> best;
   for (; !ids.empty(); ids = ids.subspan(std::min(kListChunk, ids.size()))) {
     const auto some = ids.first(std::min(kListChunk, ids.size()));
-    bounds.find(some, least, [](std::uint32_t) {});
+    bounds.find(some, least);
     for (std::size_t k = 0; k < some.size(); ++k)
       if (bounds[k] < least) least = bounds[k], best = some[k];
   }
@@ -138,20 +127,20 @@ BoundedSweeps::Memory& BoundedSweeps::thread_memory() {
   return memory;
 }
 
-std::span<const std::uint32_t> BoundedSweeps::nearest(std::span<const std::uint32_t> list,
-                                                      double enough, TurnTree::Nearest& best) {
+void BoundedSweeps::nearest(std::span<const std::uint32_t> list, double enough,
+                            TurnTree::Nearest& best) {
+  if (list.empty()) return;
   Memory& memory = thread_memory();
-  memory.others.clear(), memory.singles.clear();
+  memory.singles.clear();
   const std::uint32_t last = memory.last;
-  const bool has_last = std::ranges::binary_search(list, last) && is_single(c_.tags[last]);
+  const bool has_last = std::ranges::binary_search(list, last);
   if (has_last) take(last, best.distance, best);
   if (list.size() >= kLongList && !c_.chain_lines.empty()) list = near_runs(list, best);
   SingleBounds bounds(c_, p_);
   for (; !list.empty(); list = list.subspan(std::min(kListChunk, list.size()))) {
     if (best.distance < enough) break;
     const auto some = list.first(std::min(kListChunk, list.size()));
-    bounds.find(some, best.distance + kBoundError,
-                [&](std::uint32_t id) { memory.others.push_back(id); });
+    bounds.find(some, best.distance + kBoundError);
     for (std::size_t k = 0; k < some.size(); ++k) {
       if (!(bounds[k] <= best.distance + kBoundError) || (has_last && some[k] == last)) continue;
       if (bounds[k] < enough)  // it may well hold p
@@ -163,7 +152,7 @@ std::span<const std::uint32_t> BoundedSweeps::nearest(std::span<const std::uint3
   }
   if (best.distance < enough) {
     memory.last = best.sweep;
-    return {};
+    return;
   }
   auto& singles = memory.singles;
   if (!singles.empty())
@@ -173,7 +162,6 @@ std::span<const std::uint32_t> BoundedSweeps::nearest(std::span<const std::uint3
     if (bound <= limit) take(id, limit, best);
   }
   if (std::isfinite(best.distance)) memory.last = best.sweep;
-  return memory.others;
 }
 
 // Drops the runs of moves that are farther away than the best sweep so far.

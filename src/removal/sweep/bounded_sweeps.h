@@ -27,11 +27,6 @@ struct ListPart {
   }
 };
 
-/// A list has sweeps that are asked on their own only if one of these columns holds any.
-inline bool has_singles(const SweepColumns& c) {
-  return !c.paths.empty() || !c.profiles.empty() || !c.ball_arcs.empty() || !c.frames.empty();
-}
-
 /// No sweep is nearer to p than the box that holds it; minus infinity where p lies in the box.
 double box_bound(const Box3& box, const Vec3& p);
 
@@ -40,7 +35,7 @@ inline void take_nearer(double d, std::uint32_t id, TurnTree::Nearest& best) {
     best.distance = d, best.sweep = id;
 }
 
-/// Of the sweeps that are asked on their own, the one with the least bound at p.
+/// The one of them with the least bound at p.
 std::optional<std::uint32_t> least_bound(const SweepColumns& c, std::span<const std::uint32_t> ids,
                                          const Vec3& p);
 
@@ -48,12 +43,11 @@ class BoundedSweeps {
  public:
   BoundedSweeps(const SweepColumns& c, const Vec3& p) : c_(c), p_(p) {}
 
-  /// The nearest of them; what is left of the list, valid until the thread's next call.
+  /// Brings `best` up to date with SortedList::bounded().
   /// The one that was the nearest to the thread's last point, and then the one with the least
   /// bound, come first: few others can be nearer.
   /// Ends where one is nearer than `enough`.
-  std::span<const std::uint32_t> nearest(std::span<const std::uint32_t> list, double enough,
-                                         TurnTree::Nearest& best);
+  void nearest(std::span<const std::uint32_t> list, double enough, TurnTree::Nearest& best);
 
   /// Where on a sweep the point is nearest, if it is the nearest line.
   std::optional<double> place_on(std::uint32_t sweep) const {
@@ -64,7 +58,6 @@ class BoundedSweeps {
   using Single = std::pair<double, std::uint32_t>;  // bound, sweep
   struct Memory {
     MoveRuns runs;
-    std::vector<std::uint32_t> others;
     std::vector<Single> singles;
     std::uint32_t last = 0;  // the nearest of the last list, if still one of this table
   };

@@ -3,6 +3,7 @@
 #include "core/vec.h"
 #include "removal/forms/helix_sweep.h"
 #include "removal/sweep/bounded_sweeps.h"
+#include "removal/sweep/sorted_list.h"
 
 #include <algorithm>
 #include <bit>
@@ -146,16 +147,72 @@ void least_of_packs(const SweepColumns& c, std::span<const std::uint32_t> ids,
   }
 }
 
-// The line with the least bound at one of the points, asked first: few others can then be nearer to
-// any of them.
+// The sweep with the least bound at one of the points, asked first: few others can then be nearer
+// to any of them.
 void take_promising(const SweepColumns& c, std::span<const std::uint32_t> ids,
                     PointColumns& points) {
   constexpr std::size_t kWorth = 8;  // sweeps
-  if (!has_singles(c) || ids.size() < kWorth) return;
+  if (ids.size() < kWorth) return;
   const std::size_t middle = points.count / 2;
   const std::optional<std::uint32_t> best =
       least_bound(c, ids, {points.x[middle], points.y[middle], points.z[middle]});
   if (best) least_of(c, *best, points);
+}
+
+// Calls f with as much of a list as is asked together, until it returns false.
+template <class F>
+void in_chunks(std::size_t count, const F& f) {
+  for (std::size_t from = 0; from < count; from += kListChunk)
+    if (!f(from, std::min(count - from, kListChunk))) return;
+}
+
+// A list is asked until one is nearer than `enough`.
+class NearestOfList {
+ public:
+  NearestOfList(const SweepColumns& c, const Vec3& p, double enough, TurnTree::Nearest& best)
+      : c_(c), p_(p), enough_(enough), best_(best) {}
+
+  template <class Record>
+  void take(const FormKernels<Record>& kernels, const std::vector<Record>& records,
+            const FormPart& part) {
+    if (is_done()) return;
+    in_chunks(part.ids.size(), [&](std::size_t from, std::size_t n) {
+      kernels.list(records.data(), part.rows.data() + from, n, p_, distances_);
+      return take_nearest(std::span(part.ids).subspan(from, n));
+    });
+  }
+  void take(std::span<const std::uint32_t> ids) {
+    if (is_done()) return;
+    in_chunks(ids.size(), [&](std::size_t from, std::size_t n) {
+      sweep_distances(c_, ids.subspan(from, n), p_, distances_, best_.distance);
+      return take_nearest(ids.subspan(from, n));
+    });
+  }
+
+ private:
+  bool take_nearest(std::span<const std::uint32_t> ids) {
+    for (std::size_t k = 0; k < ids.size(); ++k) take_nearer(distances_[k], ids[k], best_);
+    return !is_done();
+  }
+  bool is_done() const { return best_.distance < enough_; }
+
+  const SweepColumns& c_;
+  Vec3 p_;
+  double enough_;
+  TurnTree::Nearest& best_;
+  double distances_[kListChunk];
+};
+
+const SortedList& sorted(const SweepColumns& c, std::span<const std::uint32_t> list) {
+  static thread_local SortedList last;
+  last.prepare(c, list);
+  return last;
+}
+
+// All are of one form, whose rows are their numbers.
+bool is_one_form(const SweepColumns& c) {
+  return c.uniform && (c.refs.front().kind == SweepKind::ball_line ||
+                       c.refs.front().kind == SweepKind::plane_line);
 }
 
 }  // namespace
@@ -208,21 +265,25 @@ std::vector<std::uint32_t> sweeps_meeting(const SweepColumns& c,
 SweepTable::Nearest nearest_sweep(const SweepColumns& c, std::span<const std::uint32_t> list,
                                   const Vec3& p, double enough) {
   const auto numbers = c.numbers_of(list);
-  std::span<const std::uint32_t> plain = c.sweeps_of(numbers);
+  const std::span<const std::uint32_t> plain = c.sweeps_of(numbers);
   TurnTree::Nearest best;
-  BoundedSweeps singles(c, p);
-  if (has_singles(c)) plain = singles.nearest(plain, enough, best);
-  double d[kListChunk];
-  for (; !plain.empty(); plain = plain.subspan(std::min(kListChunk, plain.size()))) {
-    if (best.distance < enough) break;
-    const auto some = plain.first(std::min(kListChunk, plain.size()));
-    sweep_distances(c, some, p, d, best.distance);
-    for (std::size_t k = 0; k < some.size(); ++k) take_nearer(d[k], some[k], best);
+  BoundedSweeps bounded(c, p);
+  NearestOfList nearest(c, p, enough, best);
+  if (is_one_form(c)) {
+    nearest.take(plain);
+  } else if (!plain.empty()) {
+    const SweepKernels& kernels = sweep_kernels();
+    const SortedList& by_form = sorted(c, plain);
+    bounded.nearest(by_form.bounded(), enough, best);
+    nearest.take(kernels.ball_line, c.ball_lines, by_form.ball_lines());
+    nearest.take(kernels.plane_line, c.plane_lines, by_form.level_lines());
+    nearest.take(kernels.plane_arc, c.plane_arcs, by_form.level_arcs());
+    nearest.take(by_form.others());
   }
   const double rho = std::sqrt(p.x * p.x + p.y * p.y);
   for (const std::uint32_t id : numbers.turned)
     c.turn_tree.nearest(id - static_cast<std::uint32_t>(c.refs.size()), rho, p.z, best);
-  return {best.distance, best.sweep, singles.place_on(best.sweep)};
+  return {best.distance, best.sweep, bounded.place_on(best.sweep)};
 }
 
 void sweep_distances(const SweepColumns& c, std::span<const std::uint32_t> ids, const Vec3& p,
@@ -264,28 +325,26 @@ void least_distances(const SweepColumns& c, std::span<const std::uint32_t> ids,
   if (c.uniform && c.refs.front().kind == SweepKind::plane_line)
     return kernels.plane_line.least(c.plane_lines.data(), ids.data(), ids.data(), ids.size(),
                                     points);
-  const auto run = [&](const auto& form, const auto& records, const ListPart& part) {
-    if (part.n == 0) return;
-    std::uint32_t some[kListChunk];
-    for (std::size_t k = 0; k < part.n; ++k) some[k] = ids[part.places[k]];
-    form.least(records.data(), part.rows, some, part.n, points);
+  const auto run = [&](const auto& form, const auto& records, const FormPart& part) {
+    in_chunks(part.ids.size(), [&](std::size_t from, std::size_t n) {
+      form.least(records.data(), part.rows.data() + from, part.ids.data() + from, n, points);
+      return true;
+    });
   };
   static thread_local std::vector<std::uint32_t> turns;
   turns.clear();
-  take_promising(c, ids, points);
-  for (; !ids.empty(); ids = ids.subspan(std::min(kListChunk, ids.size()))) {
-    Parts parts;
-    for (std::size_t k = 0; k < std::min(kListChunk, ids.size()); ++k) {
-      if (parts.add(c.tags[ids[k]], k)) continue;
-      if (c.refs[ids[k]].kind == SweepKind::turn)
-        turns.push_back(ids[k]);
-      else
-        least_of(c, ids[k], points);
-    }
-    run(kernels.ball_line, c.ball_lines, parts.forms[0]);
-    run(kernels.plane_line, c.plane_lines, parts.forms[1]);
-    run(kernels.plane_arc, c.plane_arcs, parts.forms[2]);
+  const SortedList& list = sorted(c, ids);
+  take_promising(c, list.bounded(), points);
+  for (const std::uint32_t id : list.bounded()) least_of(c, id, points);
+  for (const std::uint32_t id : list.others()) {
+    if (c.refs[id].kind == SweepKind::turn)
+      turns.push_back(id);
+    else
+      least_of(c, id, points);
   }
+  run(kernels.ball_line, c.ball_lines, list.ball_lines());
+  run(kernels.plane_line, c.plane_lines, list.level_lines());
+  run(kernels.plane_arc, c.plane_arcs, list.level_arcs());
   if (!turns.empty()) least_of_turns(c, turns, points);
 }
 
