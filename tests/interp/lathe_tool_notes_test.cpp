@@ -256,5 +256,22 @@ TEST(ToolNotes, WorkAboveTheTWordOfALathe) {
       << "no insert of 35 degrees cuts it";
 }
 
+// The nose in a line of its own was no nose: the insert was sharp.
+TEST(ToolNotes, NoseAndCornerOfAnInsertInLinesOfTheirOwn) {
+  const auto insert = [](const std::string& lines) {
+    InterpOptions options = at_origin(Dialect::fanuc, MachineKind::lathe);
+    options.table.tools.clear();
+    const Program p = read_text(lines + "T0101\nG0 X50. Z2.\nG1 Z-5. F.2\nX52.\nM30\n", options);
+    const std::string errors = codes(p, Severity::error);
+    return p.tools.empty() || !errors.empty()
+               ? errors
+               : fmt::format("{:g} {:g}", p.tools[0].nose_radius, degrees(p.tools[0].insert_angle));
+  };
+  EXPECT_EQ(insert("(T0101 TURNING TOOL)\n(TIP ANGLE: 55)\n(TIP RADIUS: 0.4)\n"), "0.4 55");
+  EXPECT_EQ(insert("(TOOL 1: CNMG 120408)\n(ANGLE: 93)\n"), "0.8 80");
+  EXPECT_EQ(insert("(TOOL 1: CNMG 120408)\n(ANGLE: 55)\n"), "tool-unknown");
+  EXPECT_EQ(insert("(TOOL 1: OD 80 DEG)\n(ANGLE: 35)\n"), "tool-unknown");
+}
+
 }  // namespace
 }  // namespace mrsim

@@ -386,5 +386,87 @@ TEST(ToolNotes, LinesBelowTheToolsNumber) {
   EXPECT_EQ(tool("(T1: SHANK D12)\n(CUTTER D10 R1)"), is(ToolType::endmill, 0, 0)) << "asks";
 }
 
+// The type, the diameter and the angles of the first tool; or the doubt.
+std::string first_tool(const std::string& text, Dialect dialect = Dialect::fanuc) {
+  InterpOptions options;
+  options.dialect = dialect;
+  options.machine = MachineKind::mill;
+  const Program p = read_text(text, options);
+  for (const Diagnostic& d : p.diagnostics)
+    if (d.code == "tool-unknown") return d.text;
+  if (p.tools.empty()) return "none";
+  const Tool& t = p.tools[0];
+  return fmt::format("{} {:g} tip {:g} taper {:g}", static_cast<int>(t.type), t.diameter,
+                     degrees(t.tip_angle), degrees(t.taper_angle));
+}
+
+std::string tool_like(ToolType type, double diameter, double tip, double taper) {
+  return fmt::format("{} {:g} tip {:g} taper {:g}", static_cast<int>(type), diameter, tip, taper);
+}
+
+// A line with an angle alone was ignored: the tool was upright, a drill had 118 degrees.
+TEST(ToolNotes, AnAngleInALineOfItsOwn) {
+  const std::string cut = kCut, call = "T1 M6\n" + cut;
+  using enum ToolType;
+  EXPECT_EQ(first_tool("(T1 DRILL D8)\n(TIP ANGLE: 140)\n" + call), tool_like(drill, 8, 140, 0));
+  EXPECT_EQ(first_tool("(TIP ANGLE: 140)\n(8MM DRILL)\n" + call), tool_like(drill, 8, 140, 0));
+  EXPECT_EQ(first_tool("(T1 V-BIT D6)\n(ANGLE: 60)\n" + call), tool_like(chamfer, 6, 60, 0));
+  EXPECT_EQ(first_tool("(TAPER MILL)\n(DIAMETER: 6.)\n(TAPER ANGLE: 5.)\n" + call),
+            tool_like(taper, 6, 0, 5));
+  EXPECT_EQ(first_tool("(T1 EM 6MM)\n(TAPER ANGLE: 0)\n" + call), tool_like(endmill, 6, 0, 0));
+  EXPECT_NE(first_tool("(EM 6MM)\n(TAPER: 2)\n" + call).find("tapered mill"), std::string::npos);
+  EXPECT_NE(first_tool("T1 M6 (EM 6MM)\n(TAPER: 2)\n" + cut).find("tapered mill"),
+            std::string::npos);
+  EXPECT_NE(first_tool("G21\n(6mm endmill)\n(TAPER: 2)\n" + cut, Dialect::ngc).find("tapered"),
+            std::string::npos);
+  EXPECT_EQ(first_tool("(T1 EM 6MM)\n(HELIX ANGLE: 30)\n" + call), tool_like(endmill, 6, 0, 0));
+}
+
+// Of a tool whose kind the list leaves open, the comment at the call tells it.
+TEST(ToolNotes, AKindAtTheCall) {
+  const std::string cut = kCut, head = "(T1 D6.)\nG90\n";
+  using enum ToolType;
+  EXPECT_EQ(first_tool(head + "(DRILL 118)\nT1 M6\n" + cut), tool_like(drill, 6, 118, 0));
+  EXPECT_EQ(first_tool(head + "T1 M6 (DRILL 118)\n" + cut), tool_like(drill, 6, 118, 0));
+  EXPECT_EQ(first_tool(head + "T1 M6\n(DRILL 118)\n" + cut), tool_like(drill, 6, 118, 0));
+  EXPECT_EQ(first_tool(head + "(BALL MILL)\nT1 M6\n" + cut), tool_like(ballmill, 6, 0, 0));
+  EXPECT_NE(first_tool(head + "(BALL MILL D8)\nT1 M6\n" + cut).find("diameter 6 or 8"),
+            std::string::npos);
+  EXPECT_NE(first_tool("(T1 6MM EM)\nG90\n(BALL MILL 6MM)\nT1 M6\n" + cut).find("different"),
+            std::string::npos);
+  EXPECT_EQ(first_tool("(T1 6MM EM)\nG90\n(DRILL 4 HOLES)\nT1 M6\n" + cut),
+            tool_like(endmill, 6, 0, 0));
+  EXPECT_EQ(first_tool("(T1 SPOT 90 DIA 12)\nT1 M6\n" + cut), tool_like(drill, 12, 90, 0));
+}
+
+TEST(ToolNotes, SizesInALineOfTheirOwn) {
+  const std::string cut = kCut, call = "T1 M6\n" + cut;
+  const std::string bull = tool_like(ToolType::bullmill, 10, 0, 0);
+  for (const char* const line : {"D10. R1.", "D=10. R=1.", "DIA: 10. CORNER RADIUS: 1.",
+                                 "DIAM 10 R 1", "TOOL DIA. 10.0, R 1.0"}) {
+    const std::string lines = fmt::format("(BULL NOSE MILL)\n({})\n", line);
+    EXPECT_EQ(first_tool(lines + call), bull) << line;
+    EXPECT_EQ(first_tool("T1 M6\n" + lines + cut), bull) << line;
+  }
+  EXPECT_NE(first_tool("(BULL NOSE MILL)\n(D1 R1)\n" + call).find("no diameter"),
+            std::string::npos);
+}
+
+// What F-Engrave writes of its V-bit.
+TEST(ToolNotes, SettingsOfFEngrave) {
+  const auto settings = [](const char* cut, const char* bit) {
+    return fmt::format(
+        "(fengrave_set cut_type    {} )\n(fengrave_set bit_shape   {} )\n"
+        "(fengrave_set v_bit_angle 60 )\n(fengrave_set v_bit_dia   12.0 )\nG21\n{}",
+        cut, bit, kCut);
+  };
+  EXPECT_EQ(first_tool(settings("v-carve", "VBIT"), Dialect::ngc),
+            tool_like(ToolType::chamfer, 12, 60, 0));
+  EXPECT_NE(first_tool(settings("engrave", "VBIT"), Dialect::ngc).find("F-Engrave"),
+            std::string::npos);
+  EXPECT_NE(first_tool(settings("v-carve", "BALL"), Dialect::ngc).find("F-Engrave"),
+            std::string::npos);
+}
+
 }  // namespace
 }  // namespace mrsim

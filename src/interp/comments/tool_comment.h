@@ -65,6 +65,9 @@ struct ToolHint {
   bool bare_id = false;        ///< "TOOL NUMBER: 5" and nothing else
   bool bare_kind = false;      ///< nothing but the kind's name: "BAR STOP"
   bool diameter_line = false;  ///< "DIAMETER: 8.0" and nothing else
+  bool angle_line = false;     ///< "TAPER ANGLE: 5.", "ANGLE: 60" and nothing else
+  bool size_line = false;      ///< "D10. R1." and nothing else
+  bool settings = false;       ///< of the program that wrote it all
   std::string doubt;  ///< why no tool can be made of it, after "the comment ... "; empty: it can
   std::string text;   ///< the comment, UTF-8, for the report
   explicit operator bool() const { return type || diameter > 0 || !doubt.empty(); }
@@ -74,6 +77,8 @@ struct ToolHint {
   bool only_corner() const { return !type && diameter == 0 && id.empty() && corner; }
   /// It adds a diameter to them.
   bool only_diameter() const { return diameter_line && !type && id.empty(); }
+  /// It adds an angle, which means what the kind of tool says.
+  bool only_angle() const { return angle_line; }
 };
 
 /// Its size is one of the trade in inches: "1/2 END MILL", "CNMG-432".

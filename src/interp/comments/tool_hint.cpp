@@ -4,6 +4,7 @@
 #include "core/trig.h"
 #include "core/units.h"
 #include "interp/comments/form_outline.h"
+#include "interp/comments/insert_code.h"
 
 #include <algorithm>
 #include <cmath>
@@ -239,7 +240,9 @@ void fill_turning(const ToolHint& hint, double unit, Tool& out) {
   out.left_hand = hint.left_hand;
   if (hint.inside && out.type == ToolType::threading) out.tip = 6;
   if (out.type == ToolType::grooving) out.tip = blade_tip(hint);
-  out.nose_radius = hint.nose ? in_mm(hint.nose, unit) : 0;
+  ToolLength round = hint.nose ? hint.nose : hint.corner;  // "TIP RADIUS: 0.4" in its own line
+  if (round.unit == 0 && out.insert != "R") round.unit = usual_nose_unit(round.value);
+  out.nose_radius = round ? in_mm(round, unit) : 0;
   out.width = hint.width ? in_mm(hint.width, unit) : 0;
   if (out.insert == "R" && out.edge_length == 0) out.edge_length = 2 * out.nose_radius;
   complete_turning_tool(out);
@@ -292,62 +295,7 @@ std::string doubt_of_turning(const ToolHint& hint, double unit, const Tool& out)
   return out.type == ToolType::grooving ? doubt_of_blade(hint, unit, out) : "";
 }
 
-void merge_kind(ToolHint& into, const ToolHint& more) {
-  const bool plain = into.type == ToolType::endmill;  // "CR=2" makes a bull-nose mill of it
-  // "TOOL NAME: MILL_D10", "DESCRIPTION: MILLING TOOL-BALL MILL".
-  const bool kind_of_it = plain && !into.firm && more.type && more.firm && more.names_tool &&
-                          more.diameters.empty() && !is_turning(*more.type);
-  if (kind_of_it) into.trade = more.trade;
-  if (!into.type || kind_of_it || (plain && more.type == ToolType::bullmill)) {
-    into.type = more.type;
-  } else if (more.type && *more.type != *into.type && into.doubt.empty() &&
-             !more.diameters.empty() && !into.diameters.empty() &&
-             !(*into.type == ToolType::bullmill && *more.type == ToolType::endmill)) {
-    into.doubt = "name different kinds of tool";
-  }
-}
-
 }  // namespace
-
-void merge_hint(ToolHint& into, const ToolHint& more) {
-  if (into.id.empty()) {
-    into.id = more.id;
-    into.id_digits = more.id_digits;
-  }
-  into.names_tool |= more.names_tool;
-  merge_kind(into, more);
-  into.bare_size = into.diameters.empty() ? more.bare_size : into.bare_size && more.bare_size;
-  into.diameters.insert(into.diameters.end(), more.diameters.begin(), more.diameters.end());
-  if (into.diameter == 0) into.diameter = more.diameter;
-  if (!into.corner) into.corner = more.corner;
-  if (!into.nose) into.nose = more.nose;
-  if (!into.width) into.width = more.width;
-  if (!into.tip) into.tip = more.tip;
-  if (!into.flute_length) into.flute_length = more.flute_length;
-  if (into.taper_angle == 0) into.taper_angle = more.taper_angle;
-  if (more.tip_angle > 0 && (into.tip_angle == 0 || into.assumed_angle)) {
-    into.tip_angle = more.tip_angle;
-    into.assumed_angle = more.assumed_angle;
-  }
-  const bool inserts = !into.insert.empty() && !more.insert.empty();
-  if (inserts && into.insert_angle != more.insert_angle && into.doubt.empty())
-    into.doubt = "name different inserts";
-  if (into.insert.empty()) into.insert = more.insert;
-  if (into.insert_angle == 0) into.insert_angle = more.insert_angle;
-  if (into.lead_angle == 0) into.lead_angle = more.lead_angle;
-  if (into.edge_length == 0) into.edge_length = more.edge_length;
-  into.left_hand |= more.left_hand;
-  into.rivals |= more.rivals || (into.trade && more.trade && *into.trade != *more.trade);
-  into.inside |= more.inside;
-  into.bores |= more.bores;
-  into.face_groove |= more.face_groove;
-  if (into.orientation == 0) into.orientation = more.orientation;
-  if (into.blade_point == BladePoint::untold) into.blade_point = more.blade_point;
-  if (!into.trade) into.trade = more.trade;
-  if (into.gauge.empty()) into.gauge = more.gauge;
-  if (into.doubt.empty()) into.doubt = more.doubt;
-  if (into.text.size() < 400) into.text += "\", \"" + more.text;
-}
 
 bool fill_tool(const ToolHint& hint, double unit, bool lathe, Tool& out, std::string& why) {
   out.type = hint.type.value_or(ToolType::endmill);

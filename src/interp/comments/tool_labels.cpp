@@ -67,6 +67,9 @@ class LabelReader {
   bool has_corner() const;
   void read_label(const Label& label);
   void read_diameter(const Label& label);
+  bool is_angle(std::size_t number) const {  // a usual one of the kind
+    return !facts_.kinds.empty() && is_usual_angle(facts_.kinds.front().trade, view_[number].value);
+  }
   void read_register(const Label& label);
   void read_corner(const Label& label);
   void keep(WordRole role, std::size_t number);
@@ -196,9 +199,7 @@ void LabelReader::read_label(const Label& label) {
   if (label.role == WordRole::count && !view_.whole(number)) return;  // "1/4 HOLES"
   if (label.role == WordRole::angle && view_[number].value < kLeastAngle) return;
   const bool letter = view_.is(label.first, "A");  // "SPOT DRILL D10 A90"; a rotary axis, or A36
-  if (letter &&
-      (facts_.kinds.empty() || !is_usual_angle(facts_.kinds.front().trade, view_[number].value)))
-    return;
+  if (letter && !is_angle(number)) return;
   keep(label.role, number);
   take(label, number);
   if (label.role != WordRole::other && label.role != WordRole::work) return;
@@ -288,8 +289,10 @@ void LabelReader::read_diameter(const Label& label) {
     const ToolKind& kind = facts_.kinds.front();
     facts_.names_tool |= i > 0 && kind.firm && kind.first == 0 && kind.end == i;
   }
-  const std::size_t behind = number_behind(label), before = number_before(label);
+  std::size_t behind = number_behind(label), before = number_before(label);
   const bool sign = behind != kNone && behind > label.end;
+  if (before != kNone && behind != kNone && !sign && is_angle(before) != is_angle(behind))
+    (is_angle(before) ? before : behind) = kNone;  // "SPOT 90 DIA 12"
   if (behind != kNone && view_[behind].value > 0) {
     facts_.named.push_back(view_.length(behind));
     take(label, behind);

@@ -108,11 +108,37 @@ bool read_number_and_size(std::string_view text, ToolHint& hint) {
   return true;
 }
 
+// F-Engrave's settings, of which those of its V-bit count where it carves.
+bool read_fengrave(std::string_view text, ToolHint& hint) {
+  const std::size_t mark = text.find("FENGRAVE_SET ");
+  if (mark == text.npos) return false;
+  std::string_view value = text.substr(mark + 13);
+  value.remove_prefix(std::min(value.size(), value.find_first_not_of(' ')));
+  const std::string_view key = value.substr(0, value.find(' '));
+  value.remove_prefix(key.size());
+  value.remove_prefix(std::min(value.size(), value.find_first_not_of(' ')));
+  while (value.ends_with(' ')) value.remove_suffix(1);
+  if (key == "V_BIT_ANGLE") {
+    hint.angle_line = true;
+    hint.tip_angle = radians(std::clamp(length_of(value).value, 0.0, 179.0));
+  } else if (key == "V_BIT_DIA") {
+    hint.names_tool = true;
+    hint.type = ToolType::chamfer;
+    hint.trade = ToolTrade::vee;
+    hint.doubt = "gives no angle";
+    set_diameter(hint, length_of(value));
+  } else if ((key == "BIT_SHAPE" && value != "VBIT") || (key == "CUT_TYPE" && value == "ENGRAVE")) {
+    hint.names_tool = hint.settings = true;
+    hint.doubt = "is of F-Engrave, whose settings tell the tool where a V-bit carves alone";
+  }
+  return true;
+}
+
 }  // namespace
 
 bool read_listed_tool(std::string_view folded, ToolHint& hint) {
   return read_key_values(folded, hint) || read_apt(folded, hint) ||
-         read_number_and_size(folded, hint);
+         read_number_and_size(folded, hint) || read_fengrave(folded, hint);
 }
 
 }  // namespace mrsim

@@ -33,6 +33,9 @@ class Settler {
     hint_.bare_id = facts_.bare_id;
     hint_.bare_kind = facts_.bare_kind;
     hint_.diameter_line = facts_.diameter_line;
+    hint_.angle_line = facts_.angle_line;
+    hint_.size_line = facts_.size_line;
+    if (hint_.angle_line) return;
     if (facts_.several_ids) doubt("names several tools");
     if (!facts_.split_size.empty()) doubt(fmt::format("can be read as size {}", facts_.split_size));
     if (facts_.alternatives && facts_.kind()) doubt("names two sizes");
@@ -92,8 +95,9 @@ bool Settler::has_usual_corner() const {
 
 void Settler::settle_type() {
   const bool threaded = trade_is(ToolTrade::tap) && facts_.thread;
+  const bool point = trade_is(ToolTrade::twist_drill) && !angles_.empty();  // "DRILL 118"
   const bool data =
-      !hint_.diameters.empty() || hint_.width || hint_.nose || hint_.corner || threaded;
+      !hint_.diameters.empty() || hint_.width || hint_.nose || hint_.corner || threaded || point;
   const ToolKind* k = kind();
   const bool disc_data = hint_.width && !hint_.diameters.empty();
   const bool by_data =
@@ -341,7 +345,8 @@ void Settler::settle_angle() {
   for (const double other : angles_)
     if (other != angle)
       doubt(fmt::format("can be read as an angle of {:g} or {:g} degrees", angle, other));
-  if (!angles_.empty() && facts_.angles.empty() && hint_.diameters.empty())
+  if (!angles_.empty() && facts_.angles.empty() && hint_.diameters.empty() &&
+      !trade_is(twist_drill))
     doubt(fmt::format("can be read as diameter {0:g} or as {0:g} degrees", angle));
 }
 

@@ -30,6 +30,41 @@ bool is_diameter_line(const CommentView& view) {
   return view.has(i) && view[i].is_number() && i + 1 == view.size();
 }
 
+// "TAPER: 2", "TAPER ANGLE: 5.", "TOOL TIP ANGLE = 118", "ANGLE: 60 DEG" and nothing else.
+bool is_angle_line(const CommentView& view) {
+  std::size_t i = view.is_one(0, {"TOOL", "CUTTER"}) ? 1 : 0;
+  bool named = false;
+  for (; view.word(i); ++i) {
+    const WordRole role = comment_word(view[i].text).role;
+    named |= role == WordRole::angle || role == WordRole::taper;
+    if (view[i].text.size() < 2 || !(named || role == WordRole::tip)) return false;
+    if (role != WordRole::angle && role != WordRole::taper && role != WordRole::tip) return false;
+  }
+  if (!named) return false;
+  i = view.behind(i - 1);
+  return view.has(i) && view[i].is_number() && view[i].value > 0 && i + 1 == view.size();
+}
+
+// "D10. R1.", "DIA: 10. CORNER RADIUS: 1." and nothing else; "D1 R1" may be registers.
+bool is_size_line(const CommentView& view) {
+  bool diameter = false, sure = false;
+  for (std::size_t i = 0; i < view.size(); ++i) {
+    if (view[i].is_number()) {
+      sure |= view[i].decimals;
+      continue;
+    }
+    const WordRole role = view.word(i) ? comment_word(view[i].text).role : WordRole::none;
+    const bool letter = view.is(i, "D"), named = role == WordRole::diameter;
+    const bool radius =
+        role == WordRole::radius || role == WordRole::radius_letter || role == WordRole::corner;
+    diameter |= letter || named;
+    sure |= named;
+    if (!(letter || named || radius || view.is_one(i, {"TOOL", "CUTTER", ":", "=", ",", "-"})))
+      return false;
+  }
+  return diameter && sure;
+}
+
 // "T", "NO.", "NUMBER": words beside a tool's number.
 bool is_word_of_id(const CommentView& view, std::size_t i) {
   return is_word_for_tool(view, i) || view.is_one(i, {"T", "NO", "NR", "NUMBER", "NUMMER", "ID"});
@@ -58,6 +93,8 @@ bool tells_shape(const CommentView& view, std::size_t i) {
 void read_whole_comment(const CommentView& view, ToolFacts& facts) {
   facts.corner_line = is_corner_line(view);
   facts.diameter_line = is_diameter_line(view);
+  facts.angle_line = is_angle_line(view);
+  facts.size_line = is_size_line(view);
   facts.bare_id = !facts.id.empty();
   facts.bare_kind = facts.kind() != nullptr;
   for (std::size_t i = 0; i < view.size(); ++i) {

@@ -91,10 +91,13 @@ void ToolNotes::comment(std::string_view bytes, const std::string& called, bool 
     not_understood_.try_emplace(id, hint.text);
   if (!called.empty()) {
     if (lathe_ && !hint) name_by_operation(hint);
-    if (hint) add(called, hint);
+    if (hint || (hint.only_angle() && find(called))) add(called, hint);
     return;
   }
-  if (!alone) return;
+  if (alone) stands_alone(std::move(hint), heads);
+}
+
+void ToolNotes::stands_alone(ToolHint hint, bool heads) {
   // "USES BAR PULLER" is no name of a tool: its moves would not be swept.
   if (lathe_ && hint.trade == ToolTrade::no_cutter && hint.id.empty() && !hint.bare_kind) return;
   // Behind the first cut it is no list of what the program does.
@@ -106,10 +109,16 @@ void ToolNotes::comment(std::string_view bytes, const std::string& called, bool 
     add_size(hint);
     return;
   }
-  if (!(hint || !hint.id.empty())) return;
+  if (adds_details(hint) && add_size(hint)) return;
+  if (!(hint || !hint.id.empty() || hint.only_angle())) return;
+  if (!run_.empty() && run_.back().only_angle() && !hint.only_angle()) {
+    merge_hint(hint, run_.back());
+    run_.pop_back();
+  }
   const bool is_tool = hint.names_tool || (hint.type && lists_) || is_tool_with_size(hint);
-  if (hint.id.empty() && is_tool && hint.diameter > 0) add_nameless(hint);
-  if (hint.id.empty() && blocks_since_change_ == 0 && find(current_) == nullptr)
+  if (hint.id.empty() && is_tool && (hint.diameter > 0 || hint.settings)) add_nameless(hint);
+  if (hint.id.empty() && blocks_since_change_ == 0 &&
+      (find(current_) == nullptr || tells_more(current_, hint)))
     return add(current_, hint);
   if (hint.id.empty()) add_unnumbered(hint);
   if (hint.id.empty() && !cuts_ && named_.size() < kLongestList) named_.push_back(hint);
@@ -147,8 +156,17 @@ void ToolNotes::add_unnumbered(const ToolHint& hint) {
   if (!(hint.firm || hint.names_tool) || !(hint.diameter > 0)) return;
   const bool is_ready = !called_.empty() && (current_.empty() || cuts_since_change_);
   if (is_ready && find(called_) == nullptr) return add(called_, hint);
-  if (hint.firm && !current_.empty() && !cuts_since_change_ && find(current_) == nullptr)
+  const ToolHint* const known = find(current_);
+  if (hint.firm && !current_.empty() && !cuts_since_change_ &&
+      (known == nullptr || (!known->type && called_.empty())))
     add(current_, hint);
+}
+
+// "(T1 D6.)" at the head and "(DRILL 118)", "(BALL MILL D8)" at the call: the kind counts, and
+// what contradicts is asked about.
+bool ToolNotes::tells_more(const std::string& id, const ToolHint& hint) const {
+  const ToolHint* const known = find(id);
+  return known && hint.id.empty() && hint.type && (hint.firm || !known->type);
 }
 
 // "T0303 (GROOVE 3MM)", "T0404 (OD THREAD)", "T0505 (FINISH BORE)", "T0101 (OD ROUGH R0.8)": on a
@@ -172,6 +190,13 @@ bool ToolNotes::tells_kind(const ToolHint& hint) const {
          hint.diameters.empty() && (hint.firm || hint.bare_kind);
 }
 
+// "TAPER ANGLE: 5.", "D10. R1." below a kind without its size.
+bool ToolNotes::adds_details(const ToolHint& hint) const {
+  if (hint.only_angle() || (hint.size_line && !hint)) return true;
+  const ToolHint* const open = open_id().empty() ? nullptr : find(open_id());
+  return hint.size_line && open && open->type && open->diameters.empty();
+}
+
 // "DIAMETER: 10.0", "CORNER RADIUS: 1.0": they count beside other comments about the tool only.
 bool ToolNotes::add_size(const ToolHint& hint) {
   if (const std::string& id = open_id(); !id.empty()) {
@@ -179,6 +204,7 @@ bool ToolNotes::add_size(const ToolHint& hint) {
     return true;
   }
   if (run_.empty()) return false;
+  if (nameless_.text == run_.back().text) merge_hint(nameless_, hint);
   if (!named_.empty() && named_.back().text == run_.back().text) merge_hint(named_.back(), hint);
   merge_hint(run_.back(), hint);
   return true;
@@ -211,7 +237,8 @@ void ToolNotes::call(const std::string& id) {
   const bool other = !group_.id.empty() && group_.id != id;
   const bool listed = !other && add_by_name(id);
   if (lathe_) add_no_cutter(id);
-  if (group_ && !listed && (other || find(id) == nullptr)) add(other ? group_.id : id, group_);
+  if (group_ && !listed && (other || find(id) == nullptr || tells_more(id, group_)))
+    add(other ? group_.id : id, group_);
   group_ = {};
   called_ = id;
 }

@@ -55,9 +55,12 @@ class ToolNotes {
 
  private:
   void add(const std::string& id, const ToolHint& hint);
+  void stands_alone(ToolHint hint, bool heads);
   static void name_by_operation(ToolHint& hint);
   const std::string& open_id() const;
   bool tells_kind(const ToolHint& hint) const;
+  bool tells_more(const std::string& id, const ToolHint& hint) const;
+  bool adds_details(const ToolHint& hint) const;
   bool add_size(const ToolHint& hint);
   void add_no_cutter(const std::string& id);
   bool add_by_name(const std::string& id);
