@@ -98,5 +98,17 @@ TEST(FanucVariables, CountersAndOutputsKeepWhatIsSet) {
   EXPECT_EQ(path("IF[#3902 GT 5] GOTO 9\nN9 G1 X1. F100\n").substr(0, 18), " | variable-number");
 }
 
+// Loops that make a tool longer cut deeper on the machine, and cut all at one depth here.
+TEST(FanucRegisters, ALengthThatChangesBetweenCuts) {
+  const auto run_lengths = [](const std::string& first, const std::string& second) {
+    const std::string cut = "G43 H1 G0 Z9.\nG1 Z0 F9.\nG0 Z9.\n";
+    return codes(read_text(first + cut + second + cut, at_origin(Dialect::fanuc)));
+  };
+  EXPECT_EQ(run_lengths("G10 L11 P1 R0\n", "G10 L11 P1 R-1.\n"), "not-supported");
+  EXPECT_EQ(run_lengths("", "G91 G10 L11 P1 R-1.\nG90\n"), "not-supported");
+  EXPECT_EQ(run_lengths("G10 L10 P1 R0\nG10 L10 P1 R80.\n", "G10 L10 P1 R80.\n"), "");
+  EXPECT_EQ(run_lengths("G10 L10 P1 R90.\n", "G10 L10 P2 R80.\n"), "");
+}
+
 }  // namespace
 }  // namespace mrsim

@@ -115,5 +115,17 @@ TEST(HaasCycles, PocketOfAContour) {
       "r10,10,0 r10,10,1 | pocket-contour");
 }
 
+// Beside Q of G73 Haas' K is the depth after which the tool comes out to R; it was 3 repeats.
+TEST(HaasCycles, DepthBetweenWaysOutOfG73) {
+  const std::string start = "G0 Z10.\nG73 G98 Z-6. R2. Q2. ";
+  EXPECT_EQ(haas_path(start + "K4. F9.\nG80\n"),
+            "r0,0,10 r0,0,2 l0,0,0 r0,0,0.254 l0,0,-2 r0,0,2 r0,0,-1.746 l0,0,-4 r0,0,-3.746 "
+            "l0,0,-6 r0,0,10");
+  EXPECT_EQ(haas_path("G91 " + start.substr(0, start.find("Z-6")) + "X5. Z-4. R-8. Q9. K3.5 F9.\n"),
+            "r0,0,10 r5,0,10 r5,0,2 l5,0,-2 r5,0,10");
+  EXPECT_EQ(haas_path(start + "K2 F9. X5.\nG80\n"), haas_path(start + "F9. X5.\nX5.\nG80\n"))
+      << "FANUC's repeats have no point";
+}
+
 }  // namespace
 }  // namespace mrsim

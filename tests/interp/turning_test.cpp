@@ -368,5 +368,33 @@ TEST(Turning, AContourMayStandInAnotherProgram) {
             "jump-target");
 }
 
+// In code system C G73 roughs along Z, and U and R are its depth and its way out.
+TEST(Turning, TheRepeatsOfG73AreAWholeNumber) {
+  const auto run = [](const std::string& line) {
+    return codes(read_text(
+        "G0 X40. Z5.\n" + line + "\nG73 P1 Q2 F.3\nN1 G0 X20. Z1.\nG1 Z-10. F.1\nN2 X30.\n",
+        at_origin(Dialect::fanuc, MachineKind::lathe)));
+  };
+  EXPECT_EQ(run("G73 U3. W1. R2"), "");
+  EXPECT_EQ(run("G73 U3. W1. R.002"), "");
+  EXPECT_EQ(run("G73 U2. R1."), "code-system");
+  EXPECT_EQ(run("G73 U2. R.5").substr(0, 11), "value-range");
+}
+
+// Cycles of other controls are refused with their names.
+TEST(Turning, CyclesOfOtherLathes) {
+  const auto why = [](const std::string& line) {
+    const Program p = read_text("G0 X40. Z5.\n" + line + "\nG1 X30. F.1\n",
+                                at_origin(Dialect::fanuc, MachineKind::lathe));
+    for (const Diagnostic& d : p.diagnostics)
+      if (d.severity == Severity::error) return d.text;
+    return std::string();
+  };
+  EXPECT_NE(why("G271 P1 Q2 U.5").find("write G71"), std::string::npos);
+  EXPECT_NE(why("G290 X30. Z-10.").find("write G90"), std::string::npos);
+  EXPECT_NE(why("G77 I0 J15. L4 R8.").find("flats"), std::string::npos);
+  EXPECT_NE(why("G247 X30.").find("SINUMERIK"), std::string::npos);
+}
+
 }  // namespace
 }  // namespace mrsim

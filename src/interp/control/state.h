@@ -24,6 +24,7 @@ struct DrillCycle {
   CycleLevel safe, bottom;                ///< R and Z
   double peck = 0;                        ///< Q, mm
   double first = 0, less = 0, least = 0;  ///< Haas: strokes by I J K, mm
+  double out_every = 0;                   ///< Haas: depth between the ways out of G73, mm
   double initial = 0;                     ///< level along the plane's normal before the first cycle
   bool begun = false;                     ///< `initial` counts
   bool dwells = false;                    ///< P was given

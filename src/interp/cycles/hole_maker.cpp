@@ -1,5 +1,7 @@
 #include "interp/cycles/hole_maker.h"
 
+#include "core/rounding.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -34,12 +36,16 @@ void HoleMaker::move_to(double level, const Word& where) {
 
 // The strokes before the last. The level of the deepest.
 double HoleMaker::strokes(const Hole& hole, double down) {
+  double cleared = hole.safe;
   for (const double stroke : hole.strokes) {
+    const bool full =
+        hole.out_every > 0 && std::abs(stroke - cleared) >= hole.out_every - kRounding;
+    if (full) cleared = stroke;
     to_level(stroke, kLine, hole.lead, hole.feed);
     moves_.dwell(hole.dwell_stroke);
     if (hole.lead != 0) {
       to_level(hole.safe, kLine, hole.lead, hole.feed);
-    } else if (hole.chips_out) {
+    } else if (hole.chips_out || full) {
       to_level(hole.safe, kRapid, 0, 0);
       moves_.dwell(hole.dwell_safe);
       const double back = stroke - down * hole.clearance;

@@ -22,6 +22,7 @@ struct Hole {
   double end = 0;               ///< level after the hole
   std::vector<double> strokes;  ///< levels of the strokes before the last
   bool chips_out = true;        ///< a stroke ends at `safe`; else its chip is broken
+  double out_every = 0;         ///< or at `safe` after so much depth, mm; 0: never
   double clearance = kPeckClearance;
   bool feed_out = false;           ///< back to `safe` with the feed
   bool feed_to_end = false;        ///< ... and on to `end`

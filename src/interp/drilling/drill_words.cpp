@@ -123,7 +123,7 @@ bool DrillWords::repeats(long& count) {
   const bool pitched = modal_.drill.pitched;  // their I is the lead, L a speed
   const Word* word = pitched ? nullptr : take('L');
   if (!is(Dialect::ngc) && (!peek('I') || pitched) && !modal_.drill.fagor)
-    if (const Word* k = take('K')) word = k;
+    if (const Word* k = take('K'); k && !(modal_.drill.out_every > 0 && k->point)) word = k;
   if (!word) return true;
   const double least = is(Dialect::ngc) ? 1 : 0;
   if (word->value < least || word->value != std::floor(word->value) || word->value > kMostRepeats)

@@ -20,12 +20,27 @@ bool PeckWords::read(const Word& q) {
     return error("value-range", "Q, the depth of a stroke, must be above 0", q);
   modal_.drill.peck = std::abs(q.value) * length_unit(q);
   modal_.drill.first = 0;
+  read_haas_depth();
   if (q.point || std::abs(q.value) < kLongPeck || !is(Dialect::fanuc) || options_.least_increments)
     return true;
   modal_.drill.peck *= modal_.least_increment();
   note_once("number-without-point",
             fmt::format("{} without a decimal point counts least increments", text_of(q)), q, "Q");
   return true;
+}
+
+// Haas: beside Q of G73 the tool comes out to R whenever it is K deeper. FANUC's K is how often the
+// block is run, and has no point.
+void PeckWords::read_haas_depth() {
+  const Word* k = peek('K');
+  if (modal_.drill.number != 73 || !is(Dialect::fanuc) || !k || !k->point) return;
+  take('K');
+  modal_.drill.out_every = std::abs(k->value) * length_unit(*k);
+  note_once("cycle-level",
+            fmt::format("{} beside G73 and Q is read as Haas', the depth between the ways out to "
+                        "R: repeats (FANUC's K) are written without a point",
+                        text_of(*k)),
+            *k, "G73 K");
 }
 
 bool PeckWords::fill(Hole& hole, bool haas_words) {
@@ -36,6 +51,7 @@ bool PeckWords::fill(Hole& hole, bool haas_words) {
   else if (haas_words && !modal_.drill.fagor && peek('I'))
     read_haas_strokes();
   if (modal_.drill.first != 0) return haas_pecks(hole);
+  hole.out_every = modal_.drill.out_every;
   const double q = modal_.drill.peck;
   const Word& where = block_.motion_code ? *block_.motion_code : block_.words.front();
   if (q <= 0) {

@@ -1,5 +1,7 @@
 #include "interp/frames/offset_words.h"
 
+#include "core/rounding.h"
+
 #include <cmath>
 
 #include <fmt/format.h>
@@ -175,11 +177,28 @@ bool OffsetWords::tool_register(int l, int p, const Word& where) {
   if (z || !radius)
     note_once("tool-length", "positions are read as those of the tool's tip, whatever its length",
               where, "length");
-  if (!radius) return true;
+  if (!radius) return is(Dialect::ngc) || set_length(l, p, where);
   const std::string name = fmt::format("D{}", p);
   double& value = l == 13 ? control_.change_wear(name) : control_.change_register(name).radius;
   const double mm = r->value * length_unit(*r);
   value = modal_.incremental && !is(Dialect::ngc) ? value + mm : mm;
+  return true;
+}
+
+// Lengths have no effect here. One that changes between cuts is to make the next cut deeper.
+bool OffsetWords::set_length(int l, int p, const Word& where) {
+  const Word& r = *peek('R');
+  const auto [at, fresh] = control_.set_lengths.try_emplace(fmt::format("H{} L{}", p, l));
+  const double mm = r.value * length_unit(r);
+  const double value = modal_.incremental ? at->second.value + mm : mm;
+  const bool changes = std::abs(value - at->second.value) > kRounding;
+  if (changes && (modal_.incremental || !fresh) && control_.cuts > at->second.cuts)
+    return error("not-supported",
+                 fmt::format("G10 L{} changes H{} behind a cut, and positions are read as those of "
+                             "the tool's tip: write the depth into Z, or shift the zero by G52 Z",
+                             l, p),
+                 where);
+  at->second = {value, control_.cuts};
   return true;
 }
 

@@ -21,6 +21,7 @@ class OffsetWords : public ControlPart {
   void meet_unknown(const Frame& frame);
   bool tool_life(const Word& where);
   bool parameters(const Word& where);
+  bool set_length(int l, int p, const Word& where);
   bool tool_register(int l, int p, const Word& where);
   std::string work_name(int l, int p) const;
 

@@ -186,8 +186,8 @@ bool MotionEmitter::may_stand_below() const {
 void MotionEmitter::note_zero() {
   double height = frames_.work.z + frames_.position_shift.z;
   if (lathe() && frames_.program.plain) height += frames_.program.shift.z + frames_.local.z;
-  program_.zero_height = cuts_ == 0 ? height : std::max(program_.zero_height, height);
-  ++cuts_;
+  program_.zero_height = control_.cuts == 0 ? height : std::max(program_.zero_height, height);
+  ++control_.cuts;
 }
 
 // Cuts from an unknown place are not swept. One alone is the way to the first point.

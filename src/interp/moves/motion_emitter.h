@@ -37,7 +37,7 @@ class MotionEmitter : public ControlPart {
   void capture(std::vector<Motion>* contour);
   bool captures() const { return captured_ != nullptr; }
   /// Lines and arcs given on.
-  std::size_t cuts() const { return cuts_; }
+  std::size_t cuts() const { return control_.cuts; }
   /// The largest coordinate at which one of them ends, mm.
   double farthest_cut() const { return farthest_cut_; }
 
@@ -73,7 +73,6 @@ class MotionEmitter : public ControlPart {
   bool idle_ = true;
   double last_length_ = 0;
   UndescribedTool undescribed_;
-  std::size_t cuts_ = 0;
   int unknown_starts_ = 0;  ///< cuts in a row that end where an axis is unknown
 };
 

@@ -154,12 +154,18 @@ constexpr Row kFanucCodes[] = {
     {1120, C::unsupported, G::other},
     {1130, C::ignored, G::other},
     {1430, C::unsupported, G::length},
+    {1470, C::unsupported, G::oneshot},  // SINUMERIK's, in programs with other codes of FANUC
+    {1480, C::unsupported, G::oneshot},
     {1540, C::work_extended, G::work},
     {1840, C::drill_cycle, G::other},
     {1870, C::ignored_words, G::oneshot},
     {2340, C::unsupported, G::length},
+    {2470, C::unsupported, G::oneshot},
+    {2480, C::unsupported, G::oneshot},
     {2540, C::unsupported, G::oneshot},
     {2550, C::ignored, G::other},
+    {3470, C::unsupported, G::oneshot},
+    {3480, C::unsupported, G::oneshot},
 };
 
 constexpr Row kFanucMill[] = {
@@ -231,7 +237,12 @@ constexpr Row kFanucLathe[] = {
     {780, C::turn_pass, G::motion},      {790, C::turn_pass, G::motion},
     {920, C::turn_pass, G::motion},      {940, C::turn_pass, G::motion},
     {950, C::per_revolution, G::feed},   {980, C::per_minute, G::feed},
-    {990, C::per_revolution, G::feed},
+    {990, C::per_revolution, G::feed},   {2700, C::unsupported, G::oneshot},
+    {2710, C::unsupported, G::oneshot},  {2720, C::unsupported, G::oneshot},
+    {2730, C::unsupported, G::oneshot},  {2740, C::unsupported, G::oneshot},
+    {2750, C::unsupported, G::oneshot},  {2760, C::unsupported, G::oneshot},
+    {2900, C::unsupported, G::motion},   {2920, C::unsupported, G::motion},
+    {2940, C::unsupported, G::motion},
 };
 
 // G6, G36 and G39 are read before the others (words/iso_words).

@@ -31,11 +31,24 @@ bool ContourCycles::settings() {
   if (block_.turn_cycle == 73) {
     if (u) set.shift_x = length(u);
     if (w) set.shift_z = length(w);
-    if (r) set.repeats = static_cast<int>(std::min(1e5, std::max(1.0, std::floor(r->value))));
-    return true;
+    return !r || read_repeats(*r);
   }
   if (const Word* depth = block_.turn_cycle == 71 ? u : w) set.depth = std::abs(length(depth));
   if (r) set.escape = std::abs(length(r));
+  return true;
+}
+
+// How often G73 runs its contour: R4, D4; R0.004 counts thousandths. In code system C it roughs.
+bool ContourCycles::read_repeats(const Word& word) {
+  TurnSettings& set = modal_.turn_settings;
+  const double count = word.value < 0.1 ? std::round(1e6 * word.value) / 1000 : word.value;
+  const std::string text = text_of(word) + " of G73 is how often the contour is run";
+  const char* const hint = "; where G73 roughs along Z (code system C), write G71";
+  if (count < 1 || count > 1e5 || count != std::floor(count))
+    return error("value-range", text + ", a whole number" + hint, word);
+  set.repeats = static_cast<int>(count);
+  if (count == 1 && word.point && (set.shift_x != 0 || set.shift_z != 0))
+    warning("code-system", text + ": once, so that U and W beside it have no effect" + hint, word);
   return true;
 }
 
@@ -47,7 +60,7 @@ bool ContourCycles::old_words(bool given) {
   const Word* k = take('K');
   if (!given) return true;
   if (block_.turn_cycle == 73) {
-    if (d) set.repeats = static_cast<int>(std::min(1e5, std::max(1.0, std::floor(d->value))));
+    if (d && !read_repeats(*d)) return false;
     if (i) set.shift_x = i->value * length_unit(*i);
     if (k) set.shift_z = k->value * length_unit(*k);
     return true;

@@ -52,6 +52,7 @@ class ContourCycles : public ControlPart {
   std::optional<LapContour> lap_contour(std::string_view name, const Word& where);
   void orient_allowance();
   void pass_over_lap();
+  bool read_repeats(const Word& word);
   bool old_words(bool given);
   bool counts_thousandths(std::string_view letters, double least);
   double cycle_unit(const Word& word) const;

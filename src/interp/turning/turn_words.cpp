@@ -62,8 +62,21 @@ bool TurnWords::axis_end(Target& to) {
   return true;
 }
 
+// G77 of Haas, for which live tools are needed. True: it is an error.
+bool TurnWords::mills_flats() {
+  const bool flats = std::any_of(block_.words.begin(), block_.words.end(), [](const Word& word) {
+    return word.address == letter('G') && word.value == 77;
+  });
+  if (!flats || has_axes() || !peek('L')) return false;
+  error("not-supported",
+        "G77 with L mills flats with a live tool (Haas), which is not supported: write the moves",
+        where());
+  return true;
+}
+
 bool TurnWords::pass() {
   TurnCycle& cycle = modal_.turn;
+  if (mills_flats()) return false;
   Target to;
   if (!axis_end(to)) return false;
   for (const char c : {'R', cycle.number == 94 ? 'K' : 'I'})

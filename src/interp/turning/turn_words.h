@@ -45,6 +45,7 @@ class TurnWords : public ControlPart {
     double end = 0;  ///< Z
   };
 
+  bool mills_flats();
   bool pecks();
   void grooves(const Vec3& from, const Vec3& to, double shift, double stroke, double relief);
   bool thread();

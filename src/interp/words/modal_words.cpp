@@ -299,7 +299,7 @@ void ModalWords::select_cycle(const Word& word, int number) {
     cycle.peck = 0;
   }
   cycle.number = number;
-  cycle.first = cycle.lead = 0;
+  cycle.first = cycle.lead = cycle.out_every = 0;
   cycle.pitched = word.value == 77 || word.value == 78;
   // FANUC lathes drill along Z, or along X from the side, whatever the plane.
   const bool turned = lathe() && is(Dialect::fanuc);
