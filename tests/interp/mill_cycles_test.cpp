@@ -207,5 +207,44 @@ TEST(MillCycles, AMissingRadiusIsToldOnceForATool) {
   EXPECT_EQ(codes(p, Severity::error), "tool-unknown tool-unknown") << listing(p);
 }
 
+// Without M6 the tool came into the spindle with the first move, behind the cycle's own question.
+TEST(MillCycles, ATWithoutM6IsInTheSpindle) {
+  const std::string pocket = "G0 X0 Y0 Z50\nPOCKET3(5,0,1,-5,40,30,8,0,0,0,5,0,0,500,200,0,11,5)\n";
+  EXPECT_EQ(path_text(read_text("T1 D1\n" + pocket, at_origin(Dialect::sinumerik))),
+            path_text(read_text("T1 D1 M6\n" + pocket, at_origin(Dialect::sinumerik))));
+}
+
+// The unit of DMODE is the plane of the cycle, whatever plane is in force.
+TEST(MillCycles, ThePlaneOfDmode) {
+  const auto run_in = [](const std::string& plane, const std::string& dmode) {
+    return path_text(read_text(plane +
+                                   " T1 D1 M6\nG0 X0 Y0 Z50\nPOCKET3(50,0,1,-5,40,30,8,0,0,0,5,0,"
+                                   "0,500,200,0,11,5,,,,,,,,,," +
+                                   dmode + ")\nG1 X0 F9\n",
+                               at_origin(Dialect::sinumerik)));
+  };
+  EXPECT_EQ(run_in("G18", "1"), run_in("G17", "0"));
+  EXPECT_NE(run_in("G18", "0"), run_in("G17", "0"));
+}
+
+TEST(MillCycles, ValuesBehindTheListAreToldOf) {
+  const auto run_drill = [](const std::string& more) {
+    return codes(read_text("T1 D1 M6\nG0 X0 Y0 Z50 F9\nCYCLE81(10,0,2,-5,,0,1,1,1" + more + ")\n",
+                           at_origin(Dialect::sinumerik)));
+  };
+  EXPECT_EQ(run_drill(""), "");
+  EXPECT_EQ(run_drill(",0,0"), "");
+  EXPECT_EQ(run_drill(",,7"), "word-without-effect");
+}
+
+TEST(MillCycles, ASpigotFromACornerIsRefused) {
+  EXPECT_EQ(
+      codes(read_text("T1 D1 M6\nG0 X0 Y0 Z50\nCYCLE76(10,0,2,-17.5,,-60,-40,15,80,60,10,11,,,"
+                      "900,800,0,1,80,50)\n",
+                      at_origin(Dialect::sinumerik)),
+            Severity::error),
+      "not-supported");
+}
+
 }  // namespace
 }  // namespace mrsim

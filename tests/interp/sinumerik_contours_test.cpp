@@ -164,5 +164,21 @@ TEST(SinumerikContours, Thread) {
             "r15,10 not-supported");
 }
 
+// VARI's ten thousands: on the contour it makes no difference to what is cut; beside it, which side
+// RL counts from is not certain.
+TEST(SinumerikContours, Cycle72Backwards) {
+  const auto run_along = [](const char* vari, int rl) {
+    return path_text(read_text(
+        fmt::format("T1 D1 M6\nG0 X0 Y0 Z50\nCYCLE72(\"BEG:FIN\",50,0,2,-5,9,0,0,800,400,{},{},1,5,"
+                    "1000,1,5)\nM30\nBEG:\nG0 X0 Y0\nG1 X30\nG3 X40 Y10 CR=10\nG1 Y20\nFIN:\n",
+                    vari, rl),
+        at_origin(Dialect::sinumerik)));
+  };
+  const std::string forward = run_along("111", 40), backward = run_along("10111", 40);
+  EXPECT_NE(forward.find("l30,0,-5 a40,10,-5 l40,20,-5"), std::string::npos) << forward;
+  EXPECT_NE(backward.find("l40,10,-5 a30,0,-5 l0,0,-5"), std::string::npos) << backward;
+  EXPECT_EQ(run_along("10111", 41), "r0,0,50 | not-supported");
+}
+
 }  // namespace
 }  // namespace mrsim

@@ -92,6 +92,15 @@ TEST(SinumerikProc, ArraysAndElementsAreParameters) {
   EXPECT_EQ(moves("DEF REAL VQ[3]\nX1\nSUB(VQ)\n", twice), "l1,0,0 | call-arguments");
 }
 
+// A text for a number left the parameter at 0.
+TEST(SinumerikProc, ArgumentsHaveTheTypeOfTheirParameter) {
+  const std::map<std::string, std::string> sub = {
+      {"SUB.SPF", "PROC SUB(REAL VA, STRING[9] VB)\nX=VA+STRLEN(VB)\nRET\n"}};
+  EXPECT_EQ(moves("SUB(4,\"AB\")\n", sub), "l6,0,0");
+  EXPECT_EQ(moves("X1\nSUB(\"ABC\",\"AB\")\n", sub), "l1,0,0 | call-arguments");
+  EXPECT_EQ(moves("X1\nSUB(4,5)\n", sub), "l1,0,0 | call-arguments");
+}
+
 // Back by levels, and there to the block of a label or behind it.
 TEST(SinumerikProc, RetWithValues) {
   const std::string main = "SUB\nX1\nLEND: X5\nN50 X6\n";
@@ -223,6 +232,19 @@ TEST(SinumerikValues, ListsAndOperatorsOfBits) {
                            "IF (\"L\"<<VC)==\"LB\"\nX2\nENDIF\nVS[3]=VC\n"),
             "l1,0,0 l2,0,0 | variable-unset");
   EXPECT_EQ(moves("DEF STRING[8] VS=\"AB\"\nIF VS[1]==\"B\"\nX1\nENDIF\n"), "l1,0,0");
+}
+
+// Data of the machine that the cycles read are no words that mrsim could ever know.
+TEST(SinumerikLanguage, ArraysThatNothingDefines) {
+  EXPECT_EQ(moves("X1\n_ZSD[2]=1\n"), "l1,0,0 | variable-unset");
+  EXPECT_EQ(moves("DEF INT _ZSD[9]\n_ZSD[2]=1\nX=_ZSD[2]\n"), "l1,0,0");
+}
+
+TEST(SinumerikLanguage, IsvarAsksForAVariable) {
+  EXPECT_EQ(moves("DEF REAL AA=3\nIF ISVAR(\"AA\")\nX=AA\nENDIF\nIF NOT ISVAR(\"BB\")\nX4\nENDIF\n"
+                  "IF ISVAR(\"R5\")\nX5\nENDIF\n"),
+            "l3,0,0 l4,0,0 l5,0,0");
+  EXPECT_EQ(moves("IF ISVAR(\"$MN_X\")\nX4\nENDIF\n"), " | expression");
 }
 
 }  // namespace

@@ -78,6 +78,7 @@ class Evaluator {
   bool call(const FunctionRow& row, std::size_t from, Value& out);
   bool frame_call(const FunctionRow& row, std::size_t from, Value& out);
   bool exists_call(std::size_t from, Value& out);
+  bool is_variable(const Value& name, std::size_t from, Value& out);
   bool arguments(std::vector<Value>& values, std::size_t most);
   bool combine(const OperatorRow& row, std::size_t from, Value& left, Value& right);
   bool usable(Value& value, std::size_t from);

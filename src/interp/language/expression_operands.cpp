@@ -287,7 +287,7 @@ bool Evaluator::arguments(std::vector<Value>& values, std::size_t most) {
 }
 
 bool Evaluator::call(const FunctionRow& row, std::size_t from, Value& out) {
-  if (row.function == Function::exists) return exists_call(from, out);
+  if (row.function == Function::exists && spelled(Spelling::hash)) return exists_call(from, out);
   if (row.function >= Function::frame_trans && row.function <= Function::frame_mirror)
     return frame_call(row, from, out);
   std::vector<Value> values;
@@ -308,6 +308,7 @@ bool Evaluator::call(const FunctionRow& row, std::size_t from, Value& out) {
                      : fmt::format("{} needs {} arguments", row.name, row.least),
                 from, p_);
   std::string why;
+  if (row.function == Function::exists) return is_variable(values.front(), from, out);
   if (!apply_function(rules_, row.function, values, round_step_, out, why))
     return fail("expression", std::move(why), from, p_);
   return !out.is_number() || std::abs(out.number) <= kLargestValue ||
@@ -335,6 +336,16 @@ bool Evaluator::exists_call(std::size_t from, Value& out) {
   if (at(p_) != rules_.close)
     return fail("bracket", "EXISTS asks for one variable: ] expected", p_, p_ + 1);
   ++p_;
+  return true;
+}
+
+// ISVAR("NAME"), ISVAR("NAME[]"): what the machine's maker has defined is not known.
+bool Evaluator::is_variable(const Value& name, std::size_t from, Value& out) {
+  const std::string key = upper_case(name.text.substr(0, name.text.find('[')));
+  if (key.empty() || key[0] == '$')
+    return fail("expression", "ISVAR is answered for variables of the program", from, p_);
+  const bool numbered = key[0] == 'R' && key.find_first_not_of("0123456789", 1) == key.npos;
+  out = Value::of(numbered || variables_.exists(key));
   return true;
 }
 

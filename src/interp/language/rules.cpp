@@ -78,6 +78,7 @@ constexpr FunctionRow kSinumerikFunctions[] = {
     {"BOUND", F::bound, 3, 3},
     {"NUMBER", F::to_number},
     {"ISNUMBER", F::is_number},
+    {"ISVAR", F::exists},
     {"STRLEN", F::text_length},
     {"TOUPPER", F::upper_text},
     {"TOLOWER", F::lower_text},

@@ -56,7 +56,7 @@ enum class Function : std::uint8_t {
   next_whole,    ///< Fagor FUP, which its manual explains for numbers above 0
   from_decimal,  ///< BIN: binary-coded decimal to number
   to_decimal,    ///< BCD
-  exists,        ///< LinuxCNC EXISTS[#<name>]
+  exists,        ///< LinuxCNC EXISTS[#<name>], SINUMERIK ISVAR("NAME")
   smallest,
   largest,
   bound,

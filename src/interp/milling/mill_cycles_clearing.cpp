@@ -118,6 +118,10 @@ bool MillCycles::spigot() {
   const double blank_width = round ? blank_length : std::max(width, std::abs(value("AP2")) * unit);
   if (length <= 0 || width <= 0)
     return fail("value-range", "the length and the width of a spigot must be above 0");
+  if (!round && (value("LENG") < 0 || value("WID") < 0))
+    return fail("not-supported",
+                "CYCLE76: a length below 0 counts from a corner (_ZSD[2]), which is not supported: "
+                "write the centre and lengths above 0");
   Vec2 at;
   if (!(round ? reference_place(at) : center(length, width, degrees, at))) return false;
   const double aside0 = std::max(blank_length - length, blank_width - width) / 2;

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -18,7 +19,29 @@ Vec2 direction(const Motion& m, const Frame& frame, const Basis& b, double at) {
   return (1 / std::max(length(flat), 1e-12)) * flat;
 }
 
+bool is_backward(const CycleCall& call) { return call.digit("VARI", 4) == 1; }
+
+// From the last motion to the first, which leads to the start only.
+std::vector<Motion> backwards(const std::vector<Motion>& contour) {
+  std::vector<Motion> out = {contour.front()};
+  out.front().end = contour.back().end;
+  for (std::size_t i = contour.size() - 1; i > 0; --i) {
+    Motion m = contour[i];
+    std::swap(m.start, m.end);
+    m.center = m.center + m.rise * m.axis;
+    m.sweep = -m.sweep;
+    m.rise = -m.rise;
+    out.push_back(m);
+  }
+  return out;
+}
+
 }  // namespace
+
+std::vector<Motion> ContourMilling::in_direction(const ContourCall& call) {
+  const std::vector<Motion>& contour = call.contours.back();
+  return is_backward(call.values) ? backwards(contour) : contour;
+}
 
 // KNAME RTP RFP SDIS DP MID FAL FALD FFP1 FFD VARI RL AS1 LP1 FF3 AS2 LP2
 bool ContourMilling::read(Along& l) {
@@ -37,9 +60,6 @@ bool ContourMilling::read(Along& l) {
     return error("value-range",
                  "CYCLE72: the depth does not lie below the reference plane (alarm 61101)", where_);
   const int kind = call_.digit("VARI", 0);
-  if (call_.digit("VARI", 4) != 0)
-    return error("not-supported", "CYCLE72: the contour backwards (VARI) is not supported yet",
-                 where_);
   if (kind == 1) {
     l.allowance = std::abs(call_.get("FAL")) * unit;
     l.bottom -= down * std::abs(call_.get("FALD")) * unit;
@@ -47,10 +67,7 @@ bool ContourMilling::read(Along& l) {
   l.infeed = std::abs(call_.get("MID")) * unit;
   l.feed = call_.get("FFP1") * feed_scale();
   l.plunge = call_.get("FFD") > 0 ? call_.get("FFD") * feed_scale() : l.feed;
-  const double rl = call_.get("RL", 40);
-  if (rl != 40 && rl != 41 && rl != 42)
-    return error("value-range", "CYCLE72: RL is 40, 41 or 42", where_);
-  l.side = rl == 41 ? 1 : rl == 42 ? -1 : 0;
+  if (!read_side(l)) return false;
   const double radius =
       l.side == 0 ? tools_.radius(modal_.edge) : tools_.radius_for("CYCLE72", modal_.edge, where_);
   if (l.side != 0 && radius <= 0) return false;
@@ -63,6 +80,20 @@ bool ContourMilling::read(Along& l) {
     l.allowance = cut->aside - radius;
   }
   l.aside = l.side * (radius + l.allowance);
+  return true;
+}
+
+bool ContourMilling::read_side(Along& l) {
+  const double rl = call_.get("RL", 40);
+  if (rl != 40 && rl != 41 && rl != 42)
+    return error("value-range", "CYCLE72: RL is 40, 41 or 42", where_);
+  l.side = rl == 41 ? 1 : rl == 42 ? -1 : 0;
+  if (is_backward(call_) && l.side != 0)
+    return error(
+        "not-supported",
+        "CYCLE72: the contour backwards (VARI) is not supported beside RL 41 and 42: write "
+        "it in that direction",
+        where_);
   return true;
 }
 

@@ -21,7 +21,7 @@ class ContourMilling : public ControlPart {
         chamfering_(control, tools),
         call_(call.values),
         where_(call.where),
-        contour_(call.contours.back()),
+        contour_(in_direction(call)),
         modal_before_(control.modal) {
     mover_.begin(where_);
   }
@@ -38,7 +38,9 @@ class ContourMilling : public ControlPart {
     double feed = 0, plunge = 0;
   };
 
+  static std::vector<Motion> in_direction(const ContourCall& call);
   bool read(Along& out);
+  bool read_side(Along& out);
   void pass_along(const Along& along, double from, double level);
   void approach(const Along& along, double level, double from, bool leaving);
 
@@ -48,7 +50,7 @@ class ContourMilling : public ControlPart {
   Chamfering chamfering_;
   const CycleCall& call_;
   const Word& where_;
-  const std::vector<Motion>& contour_;
+  const std::vector<Motion> contour_;
   const Modal modal_before_;
 };
 

@@ -58,6 +58,25 @@ bool SinumerikCycles::read_call(Call& call) {
   return true;
 }
 
+// Newer lists are longer, and what their last values mean is not known here.
+void SinumerikCycles::tell_unread(const Call& call) {
+  if (!MillCycles::knows(call.name) && !HoleValues::knows(call.name)) return;
+  std::string_view rest = list_of_cycle(call.name);
+  bool text = false;
+  std::size_t known = 0;
+  for (; !rest.empty(); ++known) next_value_name(rest, text);
+  for (std::size_t i = known; known > 0 && i < call.values.size(); ++i) {
+    const std::optional<Value>& value = call.values[i];
+    if (!value || (value->is_number() ? value->number == 0 : value->text.empty())) continue;
+    warning(
+        "word-without-effect",
+        fmt::format("{}: value {} stands behind the last one that is known ({}) and is not read",
+                    call.name, i + 1, known),
+        where());
+    return;
+  }
+}
+
 // It cuts nothing, and what it finds only the machine knows: offsets stay as they are.
 bool SinumerikCycles::measure() {
   position_.known = lathe() ? 2 : 0;
@@ -73,10 +92,11 @@ bool SinumerikCycles::run() {
   if (measures(block_.function_name)) return measure();
   Call call;
   if (!read_call(call)) return false;
+  tell_unread(call);
   if (contours_.reads_contour())
     return error("not-supported", fmt::format("{} inside the contour of a cycle", call.name),
                  where());
-  if (MillCycles::knows(call.name)) return mills_.run(call, where(), false);
+  if (MillCycles::knows(call.name)) return run_mill(call, false);
   if (SinumerikContours::knows(call.name)) return contours_.run(call, where());
   if (TurnCycles::knows(call.name)) return turns_.run(call, where());
   if (SinumerikEngraving::knows(call.name)) return engraving_.run(call, where());
@@ -107,13 +127,22 @@ bool SinumerikCycles::run_modal(const Vec3& from) {
   return drill(*modal_call_);
 }
 
+// The unit of DMODE: the cycle is in G17, G18 or G19, whatever is in force.
+bool SinumerikCycles::run_mill(const Call& call, bool at_position) {
+  const int plane = modal_.plane, own = call.digit("DMODE", 0);
+  if (own >= 1 && own <= 3) modal_.plane = own - 1;
+  const bool ok = mills_.run(call, where(), at_position);
+  modal_.plane = plane;
+  return ok;
+}
+
 // The motions name the line of MCALL, called from that of the place.
 bool SinumerikCycles::mill(const Call& call) {
   const int line = block_.line_number, file = block_.file, site = block_.call;
   block_.call = reader_.call_site(line);
   block_.file = call.place.file;
   block_.line_number = call.place.line;
-  const bool ok = mills_.run(call, where(), true);
+  const bool ok = run_mill(call, true);
   block_.line_number = line;
   block_.file = file;
   block_.call = site;

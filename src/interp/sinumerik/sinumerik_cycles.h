@@ -54,6 +54,8 @@ class SinumerikCycles : public ControlPart {
   bool at_points(const std::vector<Vec2>& points);
   bool drill(const Call& call);
   bool mill(const Call& call);
+  bool run_mill(const Call& call, bool at_position);
+  void tell_unread(const Call& call);
   Word where() const;
 
   BlockReader& reader_;

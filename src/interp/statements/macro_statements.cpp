@@ -166,10 +166,9 @@ bool MacroStatements::call_macro(const SubprogramName& program, long repeats,
     levels_.push_back(level);
     variables_.enter_level();
     if (*kept) return variables_.set_locals(**kept);
-    std::string ignored;
     for (int i = 1; i < Variables::kLocals; ++i)
       if ((arguments.given >> i & 1U) != 0)
-        variables_.assign(i, Value::of(arguments.values[static_cast<std::size_t>(i)]), ignored);
+        set_argument(i, arguments.values[static_cast<std::size_t>(i)]);
   };
   request.on_end = [this, kept] {
     *kept = variables_.locals();

@@ -291,9 +291,8 @@ bool OwordStatements::enter_sub(const std::string& name, CallRequest request,
   }
   request.on_start = [this, arguments = std::move(arguments), before = request.on_start] {
     variables_.enter_level();
-    std::string ignored;
     for (std::size_t i = 0; i < arguments.size(); ++i)
-      variables_.assign(static_cast<double>(i + 1), Value::of(arguments[i]), ignored);
+      set_argument(static_cast<int>(i + 1), arguments[i]);
     system_.linuxcnc().set_returned(0, false);
     system_.linuxcnc().add_call_level(1);
     if (before) before();

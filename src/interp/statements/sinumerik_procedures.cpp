@@ -16,6 +16,13 @@ namespace {
 
 constexpr int kHeaderLines = 50;  // a PROC stands in the first lines
 
+bool fits(VariableType type, const Value& value, std::string& why) {
+  VariableArray variable;
+  variable.type = type;
+  variable.elements.resize(1);
+  return variable.store(0, value, VariableForm::sinumerik, why);
+}
+
 }  // namespace
 
 // NAME(VAR REAL A, INT B=1) behind PROC; `p` ends at the bracket.
@@ -113,58 +120,75 @@ void SinumerikProcedures::give_back(const ProcedureArgument& to) {
                       *to.value, ignored);
 }
 
+// The value that each parameter of PROC begins with, or the default. False: an error was reported.
+bool SinumerikProcedures::arguments_of(const Procedure& procedure,
+                                       const std::vector<ProcedureArgument>& given,
+                                       const Word& word, std::vector<Bound>& out) {
+  const auto wrong = [&](const std::string& text) { return error("call-arguments", text, word); };
+  if (given.size() > procedure.parameters.size())
+    return wrong(fmt::format("{} arguments, and PROC has {} parameters (alarm 12340)", given.size(),
+                             procedure.parameters.size()));
+  std::string why;
+  for (std::size_t i = 0; i < procedure.parameters.size(); ++i) {
+    Bound one{procedure.parameters[i], i < given.size() ? given[i] : ProcedureArgument{}};
+    const std::string& name = one.parameter.name;
+    if (!one.argument.value && !one.argument.array) one.argument.value = one.parameter.initial;
+    if (one.parameter.by_reference && one.argument.variable.empty())
+      return wrong(fmt::format("the VAR parameter {} needs a variable", name));
+    if (one.parameter.is_array != one.argument.array.has_value())
+      return wrong(fmt::format("the parameter {} {}", name,
+                               one.parameter.is_array ? "needs an array" : "takes no array"));
+    if (one.argument.value && !fits(one.parameter.type, *one.argument.value, why))
+      return wrong(fmt::format("the parameter {}: {}", name, why));
+    out.push_back(std::move(one));
+  }
+  return true;
+}
+
+void SinumerikProcedures::define_parameters(const std::vector<Bound>& bound) {
+  std::string ignored;
+  for (const Bound& one : bound) {
+    const ProcedureArgument& from = one.argument;
+    variables_.define(one.parameter.name, one.parameter.type, {}, false, ignored);
+    if (from.array) variables_.set_array(one.parameter.name, *from.array);
+    if (!from.value) continue;
+    variables_.assign(one.parameter.name, {}, *from.value, ignored);
+    if (options_.trace_variables)
+      reporter_.assignment(one.parameter.name, value_shown(*from.value));
+  }
+}
+
+// VAR parameters as they are at the end.
+std::vector<ProcedureArgument> SinumerikProcedures::values_back(const std::vector<Bound>& bound) {
+  std::vector<ProcedureArgument> back;
+  std::string ignored;
+  for (const Bound& one : bound) {
+    if (!one.parameter.by_reference) continue;
+    ProcedureArgument now = one.argument;
+    Value value;
+    if (const VariableArray* const whole = variables_.array(one.parameter.name))
+      now.array = *whole;
+    else if (variables_.named(one.parameter.name, {}, value, ignored))
+      now.value = value;
+    back.push_back(std::move(now));
+  }
+  return back;
+}
+
 bool SinumerikProcedures::bind(const SubprogramPlace& place,
                                const std::vector<ProcedureArgument>& given, const Word& word,
                                CallRequest& request) {
   const Procedure procedure = read_procedure(place);
-  if (given.size() > procedure.parameters.size())
-    return error("call-arguments",
-                 fmt::format("{} arguments, and PROC has {} parameters (alarm 12340)", given.size(),
-                             procedure.parameters.size()),
-                 word);
-  struct Bound {
-    Parameter parameter;
-    ProcedureArgument argument;
-  };
   std::vector<Bound> bound;
-  for (std::size_t i = 0; i < procedure.parameters.size(); ++i) {
-    Bound one{procedure.parameters[i], i < given.size() ? given[i] : ProcedureArgument{}};
-    if (!one.argument.value && !one.argument.array) one.argument.value = one.parameter.initial;
-    if (one.parameter.by_reference && one.argument.variable.empty())
-      return error("call-arguments",
-                   fmt::format("the VAR parameter {} needs a variable", one.parameter.name), word);
-    if (one.parameter.is_array != one.argument.array.has_value())
-      return error("call-arguments",
-                   fmt::format("the parameter {} {}", one.parameter.name,
-                               one.parameter.is_array ? "needs an array" : "takes no array"),
-                   word);
-    bound.push_back(std::move(one));
-  }
+  if (!arguments_of(procedure, given, word, bound)) return false;
   const std::optional<SavedState> saved =
       procedure.saves ? std::optional<SavedState>({modal_, frames_}) : std::nullopt;
   request.on_start = [this, bound] {
     variables_.enter_level();
-    std::string ignored;
-    for (const Bound& one : bound) {
-      const ProcedureArgument& from = one.argument;
-      variables_.define(one.parameter.name, one.parameter.type, {}, false, ignored);
-      if (from.array) variables_.set_array(one.parameter.name, *from.array);
-      if (from.value) variables_.assign(one.parameter.name, {}, *from.value, ignored);
-    }
+    define_parameters(bound);
   };
   request.on_end = [this, bound, saved] {
-    std::vector<ProcedureArgument> back;
-    std::string ignored;
-    for (const Bound& one : bound) {
-      if (!one.parameter.by_reference) continue;
-      ProcedureArgument now = one.argument;
-      Value value;
-      if (const VariableArray* const whole = variables_.array(one.parameter.name))
-        now.array = *whole;
-      else if (variables_.named(one.parameter.name, {}, value, ignored))
-        now.value = value;
-      back.push_back(std::move(now));
-    }
+    const std::vector<ProcedureArgument> back = values_back(bound);
     variables_.leave_level();
     for (const ProcedureArgument& one : back) {
       if (one.array)

@@ -52,6 +52,14 @@ class SinumerikProcedures : public ControlPart {
   };
 
   std::vector<Parameter> read_parameters(std::string_view line, std::size_t& p);
+  struct Bound {
+    Parameter parameter;
+    ProcedureArgument argument;
+  };
+  bool arguments_of(const Procedure& procedure, const std::vector<ProcedureArgument>& given,
+                    const Word& word, std::vector<Bound>& out);
+  void define_parameters(const std::vector<Bound>& bound);
+  std::vector<ProcedureArgument> values_back(const std::vector<Bound>& bound);
   Procedure read_procedure(const SubprogramPlace& place);
   void restore(const SavedState& saved);
   void give_back(const ProcedureArgument& to);

@@ -165,6 +165,11 @@ void Statements::set_variable(double number, double value) {
   variables_.assign(number, Value::of(value), why);
 }
 
+void Statements::set_argument(int number, double value) {
+  set_variable(number, value);
+  if (options_.trace_variables) reporter_.assignment(fmt::format("#{}", number), value_text(value));
+}
+
 bool Statements::store(double number, const Value& value, std::size_t from, std::size_t to) {
   std::string why;
   if (!variables_.assign(number, value, why)) return fail("variable-number", why, from, to);

@@ -81,6 +81,8 @@ class Statements : public ControlPart, public LanguageReader {
   /// anything, it starts the program again for the next part.
   bool jump_always(const Place& to);
   bool number(std::size_t& p, double& out, bool whole);
+  /// Of a call: a local variable of the macro that begins.
+  void set_argument(int number, double value);
   bool store(double number, const Value& value, std::size_t from, std::size_t to);
   bool store(std::string_view name, std::span<const Value> indices, const Value& value,
              std::size_t from, std::size_t to);

@@ -167,7 +167,8 @@ void SinumerikWords::name(Block& block) {
     }
     for (const std::string_view off : kOffWithZero)
       if (name == off && zero_follows()) return;
-    return unsupported(block, run, "a variable or an address unknown to this reader", from);
+    return unsupported(block, run, "no variable of DEF or of a .DEF file (--path), but an address",
+                       from);
   }
   if (c == '(') return call(block, from, run);
   if (name == "MCALL") {

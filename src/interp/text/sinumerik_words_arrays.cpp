@@ -64,6 +64,13 @@ void SinumerikWords::array_word(Block& block, std::size_t from, const std::strin
     skip_blanks();
     close = at(p_) == ']' ? p_ : std::string_view::npos;
   }
+  if (!read && name.starts_with('_')) {  // _ZSD[2]: data of the machine
+    fault(block, "variable-unset",
+          name + " is not defined (alarm 12550): DEF it, or give its .DEF file with --path", from,
+          p_);
+    while (p_ < line_.size() && line_[p_] != ';') ++p_;
+    return;
+  }
   if ((!read && !harmless) || close == std::string_view::npos)
     return unsupported(block, run, "an array", from);
   p_ = close + 1;

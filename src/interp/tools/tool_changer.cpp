@@ -320,9 +320,11 @@ const OffsetRegister* ToolChanger::find_register(const std::string& name) const 
   return nullptr;
 }
 
+// The cycle cuts: a tool without M6 is in the spindle from here on.
 double ToolChanger::radius_for(const std::string& cycle, int edge, const Word& where) {
+  require(where, true);
   const double found = radius(edge);
-  const bool told = tool_.failed && tool_.chosen;
+  const bool told = tool_.failed && (tool_.chosen || options_.require_tools);
   if (found <= 0 && !told)
     reporter_.once(Severity::error, "tool-unknown",
                    fmt::format("{} needs the radius of {} (alarm 61000): give --tool or --tools",
