@@ -450,6 +450,34 @@ TEST(ToolNotes, SizesInALineOfTheirOwn) {
   }
   EXPECT_NE(first_tool("(BULL NOSE MILL)\n(D1 R1)\n" + call).find("no diameter"),
             std::string::npos);
+  const auto below = [&](const char* tool, const char* line) {
+    return first_tool(fmt::format("(T1 {})\n({})\n{}", tool, line, call));
+  };
+  for (const char* const line : {"CR0.5", "0.5 CORNER RADIUS", "TIP RADIUS 0.5", "CORNER RAD .5",
+                                 "NOSE RADIUS 0.5", "RE 0.5", "R=.5"})
+    EXPECT_EQ(below("10MM ENDMILL", line), bull) << line;
+  for (const char* const line : {"R0.5", "0.5R", "RADIUS 0.5", "WITH 1MM RADIUS"})
+    EXPECT_NE(below("10MM ENDMILL", line).find("made for a radius"), std::string::npos) << line;
+  EXPECT_EQ(below("8MM BALL MILL", "R4"), tool_like(ToolType::ballmill, 8, 0, 0));
+  EXPECT_NE(below("10MM ENDMILL", "R5").find("made for a radius"), std::string::npos);
+  EXPECT_EQ(below("10MM ENDMILL", "D10"), tool_like(ToolType::endmill, 10, 0, 0));
+  EXPECT_EQ(below("10MM ENDMILL", "FLUTE LENGTH 20"), tool_like(ToolType::endmill, 10, 0, 0));
+  EXPECT_NE(below("10MM ENDMILL", "BALL END").find("different"), std::string::npos);
+  EXPECT_EQ(below("10MM ENDMILL", "BALL"), tool_like(ToolType::ballmill, 10, 0, 0));
+  EXPECT_EQ(below("10MM ENDMILL", "BULL R1"), bull);
+  for (const char* const line : {"TAPERED", "3 DEG TAPER", "TAPER 3 DEG"})
+    EXPECT_NE(below("10MM ENDMILL", line).find("tapered mill"), std::string::npos) << line;
+  EXPECT_NE(below("10MM ENDMILL", "45 DEG").find("45 degrees"), std::string::npos);
+  EXPECT_EQ(below("SPOT DRILL D10", "120 DEG"), tool_like(ToolType::drill, 10, 120, 0));
+  EXPECT_EQ(below("T-SLOT D20", "WIDTH: 3"), tool_like(ToolType::tslot, 20, 0, 0));
+  const Program v = read_text("G21\n(T1 V-BIT 60 DEG D12)\n(TIP DIA 0.2)\n" + call, [] {
+    InterpOptions options;
+    options.dialect = Dialect::fanuc;
+    options.machine = MachineKind::mill;
+    return options;
+  }());
+  ASSERT_EQ(v.tools.size(), 1U);
+  EXPECT_EQ(v.tools[0].tip_diameter, 0.2) << "it was sharp";
 }
 
 // What F-Engrave writes of its V-bit.

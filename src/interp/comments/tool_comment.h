@@ -66,7 +66,8 @@ struct ToolHint {
   bool bare_kind = false;      ///< nothing but the kind's name: "BAR STOP"
   bool diameter_line = false;  ///< "DIAMETER: 8.0" and nothing else
   bool angle_line = false;     ///< "TAPER ANGLE: 5.", "ANGLE: 60" and nothing else
-  bool size_line = false;      ///< "D10. R1." and nothing else
+  bool size_line = false;      ///< "D10. R1.", "TIP DIA 0.2" and nothing else
+  bool plain_radius = false;   ///< such a line, "R5": perhaps the work's
   bool settings = false;       ///< of the program that wrote it all
   std::string doubt;  ///< why no tool can be made of it, after "the comment ... "; empty: it can
   std::string text;   ///< the comment, UTF-8, for the report

@@ -70,7 +70,8 @@ struct ToolFacts {
   bool corner_line = false;      ///< "TIP RADIUS: 1.0" and nothing else
   bool diameter_line = false;    ///< "DIAMETER: 8.0" and nothing else
   bool angle_line = false;       ///< "TAPER ANGLE: 5.", "ANGLE: 60" and nothing else
-  bool size_line = false;        ///< "D10. R1." and nothing else
+  bool size_line = false;        ///< "D10. R1.", "TIP DIA 0.2" and nothing else
+  bool plain_radius = false;     ///< such a line, "R5": perhaps the work's
   bool bare_id = false;          ///< "TOOL NUMBER: 5" and nothing else
   bool bare_kind = false;        ///< nothing but the kind and its attributes: "BAR STOP"
   bool padded_radius = false;    ///< "R05"

@@ -4,6 +4,9 @@
 #include <string>
 #include <string_view>
 #include <utility>
+#include <vector>
+
+#include <fmt/format.h>
 
 namespace mrsim {
 namespace {
@@ -17,7 +20,7 @@ void merge_kind(ToolHint& into, const ToolHint& more) {
   if (!into.type || kind_of_it || (plain && more.type == ToolType::bullmill)) {
     into.type = more.type;
   } else if (more.type && *more.type != *into.type && into.doubt.empty() &&
-             !more.diameters.empty() && !into.diameters.empty() &&
+             ((!more.diameters.empty() && !into.diameters.empty()) || (into.firm && more.firm)) &&
              !(*into.type == ToolType::bullmill && *more.type == ToolType::endmill)) {
     into.doubt = "name different kinds of tool";
   }
@@ -51,14 +54,40 @@ void merge_angle(ToolHint& into, const ToolHint& line) {
   if (other && into.doubt.empty()) into.doubt = "give two angles of the insert";
 }
 
-// "D10. R1." below the kind: read as if it stood behind it.
+void take_size(ToolLength& into, const ToolLength& more) {
+  if (more) into = more;
+}
+
+double about_mm(const ToolLength& length) {
+  return length.value * (length.unit > 0 ? length.unit : length.fraction ? 25.4 : 1);
+}
+
+// One larger than half the diameter is the work's, and half the diameter is that of a ball.
+bool may_be_corner(const ToolHint& tool, const ToolLength& corner) {
+  if (tool.diameters.empty()) return true;
+  const double half = about_mm(tool.diameters.front()) / 2, radius = about_mm(corner);
+  return radius < half || (radius == half && tool.type != ToolType::ballmill);
+}
+
+// "D10. R1.", "TIP DIA 0.2" below the kind: read as if it stood behind it.
 void merge_sizes(ToolHint& into, const ToolHint& line) {
-  ToolHint both = read_tool_comment(in_one_line(into, line));
-  both.id = into.id;
-  both.id_digits = into.id_digits;
-  both.names_tool |= into.names_tool;
-  both.text = into.text;
-  into = std::move(both);
+  const ToolHint both = read_tool_comment(in_one_line(into, line));
+  const std::vector<ToolLength>& told = into.diameters.empty() ? both.diameters : line.diameters;
+  const bool plain = line.plain_radius && !(both.type && is_turning(*both.type));
+  if (plain && !may_be_corner(into, both.corner)) return;
+  if (plain && both.corner.value != into.corner.value && into.doubt.empty())
+    into.doubt = fmt::format(
+        "can be read as having a corner of {0:g} or as made for a radius of {0:g}: say CR {0:g}",
+        both.corner.value);
+  if (both.type) into.type = both.type;
+  into.diameters.insert(into.diameters.end(), told.begin(), told.end());
+  if (into.diameter == 0 && !told.empty()) into.diameter = told.front().value;
+  take_size(into.corner, both.corner);
+  take_size(into.nose, both.nose);
+  take_size(into.tip, both.tip);
+  take_size(into.width, both.width);
+  take_size(into.flute_length, both.flute_length);
+  if (into.doubt.empty()) into.doubt = both.doubt;
 }
 
 }  // namespace
@@ -68,7 +97,7 @@ void merge_hint(ToolHint& into, const ToolHint& more) {
     const ToolHint line = std::exchange(into, more);
     return merge_hint(into, line);
   }
-  if (more.size_line && into.type && into.diameters.empty()) {
+  if (more.size_line && (into.type || into.diameter > 0)) {
     merge_sizes(into, more);
     into.text += "\", \"" + more.text;
     return;

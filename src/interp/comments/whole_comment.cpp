@@ -30,39 +30,63 @@ bool is_diameter_line(const CommentView& view) {
   return view.has(i) && view[i].is_number() && i + 1 == view.size();
 }
 
-// "TAPER: 2", "TAPER ANGLE: 5.", "TOOL TIP ANGLE = 118", "ANGLE: 60 DEG" and nothing else.
+// "TAPER: 2", "TAPER ANGLE: 5.", "TOOL TIP ANGLE = 118", "3 DEG TAPER", "60 DEG" and nothing else.
 bool is_angle_line(const CommentView& view) {
-  std::size_t i = view.is_one(0, {"TOOL", "CUTTER"}) ? 1 : 0;
+  std::size_t numbers = 0;
   bool named = false;
-  for (; view.word(i); ++i) {
-    const WordRole role = comment_word(view[i].text).role;
-    named |= role == WordRole::angle || role == WordRole::taper;
-    if (view[i].text.size() < 2 || !(named || role == WordRole::tip)) return false;
-    if (role != WordRole::angle && role != WordRole::taper && role != WordRole::tip) return false;
-  }
-  if (!named) return false;
-  i = view.behind(i - 1);
-  return view.has(i) && view[i].is_number() && view[i].value > 0 && i + 1 == view.size();
-}
-
-// "D10. R1.", "DIA: 10. CORNER RADIUS: 1." and nothing else; "D1 R1" may be registers.
-bool is_size_line(const CommentView& view) {
-  bool diameter = false, sure = false;
   for (std::size_t i = 0; i < view.size(); ++i) {
     if (view[i].is_number()) {
-      sure |= view[i].decimals;
-      continue;
+      numbers += view[i].value > 0 ? 1 : 2;
+      named |= view[i].angle;
     }
-    const WordRole role = view.word(i) ? comment_word(view[i].text).role : WordRole::none;
-    const bool letter = view.is(i, "D"), named = role == WordRole::diameter;
-    const bool radius =
-        role == WordRole::radius || role == WordRole::radius_letter || role == WordRole::corner;
-    diameter |= letter || named;
-    sure |= named;
-    if (!(letter || named || radius || view.is_one(i, {"TOOL", "CUTTER", ":", "=", ",", "-"})))
+    if (!view.word(i)) continue;
+    const WordRole role = comment_word(view[i].text).role;
+    const bool angle = role == WordRole::angle || role == WordRole::taper;
+    if (view[i].text.size() < 2 ||
+        !(angle || role == WordRole::tip || view.is_one(i, {"TOOL", "CUTTER", "INCLUDED", "INCL"})))
       return false;
+    named |= angle;
   }
-  return diameter && sure;
+  return named && numbers == 1;
+}
+
+bool is_size_word(WordRole role) {
+  using enum WordRole;
+  return role == diameter || role == radius || role == radius_letter || role == corner ||
+         role == nose || role == tip || role == width || role == length;
+}
+
+// "D10. R1.", "0.5 CORNER RADIUS", "TIP DIA 0.2", "BULL R1", "TAPERED" and nothing else; "D1 R1"
+// may be registers.
+bool is_size_line(const CommentView& view) {
+  bool size = false, number = false, decimals = false, letter = false, diameter = false;
+  bool shape = false;
+  for (std::size_t i = 0; i < view.size(); ++i) {
+    number |= view[i].is_number();
+    decimals |= view[i].is_number() && view[i].decimals;
+    if (!view.word(i)) continue;
+    const WordRole role = comment_word(view[i].text).role;
+    const bool one = view[i].text.size() == 1, sized = is_size_word(role);
+    if (view.is(i, "D"))
+      letter = true;
+    else if (view.is_one(i, {"BALL", "BULL", "TAPERED", "CONICAL", "SPHERICAL"}))
+      shape = true;
+    else if (one ? !view.is(i, "R")
+                 : !(sized || role == WordRole::adjective || role == WordRole::flutes ||
+                     view.is_one(i, {"TOOL", "CUTTER", "WITH"})))
+      return false;
+    size |= sized;
+    diameter |= role == WordRole::diameter;
+  }
+  return shape || (number && (size || letter) && (!letter || decimals || diameter));
+}
+
+// "R5", "RADIUS 5": of the tool, or of what it cuts.
+bool is_plain_radius(const CommentView& view) {
+  bool plain = true;
+  for (std::size_t i = 0; i < view.size(); ++i)
+    plain &= view[i].is_number() || view.is_one(i, {"R", "RADIUS", "RAD", "WITH"});
+  return plain;
 }
 
 // "T", "NO.", "NUMBER": words beside a tool's number.
@@ -95,6 +119,7 @@ void read_whole_comment(const CommentView& view, ToolFacts& facts) {
   facts.diameter_line = is_diameter_line(view);
   facts.angle_line = is_angle_line(view);
   facts.size_line = is_size_line(view);
+  facts.plain_radius = facts.size_line && is_plain_radius(view);
   facts.bare_id = !facts.id.empty();
   facts.bare_kind = facts.kind() != nullptr;
   for (std::size_t i = 0; i < view.size(); ++i) {

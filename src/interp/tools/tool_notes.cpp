@@ -91,7 +91,8 @@ void ToolNotes::comment(std::string_view bytes, const std::string& called, bool 
     not_understood_.try_emplace(id, hint.text);
   if (!called.empty()) {
     if (lathe_ && !hint) name_by_operation(hint);
-    if (hint || (hint.only_angle() && find(called))) add(called, hint);
+    const bool details = hint.only_angle() || hint.size_line;
+    if (hint || (details && find(called))) add(called, hint);
     return;
   }
   if (alone) stands_alone(std::move(hint), heads);
@@ -194,7 +195,7 @@ bool ToolNotes::tells_kind(const ToolHint& hint) const {
 bool ToolNotes::adds_details(const ToolHint& hint) const {
   if (hint.only_angle() || (hint.size_line && !hint)) return true;
   const ToolHint* const open = open_id().empty() ? nullptr : find(open_id());
-  return hint.size_line && open && open->type && open->diameters.empty();
+  return hint.size_line && open && open->type;
 }
 
 // "DIAMETER: 10.0", "CORNER RADIUS: 1.0": they count beside other comments about the tool only.
