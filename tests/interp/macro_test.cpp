@@ -144,5 +144,32 @@ TEST(Macro, VariablesFromOutside) {
 
 // Bar feeders: the program begins again for the next part, and nothing in it ends that.
 
+// InterpOptions::trace_variables: the arguments of a call, too, at the line of the call.
+TEST(Macros, AssignmentsAreToldOf) {
+  class Assignments : public CollectingSink {
+   public:
+    void assignment(const SourcePlace& place, const std::string& name,
+                    const std::string& value) override {
+      told += fmt::format("{}:{}={} ", place.line, name, value);
+    }
+    std::string told;
+  };
+  const auto told = [](Dialect dialect, const std::string& text) {
+    const Scratch scratch;
+    InterpOptions options = at_origin(dialect);
+    options.trace_variables = true;
+    Assignments sink;
+    interpret(scratch.write("p.nc", text), options, sink);
+    return sink.told;
+  };
+  EXPECT_EQ(told(Dialect::fanuc, "#5=2\nG65 P7 A#5 X3.\nM30\nO7\n#2=#1+#24\nM99\n"),
+            "1:#5=2 2:#1=2 2:#24=3 5:#2=5 ");
+  EXPECT_EQ(told(Dialect::ngc, "o1 sub\n#3=[#1+1]\no1 endsub\no1 call [4]\nM2\n"),
+            "4:#1=4 2:#3=5 ");
+  EXPECT_EQ(told(Dialect::sinumerik,
+                 "%_N_M_MPF\nSUB(5)\nM30\n%_N_SUB_SPF\nPROC SUB(REAL VA,INT VB=2)\nR1=VA\nRET\n"),
+            "2:VA=5 2:VB=2 6:R1=5 ");
+}
+
 }  // namespace
 }  // namespace mrsim

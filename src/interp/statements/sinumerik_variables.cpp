@@ -249,7 +249,9 @@ bool SinumerikVariables::read(std::string_view name, std::span<const Value> indi
     known = tool_value(key, indices, value) || kept_value(key, indices, value);
   }
   out = Value::of(value);
-  if (!known) why = fmt::format("the system variable {} is not answered here", key.substr(0, 60));
+  if (!known)
+    why = fmt::format("the system variable {} is not answered here: write its value in its place",
+                      key.substr(0, 60));
   return known;
 }
 
