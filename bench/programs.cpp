@@ -4,6 +4,8 @@
 #include "core/trig.h"
 #include "core/units.h"
 #include "core/vec.h"
+#include "support/shapes.h"
+#include "support/tools.h"
 
 #include <algorithm>
 #include <charconv>
@@ -14,26 +16,17 @@
 namespace mrsim::bench {
 namespace {
 
+using testing::ballmill;
+using testing::box_stock;
+using testing::endmill;
+using testing::round_stock;
+
 double sine(double x) { return sincos(x).sin; }
 double cosine(double x) { return sincos(x).cos; }
 
 // What the NC text can hold: six decimals.
 double rounded(double x) { return std::round(x * 1e6) / 1e6; }
 Vec3 rounded(const Vec3& p) { return {rounded(p.x), rounded(p.y), rounded(p.z)}; }
-
-StockShape block(Vec3 lo, Vec3 hi) {
-  StockShape shape;
-  shape.box = {lo, hi};
-  return shape;
-}
-
-Tool mill(ToolType type, double diameter) {
-  Tool tool;
-  tool.id = "1";
-  tool.type = type;
-  tool.diameter = diameter;
-  return tool;
-}
 
 class PathWriter {
  public:
@@ -71,10 +64,8 @@ class PathWriter {
 }  // namespace
 
 BenchProgram raster(std::size_t n) {
-  BenchProgram program{fmt::format("raster-{}", n),
-                       block({0, 0, 0}, {100, 100, 20}),
-                       mill(ToolType::ballmill, 6),
-                       {}};
+  BenchProgram program{
+      fmt::format("raster-{}", n), box_stock({0, 0, 0}, {100, 100, 20}), ballmill(6), {}};
   const auto rows =
       std::max<std::size_t>(2, static_cast<std::size_t>(std::sqrt(static_cast<double>(n))));
   const std::size_t per_row = std::max<std::size_t>(1, n / rows);
@@ -93,10 +84,8 @@ BenchProgram raster(std::size_t n) {
 }
 
 BenchProgram adaptive(std::size_t n) {
-  BenchProgram program{fmt::format("adaptive-{}", n),
-                       block({0, 0, 0}, {200, 200, 40}),
-                       mill(ToolType::endmill, 10),
-                       {}};
+  BenchProgram program{
+      fmt::format("adaptive-{}", n), box_stock({0, 0, 0}, {200, 200, 40}), endmill(10), {}};
   constexpr std::size_t kLevels = 5, kRows = 25, kSegments = 20;
   const std::size_t loops = std::max<std::size_t>(1, n / (kLevels * kRows * kSegments));
   PathWriter path(program, {0, 0, 50});
@@ -117,10 +106,8 @@ BenchProgram adaptive(std::size_t n) {
 }
 
 BenchProgram helix_drill(std::size_t holes) {
-  BenchProgram program{fmt::format("helix-drill-{}", holes),
-                       block({0, 0, 0}, {200, 200, 20}),
-                       mill(ToolType::endmill, 2),
-                       {}};
+  BenchProgram program{
+      fmt::format("helix-drill-{}", holes), box_stock({0, 0, 0}, {200, 200, 20}), endmill(2), {}};
   const auto columns = static_cast<std::size_t>(std::ceil(std::sqrt(static_cast<double>(holes))));
   const double pitch = 200.0 / static_cast<double>(columns);
   PathWriter path(program, {0, 0, 30});
@@ -138,9 +125,7 @@ BenchProgram helix_drill(std::size_t holes) {
 
 BenchProgram turn(std::size_t n) {
   BenchProgram program{fmt::format("turn-{}", n), {}, {}, {}};
-  program.stock.kind = StockShape::Kind::cylinder;
-  program.stock.outer_radius = 40;
-  program.stock.box = {{-40, -40, 0}, {40, 40, 200}};
+  program.stock = round_stock(40, 0, 0, 200);
   program.tool.id = "1";
   program.tool.type = ToolType::turning;
   program.tool.insert_angle = radians(35);
@@ -161,7 +146,7 @@ BenchProgram turn(std::size_t n) {
 
 BenchProgram arcs(std::size_t n) {
   BenchProgram program{
-      fmt::format("arcs-{}", n), block({0, 0, 0}, {200, 200, 40}), mill(ToolType::endmill, 6), {}};
+      fmt::format("arcs-{}", n), box_stock({0, 0, 0}, {200, 200, 40}), endmill(6), {}};
   PathWriter path(program, {100, 100, 50});
   Vec3 at{100, 100, 30};
   path.rapid({at.x, at.y, 50});
