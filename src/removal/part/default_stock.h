@@ -1,4 +1,5 @@
-// A stock for those who give none: a plain solid around everything that the program cuts.
+// A stock for those who give none: a plain solid around everything that the program cuts
+// (docs/default_stock.md).
 #pragma once
 
 #include <mrsim/types.h>
