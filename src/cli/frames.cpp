@@ -1,24 +1,68 @@
 // `--frames N`: the part, or a picture of it, at N moments at equal shares of the machine's time
 // or of the volume that is removed.
 #include "cli/commands.h"
-#include "cli/film.h"
 #include "cli/findings.h"
 #include "cli/option_values.h"
 #include "cli/standard_streams.h"
 #include "cli/temporary_place.h"
 #include "cli/terminal.h"
+#include "core/child_process.h"
+#include "core/error.h"
 #include "core/output_place.h"
 #include "core/publish.h"
 #include "core/text_io.h"
 
 #include <algorithm>
+#include <cerrno>
+#include <cstdlib>
 #include <filesystem>
+#include <sstream>
+#include <string>
+#include <vector>
 
 #include <fmt/format.h>
 #include <sys/resource.h>
+#include <sys/wait.h>
+#include <unistd.h>
 
 namespace mrsim::cli {
 namespace {
+
+// A film of pictures is made by ffmpeg, where that is installed.
+
+// Its exit code, or -1.
+int run_ffmpeg(const std::vector<std::string>& words) {
+  const pid_t child = start_program(words, ProgramLife::ours);
+  int status = 0;
+  while (child < 0 || ::waitpid(child, &status, 0) < 0)
+    if (child < 0 || errno != EINTR) return -1;
+  return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
+}
+
+// By its ending.
+bool is_film(const std::string& path) { return path.ends_with(".webm"); }
+
+// Throws Error "ffmpeg-missing" where no folder of PATH holds ffmpeg.
+void require_ffmpeg() {
+  const char* folders = std::getenv("PATH");
+  std::istringstream list(folders != nullptr ? folders : "");
+  for (std::string folder; std::getline(list, folder, ':');)
+    if (::access((folder + "/ffmpeg").c_str(), X_OK) == 0) return;
+  throw Error("ffmpeg-missing",
+              "films are made by ffmpeg, which is not installed: install it, or write pictures, "
+              "-o f%04d.png");
+}
+
+// Makes a .webm of the pictures `folder`/0001.png and on, twelve a second. Its name, in that
+// folder. Throws Error "film" where ffmpeg fails; its own words go to the standard error.
+std::string make_film(const std::string& folder) {
+  std::string film = folder + "/film.webm";
+  const int code = run_ffmpeg({"ffmpeg", "-nostdin", "-v", "error", "-y", "-framerate", "12", "-i",
+                               folder + "/%04d.png", "-c:v", "libvpx-vp9", "-pix_fmt", "yuv420p",
+                               "-crf", "32", "-b:v", "0", film});
+  if (code != 0) throw Error("film", "ffmpeg failed: there is no film");
+  return film;
+}
 
 // Number of motions until each moment but the last, none before the first cut is done.
 std::vector<std::size_t> frame_ends(const JobResult& whole, const Arguments& arguments) {

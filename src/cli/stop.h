@@ -14,11 +14,11 @@ void watch_signals();
 /// 130 (SIGINT) or 143 (SIGTERM) once the user has asked for the end, else 0.
 int stop_code();
 
-/// What is still to be said where the process is about to end out of order; called from another
-/// thread, once. Empty: nothing.
+/// `say` tells the user what is left of the run where the process is ended before its time; it is
+/// called from another thread, once. Empty: nothing is told.
 void set_last_words(std::function<void(int code)> say);
 
-/// What is written stays: from now on a stop says no more than that.
+/// All outputs are written and stay: from now on a stop says no more than that.
 void all_is_written();
 
 }  // namespace mrsim::cli
