@@ -1,6 +1,5 @@
 // Programs that stop for the part to be turned over, or for a tool to be changed by hand.
-#include "interp/comments/hand_change.h"
-#include "interp/comments/part_turned.h"
+#include "interp/comments/operator_comments.h"
 #include "interp/support.h"
 
 #include <string>

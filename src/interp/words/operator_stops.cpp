@@ -1,8 +1,7 @@
 #include "interp/words/operator_stops.h"
 
 #include "core/text_io.h"
-#include "interp/comments/hand_change.h"
-#include "interp/comments/part_turned.h"
+#include "interp/comments/operator_comments.h"
 #include "interp/comments/tool_hint.h"
 #include "interp/text/characters.h"
 

@@ -1,4 +1,5 @@
-// Comments that tell the operator to turn the part over: "FLIP PART", "BAUTEIL WENDEN".
+// Comments that tell the operator what to do at a stop: turn the part over ("FLIP PART", "BAUTEIL
+// WENDEN"), or change the tool by hand ("CHANGE TO 1/8 BALL ENDMILL").
 #pragma once
 
 #include <cstdint>
@@ -14,5 +15,8 @@ enum class PartTurned : std::uint8_t {
 
 /// `bytes` in whatever encoding they came; `lathe`: "TURN PART" is what the machine does.
 PartTurned says_part_is_turned(std::string_view bytes, bool lathe);
+
+/// The same of a change of the tool by hand.
+bool says_tool_is_changed(std::string_view bytes);
 
 }  // namespace mrsim
