@@ -27,6 +27,12 @@ bool says_inches(std::string_view comment) {
   return inches && units;
 }
 
+// The numbers of WORKPIECE behind its type: of a box; and what two of them are of other types.
+enum : std::size_t { kMask, kTop, kBottom, kFinished, kX0, kY0, kX1, kY1 };
+enum : std::size_t { kLength = kX0, kWidth = kY0, kOuter = kX0, kInner = kY0 };
+// Bits of the mask: the value is a coordinate, not counted from the one before.
+enum : unsigned { kX1Absolute = 16, kY1Absolute = 32, kBottomAbsolute = 64 };
+
 }  // namespace
 
 // WORKPIECE(,"",,"BOX",mask,za,zi,zb,x0,y0,x1,y1) and its round relatives state the stock.
@@ -51,7 +57,7 @@ bool WorkpieceWords::run() {
     const std::optional<double> value = text.empty() ? 0.0 : parse_number(text);
     if (!value)
       return error("not-supported", "an expression in WORKPIECE is not supported yet", where);
-    v[count] = *value * (count == 0 ? 1 : scale());
+    v[count] = *value * (count == kMask ? 1 : scale());
     ++count;
   }
   return set(type, v, where);
@@ -59,27 +65,28 @@ bool WorkpieceWords::run() {
 
 bool WorkpieceWords::set(const std::string& type, const std::array<double, 12>& v,
                          const Word& where) {
-  const auto mask = static_cast<unsigned>(v[0] < 0 ? 0 : v[0]);
-  const double top = v[1], bottom = (mask & 64U) ? v[2] : v[1] + v[2];
+  const auto mask = static_cast<unsigned>(v[kMask] < 0 ? 0 : v[kMask]);
+  const double top = v[kTop], bottom = (mask & kBottomAbsolute) ? v[kBottom] : v[kTop] + v[kBottom];
   StockShape stock;
   if (type.empty()) return true;
   stock.box.lo.z = std::min(top, bottom);
   stock.box.hi.z = std::max(top, bottom);
   if (type == "BOX") {
-    const double x1 = (mask & 16U) ? v[6] : v[4] + v[6], y1 = (mask & 32U) ? v[7] : v[5] + v[7];
-    stock.box.lo.x = std::min(v[4], x1);
-    stock.box.hi.x = std::max(v[4], x1);
-    stock.box.lo.y = std::min(v[5], y1);
-    stock.box.hi.y = std::max(v[5], y1);
+    const double x1 = (mask & kX1Absolute) ? v[kX1] : v[kX0] + v[kX1],
+                 y1 = (mask & kY1Absolute) ? v[kY1] : v[kY0] + v[kY1];
+    stock.box.lo.x = std::min(v[kX0], x1);
+    stock.box.hi.x = std::max(v[kX0], x1);
+    stock.box.lo.y = std::min(v[kY0], y1);
+    stock.box.hi.y = std::max(v[kY0], y1);
   } else if (type == "RECTANGLE") {
-    stock.box.lo = {-v[4] / 2, -v[5] / 2, stock.box.lo.z};
-    stock.box.hi = {v[4] / 2, v[5] / 2, stock.box.hi.z};
+    stock.box.lo = {-v[kLength] / 2, -v[kWidth] / 2, stock.box.lo.z};
+    stock.box.hi = {v[kLength] / 2, v[kWidth] / 2, stock.box.hi.z};
   } else if (type == "CYLINDER" || type == "PIPE") {
     stock.kind = type == "PIPE" ? StockShape::Kind::tube : StockShape::Kind::cylinder;
-    stock.outer_radius = v[4] / 2;
-    if (type == "PIPE") stock.inner_radius = v[5] / 2;
-    stock.box.lo = {-v[4] / 2, -v[4] / 2, stock.box.lo.z};
-    stock.box.hi = {v[4] / 2, v[4] / 2, stock.box.hi.z};
+    stock.outer_radius = v[kOuter] / 2;
+    if (type == "PIPE") stock.inner_radius = v[kInner] / 2;
+    stock.box.lo = {-v[kOuter] / 2, -v[kOuter] / 2, stock.box.lo.z};
+    stock.box.hi = {v[kOuter] / 2, v[kOuter] / 2, stock.box.hi.z};
   } else {
     return error("not-supported", fmt::format("WORKPIECE of type {} is not supported yet", type),
                  where);
