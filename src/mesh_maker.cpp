@@ -1,16 +1,21 @@
 #include "mesh_maker.h"
 
+#include "compare/hausdorff.h"
 #include "core/error.h"
 #include "core/memory_limit.h"
 #include "core/units.h"
 #include "core/vec.h"
 #include "mesh/extract.h"
 #include "mesh/mesh_part.h"
+#include "mesh/reduce/reduce.h"
 #include "mesh/solid/check.h"
 #include "outputs.h"
 
 #include <algorithm>
 #include <limits>
+#include <utility>
+
+#include <fmt/format.h>
 
 namespace mrsim {
 namespace {
@@ -39,6 +44,8 @@ MeshPlan grid_plan(const Job& job, const Stock& stock, const MeshChoice& choice)
     };
   return plan;
 }
+
+constexpr DistanceError kError{1e-4, 0.01};
 
 }  // namespace
 
@@ -110,6 +117,24 @@ double volume_before(const Job& job, const StockShape& shape, const MeshChoice& 
   if (shape.kind == StockShape::Kind::mesh) return signed_volume(shape.mesh);
   const double outer = shape.outer_radius, inner = shape.inner_radius;
   return kPi * (outer * outer - inner * inner) * size.z;
+}
+
+bool reduce_part(const Job& job, JobResult& result, MeshStore& part, Outputs& outputs) {
+  if (job.max_triangles == 0) return false;
+  const TriMesh& before = part.in_memory();
+  if (before.triangles.size() <= job.max_triangles) return false;
+  result.expected_memory += static_cast<std::size_t>(reduction_memory(before.triangles.size()));
+  TriMesh after = reduce_mesh(before, job.max_triangles, job.mesh);
+  if (after.triangles.size() > job.max_triangles)
+    throw Error("max-triangles",
+                fmt::format("--max-triangles {}: no mesh of so few triangles was found that does "
+                            "not cross itself; {} are possible",
+                            job.max_triangles, after.triangles.size()));
+  const HausdorffBound apart = surface_distance(after, before, kError, job.mesh.threads);
+  result.reduction = {before.triangles.size(), apart.lower, apart.upper, apart.place};
+  part.replace(std::move(after));
+  outputs.replace_mesh();
+  return true;
 }
 
 }  // namespace mrsim

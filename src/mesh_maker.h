@@ -1,10 +1,12 @@
-// The mesh of a run: within its tolerance or on the grid, as it was chosen and as memory allows.
+// The mesh of a run: within its tolerance or on the grid, as it was chosen and as memory allows;
+// and made smaller where the job limits its triangles.
 #pragma once
 
 #include "mesh/cells/mesh_report.h"
 #include "mesh/solid/mesh_plan.h"
 #include "mesh_choice.h"
 #include "mesh_store.h"
+#include "outputs.h"
 #include "removal/part/stock.h"
 #include <mrsim/mrsim.h>
 
@@ -48,5 +50,10 @@ class MeshMaker {
 /// mm^3. Exact where the stock is a primitive; a stock that has been cut before is meshed as it
 /// was.
 double volume_before(const Job& job, const StockShape& shape, const MeshChoice& choice);
+
+/// Reduces the mesh where it has more triangles than the job allows, and measures the distance
+/// between both meshes into result.reduction. Returns whether it did. Throws Error "max-triangles",
+/// which names a number that is possible, where no sound mesh is that small.
+bool reduce_part(const Job& job, JobResult& result, MeshStore& part, Outputs& outputs);
 
 }  // namespace mrsim

@@ -1,7 +1,7 @@
 // The facade: calls the stages in order.
 
+#include "assumed_sizes.h"
 #include "collision_findings.h"
-#include "cone_height.h"
 #include "core/error.h"
 #include "core/heap.h"
 #include "core/memory_limit.h"
@@ -10,14 +10,12 @@
 #include "core/vec.h"
 #include "cuts.h"
 #include "history.h"
-#include "insert_size.h"
 #include "mesh/draw/render.h"
 #include "mesh/mesh_part.h"
 #include "mesh/solid/check.h"
 #include "mesh/solid/solid_repair.h"
 #include "mesh_choice.h"
 #include "mesh_maker.h"
-#include "mesh_reduction.h"
 #include "mesh_store.h"
 #include "outputs.h"
 #include "part_findings.h"
@@ -93,7 +91,7 @@ bool opens_voxels_early(const Job& job) {
          memory_left() > kVoxelModuleMemory;
 }
 
-// What the file of a stock made necessary.
+// What is to be reported of a stock's file.
 struct StockFindings {
   std::string accuracy;  // what a surface that was made of voxels is worth
   std::string step;      // what a surface that was made of a STEP file is worth
@@ -126,7 +124,7 @@ StockShape load_stock(const std::string& spec, const StockOptions& options,
   return shape;
 }
 
-// A stock that the program states, and cuts elsewhere.
+// Warns where the program states a stock and cuts beside it.
 void check_reach(const StockShape& stock, JobResult& result) {
   constexpr double kFew = 0.05;
   const Program& program = result.program;

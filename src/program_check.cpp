@@ -1,5 +1,5 @@
 // Whether a run would take a program: its findings, and the sweeps that can not be made.
-#include "cone_height.h"
+#include "assumed_sizes.h"
 #include "core/error.h"
 #include "core/rounding.h"
 #include "interp/interpreter.h"

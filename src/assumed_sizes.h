@@ -1,7 +1,9 @@
-// Cones whose height no comment tells.
+// Sizes of tools that nothing tells: heights of cones, widths and reaches of turning inserts. They
+// are taken from what the program cuts.
 #pragma once
 
 #include <mrsim/mrsim.h>
+#include <mrsim/types.h>
 
 #include <optional>
 
@@ -16,5 +18,10 @@ void close_cone(Tool& tool, double height);
 /// `top`, the stock's; where that is not known yet, as high as the cuts of the program begin. Each
 /// is noted.
 void complete_cones(JobResult& result, std::optional<double> top);
+
+/// A neutral threading insert without width and edge is as wide as the largest lead that it cuts.
+/// An inside tool without edge length, or a blade, reaches 16 mm from its point, or to the axis
+/// where that is nearer.
+void complete_inserts(Program& program);
 
 }  // namespace mrsim
