@@ -40,7 +40,7 @@ Engine::Engine(const InterpOptions& options, Program& program, int leader_lines,
       operator_(control_) {
   control_.work = options.table.work;
   control_.registers = options.table.offsets;
-  control_.place_machine();
+  control_.shift_machine();
   control_.modal = start_modal(program.dialect, program.machine);
   control_.modal.okuma = okuma;
   control_.modal.has_increments = okuma;  // G90 of its lathes is no turning cycle

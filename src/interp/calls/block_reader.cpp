@@ -69,7 +69,7 @@ bool BlockReader::read_line(Activation& top) {
   return true;
 }
 
-// Without the parts of it that are repeated.
+// The innermost program or subprogram; repeated parts of a program are no programs.
 BlockReader::Activation& BlockReader::program_read() {
   std::size_t i = stack_.size() - 1;
   while (i > 0 && !stack_[i].counts_as_call) --i;
@@ -99,7 +99,7 @@ void BlockReader::join_lines(Activation& top) {
     text.push_back(' ');
     text.insert(text.end(), more.begin() + static_cast<std::ptrdiff_t>(sign) + 1, more.end());
   }
-  if (text.size() == alone) {  // what was read ahead may have moved it
+  if (text.size() == alone) {  // reading ahead may have moved the line in memory
     source.seek(top.line_offset, top.line_number - 1);
     source.next(top.line);
     return;

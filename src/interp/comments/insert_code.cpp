@@ -1,5 +1,6 @@
 #include "interp/comments/insert_code.h"
 
+#include "core/rounding.h"
 #include "core/units.h"
 #include "interp/text/characters.h"
 
@@ -216,7 +217,7 @@ double usual_nose_unit(double value) {
                        [&](double u) { return std::abs(value - u) < tolerance; });
   };
   if (is_any(kInches, 0.0013)) return kMmPerInch;
-  return is_any(kMm, 1e-9) ? 1 : 0;
+  return is_any(kMm, kRounding) ? 1 : 0;
 }
 
 }  // namespace mrsim

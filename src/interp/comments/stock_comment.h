@@ -1,4 +1,4 @@
-// The block of which CAM programs tell in comments before the first cut.
+// The box of stock that CAM programs describe in comments before the first cut.
 //
 //   Carbide Create, CutViewer  (stockMin:0.00mm, 0.00mm, -12.00mm) (stockMax:...)
 //                              (STOCK/BLOCK, size X, Y, Z, zero's place in it X, Y, Z)
@@ -19,7 +19,7 @@ namespace mrsim {
 class StockComments {
  public:
   void read(std::string_view bytes, int line);
-  /// The block in mm about the program's zero, in a program whose unit is `unit` mm; none: size or
+  /// The stock in mm about the program's zero, in a program whose unit is `unit` mm; none: size or
   /// place are missing.
   std::optional<Box3> box(double unit) const;
   /// Where the comment stands that gave the size.

@@ -28,7 +28,7 @@ std::string Control::offset_name(std::string_view written) const {
 
 // The first zero (G54, if it is there) is that of the tool table, or the stock's own: that ties the
 // machine to the stock. The others follow, unless the tool table has them.
-void Control::place_machine() {
+void Control::shift_machine() {
   for (WorkOffset& offset : work) offset.name = offset_name(offset.name);
   std::vector<WorkOffset> zeros = options.places.zero;
   if (zeros.empty()) return;

@@ -44,7 +44,7 @@ struct Control {
         dialect(program_in.dialect) {}
 
   /// Where the machine's coordinates lie in the stock's, and the work offsets that follow from it.
-  void place_machine();
+  void shift_machine();
 
   const InterpOptions& options;
   Program& program;

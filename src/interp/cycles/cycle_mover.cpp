@@ -22,7 +22,7 @@ bool CycleMover::target(Vec2 to, Target& out) const {
   out.programmed = from_plane(b, to, height());
   for (int i = 0; i < 3; ++i)
     if (component(b.w, i) == 0) out.named |= 1U << i;
-  return length(to - place()) > kRounding || (position_.known & out.named) != out.named;
+  return length(to - position()) > kRounding || (position_.known & out.named) != out.named;
 }
 
 void CycleMover::rapid(Vec2 to) {
@@ -38,7 +38,7 @@ void CycleMover::compensated(Vec2 to, MotionKind kind) {
 void CycleMover::rapid_height(double to) {
   const Basis b = basis();
   Target target;
-  target.programmed = from_plane(b, place(), to);
+  target.programmed = from_plane(b, position(), to);
   for (int i = 0; i < 3; ++i)
     if (component(b.w, i) != 0) target.named |= 1U << i;
   if (std::abs(to - height()) > kRounding || (position_.known & target.named) != target.named)
@@ -47,7 +47,7 @@ void CycleMover::rapid_height(double to) {
 
 void CycleMover::line(Vec2 to, double feed) { go(to, height(), MotionKind::line, feed); }
 
-void CycleMover::line_height(double to, double feed) { go(place(), to, MotionKind::line, feed); }
+void CycleMover::line_height(double to, double feed) { go(position(), to, MotionKind::line, feed); }
 
 void CycleMover::slope(Vec2 to, double height, double feed) {
   go(to, height, MotionKind::line, feed);

@@ -13,7 +13,7 @@ class CycleMover : public ControlPart {
 
   /// The word that the motions name.
   void begin(const Word& where) { where_ = where; }
-  Vec2 place() const { return in_plane(basis(), position_.programmed); }
+  Vec2 position() const { return in_plane(basis(), position_.programmed); }
   double height() const { return dot(position_.programmed, basis().w); }
 
   /// `feed` 0: the one in force.

@@ -18,8 +18,8 @@ class DrillWords : public ControlPart {
   bool wants_block() const;
   /// Holes at the points of the block. False: an error was reported.
   bool run();
-  /// Holes of the cycle in force at `points`; they have the level of now. `own_p`: the block's P is
-  /// the pattern's, no dwell. False: as above.
+  /// Holes of the cycle in force at `points`, from the current level. `own_p`: the block's P
+  /// belongs to the pattern and is no dwell. False: an error was reported.
   bool at_points(const std::vector<Vec3>& points, const Word& where, bool own_p = false);
 
  private:

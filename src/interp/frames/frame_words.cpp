@@ -9,6 +9,11 @@
 #include <fmt/format.h>
 
 namespace mrsim {
+namespace {
+
+constexpr double kMostScale = 1e9, kMostShift = 1e10;  // volumes of a frame; mm
+
+}  // namespace
 
 // The pieces in the order the control applies them: innermost last.
 void FrameWords::rebuild() {
@@ -216,7 +221,8 @@ bool FrameWords::sinumerik_step(const Vec3& values, unsigned named) {
 // Scales that compound beyond all measure would end in positions that are no numbers.
 bool FrameWords::in_range() {
   const double d = std::abs(determinant(frames_.total));
-  if (d >= 1e-9 && d <= 1e9 && length(frames_.total.shift) <= 1e10) return true;
+  if (d >= 1 / kMostScale && d <= kMostScale && length(frames_.total.shift) <= kMostShift)
+    return true;
   return error("value-range", "the frame scales or shifts beyond all measure", *block_.frame_code);
 }
 

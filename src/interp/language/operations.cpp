@@ -137,7 +137,8 @@ double angle_of(const ExpressionRules& rules, double radians) {
 // Exact for the powers of ten.
 double logarithm_ten(double x) {
   const double log = natural_logarithm(x) / natural_logarithm(10), whole = nearest_whole(log);
-  return std::abs(log - whole) < 1e-12 && power(10, std::abs(whole)) == (whole < 0 ? 1 / x : x)
+  constexpr double kNearWhole = 1e-12;  // more than the quotient of the logarithms is rounded
+  return std::abs(log - whole) < kNearWhole && power(10, std::abs(whole)) == (whole < 0 ? 1 / x : x)
              ? whole
              : log;
 }

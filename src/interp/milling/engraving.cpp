@@ -102,9 +102,9 @@ bool Engraving::read(Text& out) {
 
 void Engraving::cut(const Text& text) {
   TextStrokes set = text_strokes(text.letters);
-  const Vec2 start = cutter_.mover().place();
+  const Vec2 start = cutter_.mover().position();
   const SinCos turn = sincos_deg(text.turn);
-  const auto place = [&](Vec2 p) {
+  const auto in_text = [&](Vec2 p) {
     const Vec2 at{p.x * kHaasWidth * text.height, p.y * text.height};
     return start + Vec2{turn.cos * at.x - turn.sin * at.y, turn.sin * at.x + turn.cos * at.y};
   };
@@ -113,9 +113,9 @@ void Engraving::cut(const Text& text) {
   levels.depth = text.depth;
   levels.plunge = text.plunge;
   for (std::vector<Vec2>& stroke : set.strokes)
-    for (Vec2& point : stroke) point = place(point);
+    for (Vec2& point : stroke) point = in_text(point);
   cutter_.cut(set.strokes, levels);
-  cutter_.mover().rapid(place({set.width, 0}));
+  cutter_.mover().rapid(in_text({set.width, 0}));
 }
 
 bool Engraving::run() {

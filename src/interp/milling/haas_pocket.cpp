@@ -121,7 +121,7 @@ void HaasPocket::end_contour() {
 
 // In cuts of Q that leave K, then along the wall at the full depth.
 bool HaasPocket::pocket() {
-  const Vec2 hole = mover_.place();
+  const Vec2 hole = mover_.position();
   Loop loop;
   if (!cutter_.closed_loop(contour_, 1, loop)) return false;
   if ((signed_area(loop) > 0) != left_)

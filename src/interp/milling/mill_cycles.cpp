@@ -122,7 +122,7 @@ bool MillCycles::levels(Levels& l) {
 }
 
 // PA PO or CPA CPO; by MCALL without them the place of the tool.
-bool MillCycles::reference_place(Vec2& out) {
+bool MillCycles::reference_point(Vec2& out) {
   const bool center = call_->lists("CPA");
   const ValueName u = center ? ValueName("CPA") : ValueName("PA");
   const ValueName v = center ? ValueName("CPO") : ValueName("PO");
@@ -131,13 +131,13 @@ bool MillCycles::reference_place(Vec2& out) {
   if (at_position_ && given)
     return fail("not-supported",
                 fmt::format("MCALL {} with a place of its own is not supported yet", call_->name));
-  if (at_position_ || (!call_->given(u) && !call_->given(v))) out = mover_.place();
+  if (at_position_ || (!call_->given(u) && !call_->given(v))) out = mover_.position();
   return true;
 }
 
 // The centre, where a corner or an end is given.
 bool MillCycles::center(double length, double width, double degrees, Vec2& out) {
-  if (!reference_place(out)) return false;
+  if (!reference_point(out)) return false;
   const int from = call_->digit("GMODE", 3);
   if (from > 5) return fail("value-range", "GMODE: the reference point is 0 to 5");
   if (from < 2) return true;
@@ -154,7 +154,8 @@ std::vector<Loop> MillCycles::nested(const Levels& l, double last, Vec2 at, doub
   std::vector<Loop> loops;
   for (int k = 0; k <= n; ++k) {
     const Loop loop = make(n == 0 ? 0 : last * k / n);
-    if (!loop.empty()) loops.push_back(placed(l.clockwise ? reversed(loop) : loop, at, degrees));
+    if (!loop.empty())
+      loops.push_back(transformed(l.clockwise ? reversed(loop) : loop, at, degrees));
   }
   return loops;
 }
@@ -194,7 +195,7 @@ bool MillCycles::rectangle() {
 bool MillCycles::circle() {
   Levels l;
   Vec2 at;
-  if (!levels(l) || !reference_place(at)) return false;
+  if (!levels(l) || !reference_point(at)) return false;
   if (call_->name == "POCKET4" && value("DMODE") >= 100)
     return fail("not-supported",
                 "POCKET4 with a DMODE of 100 and more, by which its fifth value may be a diameter, "
@@ -223,7 +224,7 @@ int MillCycles::count(double& first, double& step, double whole) {
 bool MillCycles::slots() {
   Levels l;
   Vec2 middle;
-  if (!levels(l) || !reference_place(middle)) return false;
+  if (!levels(l) || !reference_point(middle)) return false;
   double first = 0, step = 0;
   const int n = count(first, step, 360);
   const double unit = scale(), length = std::abs(value("LENG")) * unit;
@@ -258,7 +259,7 @@ bool MillCycles::slots() {
 bool MillCycles::arc_slots() {
   Levels l;
   Vec2 middle;
-  if (!levels(l) || !reference_place(middle)) return false;
+  if (!levels(l) || !reference_point(middle)) return false;
   double first = 0, step = 0;
   const int n = count(first, step, 360);
   const double unit = scale(), round = std::abs(value("RAD")) * unit;

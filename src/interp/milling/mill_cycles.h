@@ -49,7 +49,7 @@ class MillCycles : public ControlPart {
   bool depth(Levels& out);
   bool modes(Levels& out);
   bool chamfer(Levels& out);
-  bool reference_place(Vec2& out);
+  bool reference_point(Vec2& out);
   bool center(double length, double width, double degrees, Vec2& out);
   bool rectangle();
   bool circle();
@@ -65,7 +65,8 @@ class MillCycles : public ControlPart {
   void descend(const Levels& l, const Area& area, double from, double to);
   void swing_down(const Levels& l, const Area& area, double from, double to);
   bool tracks(const Levels& l, const std::vector<std::pair<Vec2, Vec2>>& lines, bool one_way);
-  /// Loops from the middle to `last` from it, placed; `make` gives the one at a distance.
+  /// Loops from the middle to `last` from it, turned and moved to the pocket; `make` gives the one
+  /// at a distance.
   static std::vector<Loop> nested(const Levels& l, double last, Vec2 at, double degrees,
                                   const std::function<Loop(double)>& make);
   int count(double& first, double& step, double whole);

@@ -123,7 +123,7 @@ bool MillCycles::spigot() {
                 "CYCLE76: a length below 0 counts from a corner (_ZSD[2]), which is not supported: "
                 "write the centre and lengths above 0");
   Vec2 at;
-  if (!(round ? reference_place(at) : center(length, width, degrees, at))) return false;
+  if (!(round ? reference_point(at) : center(length, width, degrees, at))) return false;
   const double aside0 = std::max(blank_length - length, blank_width - width) / 2;
   // The corners of a rectangular blank lie farther out than its sides.
   const double reach = round ? aside0 : aside0 * 1.4143 + 0.4143 * corner;
@@ -139,7 +139,7 @@ bool MillCycles::spigot() {
       const double d = aside + most * k / n + r;
       const Loop loop = round ? circle_loop(length / 2 + d)
                               : rounded_rectangle(length / 2 + d, width / 2 + d, corner + d);
-      loops.push_back(placed(opposite ? loop : reversed(loop), at, degrees));
+      loops.push_back(transformed(opposite ? loop : reversed(loop), at, degrees));
     }
     return loops;
   };
@@ -178,7 +178,7 @@ bool MillCycles::tracks(const Levels& l, const std::vector<std::pair<Vec2, Vec2>
 bool MillCycles::face() {
   Levels l;
   Vec2 corner;
-  if (!levels(l) || !reference_place(corner)) return false;
+  if (!levels(l) || !reference_point(corner)) return false;
   const bool old = call_->name == "CYCLE71";
   const double unit = scale(), degrees = old ? value("STA") : 0;
   const auto extent = [&](ValueName size, int digit, double from) {
@@ -221,7 +221,7 @@ bool MillCycles::face() {
 bool MillCycles::open_slot() {
   Levels l;
   Vec2 at;
-  if (!levels(l) || !reference_place(at)) return false;
+  if (!levels(l) || !reference_point(at)) return false;
   if (call_->digit("GMODE", 3) > 1)
     return fail("not-supported", "CYCLE899: a reference point other than the centre");
   const double unit = scale(), length = std::abs(value("LENG")) * unit;
@@ -230,11 +230,11 @@ bool MillCycles::open_slot() {
     return fail("value-range", "the cutter is too large for the slot (alarm 61105)");
   const double half = length / 2 + radius_ + std::abs(l.safe - l.reference);
   const int n = b < kRounding ? 0 : steps_of(2 * b, l.width);
-  const auto place = [&](double u, double v) { return at + turned({u, v}, value("STA")); };
+  const auto point = [&](double u, double v) { return at + turned({u, v}, value("STA")); };
   std::vector<std::pair<Vec2, Vec2>> lines;
   for (int i = 0; i <= n; ++i) {
     const double v = n == 0 ? 0 : -b + 2 * b * i / n;
-    lines.emplace_back(place(-half, v), place(half, v));
+    lines.emplace_back(point(-half, v), point(half, v));
   }
   return tracks(l, lines, false);
 }
@@ -244,7 +244,7 @@ bool MillCycles::open_slot() {
 bool MillCycles::thread() {
   Levels l;
   Vec2 at;
-  if (!depth(l) || !reference_place(at)) return false;
+  if (!depth(l) || !reference_point(at)) return false;
   const double unit = scale(), pitch = std::abs(call_->get("PIT")) * unit;
   const bool outside = call_->get("TYPTH") == 1;
   const double nominal = std::abs(call_->get("DIATH")) * unit / 2;

@@ -97,10 +97,10 @@ void RegionCutter::level(const Region& region, const std::vector<Loop>& loops, d
                          double from, double to, const Levels& l) {
   bool down = false;
   for (const Loop& each : loops) {
-    Loop loop = begun_near(each, mover_.place());
+    Loop loop = begun_near(each, mover_.position());
     if (l.clockwise) loop = reversed(loop);
     const Vec2 start = loop.front().start;
-    if (down && region.keeps(mover_.place(), start, distance)) {
+    if (down && region.keeps(mover_.position(), start, distance)) {
       mover_.line(start, l.feed);
     } else {
       mover_.rapid_height(down || std::abs(from - l.safe) > kRounding ? l.safe : l.top);

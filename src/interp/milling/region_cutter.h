@@ -1,5 +1,5 @@
 // A cutter clears a region of the plane, level by level: pockets and spigots of any contour. The
-// final shape is that of the contours; the way to it is one of loops, told in docs/interp.md.
+// final shape is that of the contours; docs/interp.md tells by which loops the cutter gets there.
 // Private to src/interp.
 #pragma once
 

@@ -17,7 +17,7 @@ constexpr int kFirst[] = {0, 2, 1}, kSecond[] = {1, 0, 2};  // axes of G17, G18,
 void CenterHints::full_circle(const ArcBlock& arc, Vec2 center) {
   if (modal_.plane > 2 || modal_.center_absolute) return;
   sign(arc, center);
-  if (!is(Dialect::sinumerik) && !modal_.center_told) place(arc, center);
+  if (!is(Dialect::sinumerik) && !modal_.center_told) absolute_center(arc, center);
 }
 
 // A full circle whose centre would fall on the zero point with the other sign: "I12.5 puts the
@@ -37,7 +37,7 @@ void CenterHints::sign(const ArcBlock& arc, Vec2 center) {
 
 // I and J name the place that the tool comes from: the middle of the hole that it is in. As offsets
 // they are about a point where it never was.
-void CenterHints::place(const ArcBlock& arc, Vec2 center) {
+void CenterHints::absolute_center(const ArcBlock& arc, Vec2 center) {
   const Vec2 at = center - arc.start, from = in_plane(arc.basis, position_.before);
   const double radius = length(at);
   if (!position_.has_before || length(from - at) > kAgree) return;
@@ -49,12 +49,12 @@ void CenterHints::place(const ArcBlock& arc, Vec2 center) {
       fmt::format("the circle is read about {0}{2:.6g} {1}{3:.6g}, radius {4:.6g}; the tool comes "
                   "from {0}{5:.6g} {1}{6:.6g}: if that is the centre, write {7} before it (radius "
                   "{8:.6g})",
-                  first, second, center.x, center.y, radius, at.x, at.y, place_mode(),
+                  first, second, center.x, center.y, radius, at.x, at.y, absolute_mode(),
                   length(arc.start - at)),
       *arc.where, "arc-center-place");
 }
 
-const char* CenterHints::place_mode() const { return is(Dialect::codesys) ? "G98" : "G90.1"; }
+const char* CenterHints::absolute_mode() const { return is(Dialect::codesys) ? "G98" : "G90.1"; }
 
 // "I12.5 puts the centre at X25; I-12.5 would close on X0": what makes the radii agree, which
 // differ by `apart`: a sign, or the centre as a place.
@@ -64,14 +64,14 @@ std::string CenterHints::for_radii(const ArcBlock& arc, Vec2 c, double apart) co
   const auto radii = [&](Vec2 center) {
     return std::pair(length(arc.start - center), length(arc.end - center));
   };
-  const auto [place_start, place_end] = radii(d);
+  const auto [absolute_start, absolute_end] = radii(d);
   if (!is(Dialect::sinumerik) && !modal_.center_absolute &&
-      std::abs(place_start - place_end) <= kAgree)
+      std::abs(absolute_start - absolute_end) <= kAgree)
     return fmt::format(
         "; about {}{:.6g} {}{:.6g} both would be {:.6g}: do {} and {} say where the centre is "
         "({})?",
-        "XYZ"[first], d.x, "XYZ"[second], d.y, place_start, "IJK"[first], "IJK"[second],
-        place_mode());
+        "XYZ"[first], d.x, "XYZ"[second], d.y, absolute_start, "IJK"[first], "IJK"[second],
+        absolute_mode());
   for (const Vec2 flip : {Vec2{-1, 1}, Vec2{1, -1}, Vec2{-1, -1}}) {
     const Vec2 other = arc.start + Vec2{flip.x * d.x, flip.y * d.y};
     const auto [rs, re] = radii(other);

@@ -18,8 +18,8 @@ class CenterHints : public ControlPart {
 
  private:
   void sign(const ArcBlock& arc, Vec2 center);
-  void place(const ArcBlock& arc, Vec2 center);
-  const char* place_mode() const;
+  void absolute_center(const ArcBlock& arc, Vec2 center);
+  const char* absolute_mode() const;
 };
 
 }  // namespace mrsim

@@ -73,11 +73,11 @@ void MotionEmitter::change_tool() {
 // Events that were programmed before this move go out before it.
 void MotionEmitter::give(const PathMove& move) {
   if (!events_.empty()) give_events(move.order);
-  send(move.motion, move.placed);
+  send(move.motion, move.checked_axes);
 }
 
-void MotionEmitter::send(const Motion& motion, unsigned placed) {
-  if (placed != 0) travel_.check(motion, placed);
+void MotionEmitter::send(const Motion& motion, unsigned checked_axes) {
+  if (checked_axes != 0) travel_.check(motion, checked_axes);
   sink_.motion(motion);
 }
 
@@ -129,16 +129,16 @@ void MotionEmitter::emit(Motion motion, const CornerSpec& corner) {
                 *word);
     return;
   }
-  const unsigned placed = travel_.axes(motion);
+  const unsigned checked_axes = travel_.axes(motion);
   const bool plain = corner.kind == CornerSpec::Kind::none && modal_.comp == Code::comp_off;
-  if (plain && idle_) return send(motion, placed);
+  if (plain && idle_) return send(motion, checked_axes);
   PathMove path;
   path.motion = motion;
   path.basis = stock_basis();
   path.corner = corner;
   path.comp = words_.for_move();
   path.block = block_.number;
-  path.placed = placed;
+  path.checked_axes = checked_axes;
   path.order = ++held_moves_;
   corners_.push(path);
   idle_ = corners_.idle() && compensation_.idle();

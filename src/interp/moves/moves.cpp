@@ -185,7 +185,8 @@ bool Moves::emit_arc(const SolvedArc& arc, const Frame& frame, double feed) {
   if (arc.closing) end.programmed = arc.arc_end;
   commit(end, frame, motion);
   if (!arc.spatial) motion.rise = dot(motion.end - motion.start, motion.axis);
-  if (std::abs(motion.rise) < 1e-12) motion.rise = 0;
+  constexpr double kNoRise = 1e-12;  // mm: rounding of the turn into the frame
+  if (std::abs(motion.rise) < kNoRise) motion.rise = 0;
   normalise_axis(motion);
   position_.tangent = arc_tangent(motion, 1);
   position_.has_tangent = true;

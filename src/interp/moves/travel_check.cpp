@@ -21,7 +21,8 @@ std::pair<double, double> reach(const Motion& m, int axis) {
   const double end = component(m.end, axis);
   std::pair<double, double> found{end, end};
   if (m.kind != MotionKind::arc) return found;
-  // It turns back at `turn` and each half turn from there: those of the first and the last turn.
+  // The coordinate turns back at the angle `turn` and each half turn behind it; the first and the
+  // last turn of the arc hold its extremes.
   const Vec3 radial = m.start - m.center;
   const double whole = std::abs(m.sweep), sign = m.sweep < 0 ? -1 : 1;
   const double turn = sign * atan2(component(cross(m.axis, radial), axis), component(radial, axis));
@@ -37,8 +38,9 @@ std::pair<double, double> reach(const Motion& m, int axis) {
 
 }  // namespace
 
-// In machine coordinates themselves, or in a work offset of which the machine's zero is known.
-bool TravelCheck::placed() const {
+// Whether the block's coordinates can be turned into the machine's: they are given in these, or in
+// a work offset whose zero is known.
+bool TravelCheck::knows_offset() const {
   const bool to_reference =
       block_.home || (block_.oneshot && (block_.oneshot_code == Code::reference ||
                                          block_.oneshot_code == Code::reference_second ||
@@ -58,8 +60,8 @@ unsigned TravelCheck::axes(const Motion& motion) {
       moved |= 1U << i;
   if (modal_.comp != Code::comp_off) moved = 7;
   if (control_.tool.below) moved &= ~1U;
-  if (placed()) return moved & position_.known;
-  ++unplaced_;
+  if (knows_offset()) return moved & position_.known;
+  ++unchecked_;
   return 0;
 }
 
@@ -102,13 +104,13 @@ void TravelCheck::finish() {
             fmt::format(", in {} motions, farthest in line {}", found.motions, found.worst.line);
       reporter_.add_at(Severity::warning, "beyond-travel", text, found.first);
     }
-  if (unplaced_ > 0)
+  if (unchecked_ > 0)
     reporter_.add_general(
         Severity::note, "travel-unchecked",
         fmt::format(
             "the limits of [machine] are not checked for {} motions: where the work zero in "
             "force lies on the machine is unknown",
-            unplaced_));
+            unchecked_));
 }
 
 }  // namespace mrsim

@@ -27,10 +27,10 @@ class TravelCheck : public ControlPart {
     double most = 0;  ///< mm
     Motion first, worst;
   };
-  bool placed() const;
+  bool knows_offset() const;
 
-  unsigned known_ = 0;  ///< axes whose position was known before
-  std::size_t unplaced_ = 0;
+  unsigned known_ = 0;         ///< axes whose position was known before
+  std::size_t unchecked_ = 0;  ///< motions in a work offset whose place is not known
   std::array<std::array<Excess, 2>, 3> found_;  ///< by axis: below and above
 };
 

@@ -1,4 +1,4 @@
-// What the motions of a lathe's tool say of one that no data describe. Private to src/interp.
+// What the motions of a lathe's tool tell of it, where no data describe it. Private to src/interp.
 #pragma once
 
 #include <mrsim/types.h>
@@ -7,8 +7,8 @@
 
 namespace mrsim {
 
-/// The insert for the outside that such tools are taken to have does not do what drills, bars that
-/// bore and blades do.
+/// Such a tool is taken to be an insert for the outside. Its motions show where it cannot be one:
+/// where it drills, bores, or plunges as a blade does.
 class UndescribedTool {
  public:
   struct Kind {

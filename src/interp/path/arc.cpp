@@ -41,8 +41,10 @@ std::optional<PlaneArc> arc_by_radius(Vec2 start, Vec2 end, double radius, bool 
   const double l = length(chord), r = std::abs(radius);
   if (l > 2 * r * (1 + 1e-6) && l - 2 * r > kSamePoint) return std::nullopt;
   const double used = std::max(r, l / 2);  // the chord wins over a radius that is rounded short
-  const double square = used * used - l * l / 4;  // below its rounding: half a circle
-  const double h = square < 1e-12 * used * used ? 0 : std::sqrt(square);
+  // A difference of squares below its rounding is none: half a circle.
+  constexpr double kNoDifference = 1e-12;
+  const double square = used * used - l * l / 4;
+  const double h = square < kNoDifference * used * used ? 0 : std::sqrt(square);
   const double side = (radius > 0) == ccw ? 1 : -1;
   const Vec2 normal = (1 / l) * Vec2{-chord.y, chord.x};
   PlaneArc arc;
@@ -84,8 +86,10 @@ Fit arc_through(const Vec3& start, const Vec3& via, const Vec3& end, SpatialArc&
   const Vec3 a = via - start, b = end - start;
   const Vec3 n = cross(a, b);
   const double n2 = dot(n, n), a2 = dot(a, a), b2 = dot(b, b);
-  // Height of via over the chord, against its length: below that there is no plane to speak of.
-  if (n2 <= 1e-18 * a2 * b2 + 1e-24 * b2) {
+  // All three on a line, with nothing to tell the arc's plane by: the sine between the two chords
+  // is up to 1e-9, or `via` lies within 1e-12 mm of the chord.
+  constexpr double kNoSineSquared = 1e-18, kNoHeightSquared = 1e-24;
+  if (n2 <= kNoSineSquared * a2 * b2 + kNoHeightSquared * b2) {
     const double along = dot(a, b);
     return along > 0 && along < b2 ? Fit::line : Fit::impossible;
   }
@@ -100,7 +104,7 @@ Fit arc_through(const Vec3& start, const Vec3& via, const Vec3& end, SpatialArc&
 }
 
 void normalise_axis(Motion& arc) {
-  constexpr double kZero = 1e-12;
+  constexpr double kZero = 1e-12;  // rounding of a unit vector that was turned
   Vec3& n = arc.axis;
   for (int i = 0; i < 3; ++i)  // no -0, no noise beside a coordinate axis
     if (std::abs(component(n, i)) < kZero) component(n, i) = 0;

@@ -73,7 +73,7 @@ Loop reversed(const Loop& loop) {
   return out;
 }
 
-Loop placed(const Loop& loop, Vec2 shift, double degrees) {
+Loop transformed(const Loop& loop, Vec2 shift, double degrees) {
   const SinCos sc = sincos_deg(degrees);
   const auto at = [&](Vec2 p) {
     return shift + Vec2{p.x * sc.cos - p.y * sc.sin, p.x * sc.sin + p.y * sc.cos};
@@ -89,7 +89,7 @@ Loop placed(const Loop& loop, Vec2 shift, double degrees) {
 
 int steps_of(double length, double step) {
   if (step <= 0 || length <= step) return 1;
-  return static_cast<int>(std::min(kMostLoopSteps, std::ceil(length / step - 1e-9)));
+  return static_cast<int>(std::min(kMostLoopSteps, std::ceil(length / step - kShareRounding)));
 }
 
 }  // namespace mrsim

@@ -25,7 +25,7 @@ Loop arc_slot(double middle, double angle, double aside);
 Loop reversed(const Loop& loop);
 
 /// Turned by `degrees` about the origin, then moved by `shift`.
-Loop placed(const Loop& loop, Vec2 shift, double degrees);
+Loop transformed(const Loop& loop, Vec2 shift, double degrees);
 
 /// Into how many equal steps of at most `step` a length goes; at least 1. A step of 0: 1.
 int steps_of(double length, double step);

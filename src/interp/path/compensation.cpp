@@ -14,6 +14,8 @@
 namespace mrsim {
 namespace {
 
+constexpr double kNoTurn = 1e-9;  // mm^2: cross product of lines that are parallel
+
 // An arc that the corner before it begins earlier on its circle.
 void begin_at(PlanePiece& piece, Vec2 cursor) {
   if (!piece.arc || std::abs(length(cursor - piece.center) - piece.radius) > kTouch) return;
@@ -281,7 +283,7 @@ bool CompensationStage::crosses_over(const PlanePiece& piece, CornerWay& way) {
   const PlanePiece next = moved(ahead_[k]);
   const Vec2 d = piece.end - piece.start, e = next.end - next.start;
   const double turn = cross(d, e);
-  if (first.comp.two_points && !piece.arc && !next.arc && std::abs(turn) > 1e-9) {
+  if (first.comp.two_points && !piece.arc && !next.arc && std::abs(turn) > kNoTurn) {
     const double along = cross(next.start - piece.start, e) / turn;
     const double beyond = cross(next.start - piece.start, d) / turn;
     if (along > 0 && beyond < 1) {

@@ -14,6 +14,8 @@ namespace {
 
 constexpr double kHair = 1e-8;           // mm, leftovers that are rounding
 constexpr double kTangent = 1e-6;        // |t1 x t2| below which there is no corner
+constexpr double kSameAxis = 1e-12;      // between unit vectors: both moves have the same plane
+constexpr double kNoDivisor = 1e-300;    // in place of a length that is 0
 constexpr std::size_t kMostBetween = 3;  // blocks without plane travel inside a corner
 
 // Where a rounding or chamfer touches its two elements.
@@ -51,7 +53,7 @@ Vec2 foot_on(const PlanePiece& piece, Vec2 p) {
     return piece.start + dot(p - piece.start, t) * t;
   }
   const Vec2 d = p - piece.center;
-  return piece.center + (piece.radius / std::max(length(d), 1e-300)) * d;
+  return piece.center + (piece.radius / std::max(length(d), kNoDivisor)) * d;
 }
 
 bool on_piece(const PlanePiece& piece, Vec2 p) {
@@ -180,7 +182,7 @@ bool CornerStage::may_insert(const PathMove& after) {
     nothing_inserted("more than three blocks without travel in the plane follow");
     return false;
   }
-  return !is_tilted(after) && length(before.basis.w - after.basis.w) < 1e-12;
+  return !is_tilted(after) && length(before.basis.w - after.basis.w) < kSameAxis;
 }
 
 void CornerStage::push(const PathMove& move) {

@@ -36,9 +36,9 @@ struct PathMove {
   Basis basis;  ///< of the plane in force, orthonormal, may be left-handed under a mirror
   CornerSpec corner;
   Compensation comp;
-  std::size_t block = 0;  ///< running number of its block
-  unsigned placed = 0;    ///< axes that travel limits are checked in, a bit each
-  std::size_t order = 0;  ///< running number among the moves that were held back
+  std::size_t block = 0;      ///< running number of its block
+  unsigned checked_axes = 0;  ///< those whose travel limits are checked, a bit each
+  std::size_t order = 0;      ///< running number among the moves that were held back
 };
 
 using NextStage = std::function<void(const PathMove&)>;

@@ -5,10 +5,16 @@
 #include "core/units.h"
 #include "interp/path/arc.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace mrsim {
 namespace {
+
+constexpr double kParallel = 1e-12;  // sine between two lines that never meet
+constexpr double kConcentric =
+    1e-12;  // mm: between the centres of circles that are one, or none meets
+constexpr double kNoDivisor = 1e-300;  // in place of the length of a line that is a point
 
 // +1 when u x v points along the arc's axis, -1 when the basis is seen from behind or mirrored.
 double sense(const Motion& motion, const Basis& basis) {
@@ -18,7 +24,7 @@ double sense(const Motion& motion, const Basis& basis) {
 int line_line(const PlanePiece& a, const PlanePiece& b, std::array<Vec2, 2>& out) {
   const Vec2 d = a.end - a.start, e = b.end - b.start;
   const double det = cross(d, e);
-  if (std::abs(det) <= 1e-12 * length(d) * length(e)) return 0;
+  if (std::abs(det) <= kParallel * length(d) * length(e)) return 0;
   out[0] = a.start + (cross(b.start - a.start, e) / det) * d;
   return 1;
 }
@@ -41,7 +47,7 @@ int line_circle(const PlanePiece& line, const PlanePiece& circle, std::array<Vec
 int circle_circle(const PlanePiece& a, const PlanePiece& b, std::array<Vec2, 2>& out) {
   const Vec2 d = b.center - a.center;
   const double l = length(d);
-  if (l <= 1e-12) return 0;
+  if (l <= kConcentric) return 0;
   const double along = (l * l + a.radius * a.radius - b.radius * b.radius) / (2 * l);
   const double h2 = a.radius * a.radius - along * along;
   if (h2 < -kTurnRounding * a.radius * a.radius) return 0;
@@ -50,6 +56,17 @@ int circle_circle(const PlanePiece& a, const PlanePiece& b, std::array<Vec2, 2>&
   out[0] = foot - h * left_of(unit);
   out[1] = foot + h * left_of(unit);
   return 2;
+}
+
+bool beside_arc(const PlanePiece& arc, Vec2 p) {
+  return length(p - arc.center) > kRounding && position_on(arc, p) <= extent(arc) + kTurnRounding;
+}
+
+Vec2 nearest_of_line(const PlanePiece& line, Vec2 p) {
+  const Vec2 d = line.end - line.start;
+  const double square = dot(d, d);
+  if (square <= kRounding * kRounding) return line.start;
+  return line.start + std::clamp(dot(p - line.start, d) / square, 0.0, 1.0) * d;
 }
 
 }  // namespace
@@ -77,7 +94,7 @@ bool is_tilted(const PathMove& move) {
 }
 
 Vec2 start_tangent(const PlanePiece& p) {
-  if (!p.arc) return (1 / std::max(length(p.end - p.start), 1e-300)) * (p.end - p.start);
+  if (!p.arc) return (1 / std::max(length(p.end - p.start), kNoDivisor)) * (p.end - p.start);
   const Vec2 radial = (1 / p.radius) * (p.start - p.center);
   return (p.sweep < 0 ? -1.0 : 1.0) * left_of(radial);
 }
@@ -123,6 +140,11 @@ double position_on(const PlanePiece& p, Vec2 q) {
 
 double extent(const PlanePiece& p) { return p.arc ? std::abs(p.sweep) : length(p.end - p.start); }
 
+Vec2 point_at(const PlanePiece& piece, double along) {
+  if (!piece.arc) return piece.start + along * start_tangent(piece);
+  return rotated(piece.start, piece.center, piece.sweep < 0 ? -along : along);
+}
+
 void from_piece(const PlanePiece& p, const Basis& basis, double start_height, double end_height,
                 Motion& motion) {
   motion.start = from_plane(basis, p.start, start_height);
@@ -142,6 +164,33 @@ void from_piece(const PlanePiece& p, const Basis& basis, double start_height, do
   const double up = dot(basis.w, motion.axis) < 0 ? -1 : 1;
   motion.rise = up * (end_height - start_height);
   normalise_axis(motion);
+}
+
+double distance_to(const PlanePiece& piece, Vec2 p) {
+  if (!piece.arc) return length(p - nearest_of_line(piece, p));
+  if (beside_arc(piece, p)) return std::abs(length(p - piece.center) - piece.radius);
+  return std::min(length(p - piece.start), length(p - piece.end));
+}
+
+double nearest_along(const PlanePiece& piece, Vec2 p) {
+  if (!piece.arc) return length(nearest_of_line(piece, p) - piece.start);
+  if (beside_arc(piece, p)) return std::min(position_on(piece, p), extent(piece));
+  return length(p - piece.start) <= length(p - piece.end) ? 0 : extent(piece);
+}
+
+// The least distance lies at an end of one of the two, at the foot of the centre, or where both
+// meet.
+double distance_between(const PlanePiece& way, const PlanePiece& piece) {
+  double least = std::min(distance_to(piece, way.start), distance_to(piece, way.end));
+  least = std::min({least, distance_to(way, piece.start), distance_to(way, piece.end)});
+  std::array<Vec2, 2> hits;
+  const int n = intersect(way, piece, hits);
+  for (int i = 0; i < n; ++i) {
+    const Vec2 p = nearest_of_line(way, hits[static_cast<std::size_t>(i)]);
+    least = std::min(least, distance_to(piece, p));
+  }
+  if (piece.arc) least = std::min(least, distance_to(piece, nearest_of_line(way, piece.center)));
+  return least;
 }
 
 }  // namespace mrsim

@@ -40,9 +40,18 @@ double progress(const PlanePiece& piece, Vec2 from, Vec2 to);
 double position_on(const PlanePiece& piece, Vec2 p);
 /// Its value at the end of the piece.
 double extent(const PlanePiece& piece);
+/// The point there.
+Vec2 point_at(const PlanePiece& piece, double along);
 
 /// `motion` as the piece says, at heights of its own: start, end, centre, radius, sweep.
 void from_piece(const PlanePiece& piece, const Basis& basis, double start_height, double end_height,
                 Motion& motion);
+
+/// Of a point from a piece, mm.
+double distance_to(const PlanePiece& piece, Vec2 p);
+/// Where along the piece, from 0 to extent(), it is nearest to a point.
+double nearest_along(const PlanePiece& piece, Vec2 p);
+/// Of a straight way from a piece, mm; 0 where they meet.
+double distance_between(const PlanePiece& way, const PlanePiece& piece);
 
 }  // namespace mrsim

@@ -3,8 +3,7 @@
 #include "core/rounding.h"
 #include "core/trig.h"
 #include "core/units.h"
-#include "interp/path/arc.h"
-#include "interp/path/piece_distance.h"
+#include "interp/path/plane_piece.h"
 
 #include <algorithm>
 #include <cmath>
@@ -23,15 +22,10 @@ double travel_of(const PlanePiece& piece) {
   return piece.arc ? extent(piece) * piece.radius : extent(piece);
 }
 
-Vec2 place_on(const PlanePiece& piece, double along) {
-  if (!piece.arc) return piece.start + along * start_tangent(piece);
-  return rotated(piece.start, piece.center, piece.sweep < 0 ? -along : along);
-}
-
 PlanePiece part_of(const PlanePiece& piece, double from, double to) {
   PlanePiece out = piece;
-  out.start = from <= 0 ? piece.start : place_on(piece, from);
-  out.end = to >= extent(piece) ? piece.end : place_on(piece, to);
+  out.start = from <= 0 ? piece.start : point_at(piece, from);
+  out.end = to >= extent(piece) ? piece.end : point_at(piece, to);
   if (piece.arc) out.sweep = piece.sweep < 0 ? from - to : to - from;
   return out;
 }
@@ -104,7 +98,7 @@ using Parts = std::vector<std::pair<PlanePiece, double>>;  // and how far they s
 bool same_piece(const PlanePiece& a, const PlanePiece& b) {
   return a.arc == b.arc && length(a.start - b.start) < kSameSpot &&
          length(a.end - b.end) < kSameSpot &&
-         length(place_on(a, extent(a) / 2) - place_on(b, extent(b) / 2)) < kSameSpot;
+         length(point_at(a, extent(a) / 2) - point_at(b, extent(b) / 2)) < kSameSpot;
 }
 
 // Pieces of two contours that have become the same count once.
@@ -168,7 +162,7 @@ std::vector<Vec2> polygon_of(const Loop& loop, double far) {
       const double step = std::sqrt(8 * share);  // a little less than the sagitta asks for
       n = 1 + static_cast<int>(std::min(1e5, std::ceil(extent(piece) / std::min(step, 1.0))));
     }
-    for (int i = 0; i < n; ++i) out.push_back(place_on(piece, extent(piece) * i / n));
+    for (int i = 0; i < n; ++i) out.push_back(point_at(piece, extent(piece) * i / n));
   }
   return out;
 }
@@ -209,7 +203,7 @@ Loop begun_near(const Loop& loop, Vec2 p) {
   for (std::size_t i = 1; i < loop.size(); ++i)
     if (distance_to(loop[i], p) < distance_to(loop[best], p)) best = i;
   const PlanePiece& split = loop[best];
-  const double at = place_nearest(split, p);
+  const double at = nearest_along(split, p);
   Loop out;
   if (at < extent(split)) out.push_back(part_of(split, at, extent(split)));
   for (std::size_t i = 1; i < loop.size(); ++i) out.push_back(loop[(best + i) % loop.size()]);
@@ -267,7 +261,7 @@ bool Region::inset(double distance, std::vector<Loop>& out) const {
     for (std::size_t k = 1; k < cuts.size(); ++k) {
       const PlanePiece part = part_of(border[i], cuts[k - 1], cuts[k]);
       if (travel_of(part) < kSameSpot) continue;
-      const Vec2 middle = place_on(part, extent(part) / 2);
+      const Vec2 middle = point_at(part, extent(part) / 2);
       const double far = distance_from_contours(middle, distance - kKeeps);
       if (far < distance - kKeeps || !contains(middle, polygons)) continue;
       parts.emplace_back(part, far);

@@ -1,7 +1,6 @@
 #include "interp/path/rough_contour.h"
 
 #include "core/units.h"
-#include "interp/path/arc.h"
 
 #include <algorithm>
 #include <cmath>
@@ -11,11 +10,6 @@ namespace {
 
 constexpr double kSameCorner = 1e-6;  // mm
 constexpr double kFalls = 2e-3;       // of a unit tangent: rounded ends of arcs
-
-Vec2 point_at(const PlanePiece& piece, double along) {
-  if (!piece.arc) return piece.start + along * start_tangent(piece);
-  return rotated(piece.start, piece.center, piece.sweep < 0 ? -along : along);
-}
 
 // Where the piece passes u, in order, between its start and its end.
 std::vector<double> crossings(const PlanePiece& piece, double u) {
@@ -54,11 +48,11 @@ PlanePiece turned_piece(const Motion& m, int u, int v, const Vec3& shift) {
 int RoughContour::runs_back() const {
   for (std::size_t i = 0; i < pieces_.size(); ++i) {
     const PlanePiece& piece = pieces_[i];
-    bool back = run_ * (piece.end.y - piece.start.y) < -kSameCorner;
+    bool back = along_ * (piece.end.y - piece.start.y) < -kSameCorner;
     if (piece.arc) {
       back = back || std::abs(piece.sweep) > kPi;
       for (const Vec2 t : {start_tangent(piece), end_tangent(piece)})
-        back = back || run_ * t.y < -kFalls;
+        back = back || along_ * t.y < -kFalls;
     }
     if (back) return static_cast<int>(i);
   }

@@ -21,10 +21,10 @@ PlanePiece turned_piece(const Motion& motion, int u, int v, const Vec3& shift);
 
 class RoughContour {
  public:
-  /// `pieces` from the end of the approach on; `rise` and `run` (1 or -1): away from the material,
-  /// and the direction in which the contour runs.
-  RoughContour(std::vector<PlanePiece> pieces, double rise, double run)
-      : pieces_(std::move(pieces)), rise_(rise), run_(run) {}
+  /// `pieces` from the end of the approach on; `rise` and `along` (1 or -1): away from the
+  /// material, and the direction in which the contour runs.
+  RoughContour(std::vector<PlanePiece> pieces, double rise, double along)
+      : pieces_(std::move(pieces)), rise_(rise), along_(along) {}
 
   /// Index of the first piece that runs back in v, or -1.
   int runs_back() const;
@@ -35,7 +35,7 @@ class RoughContour {
 
  private:
   std::vector<PlanePiece> pieces_;
-  double rise_, run_;
+  double rise_, along_;
 };
 
 }  // namespace mrsim

@@ -9,8 +9,9 @@
 namespace mrsim {
 namespace {
 
-constexpr int kDeepest = 14;  // halvings of the parameter
-constexpr int kSamples = 12;  // points of the curve that are measured in each span
+constexpr double kNoLength = 1e-12;  // mm: shorter ways have no direction
+constexpr int kDeepest = 14;         // halvings of the parameter
+constexpr int kSamples = 12;         // points of the curve that are measured in each span
 
 /// A stretch of a curve, over a parameter that begins at 0 and ends at 1.
 struct PlaneCurve {
@@ -68,7 +69,7 @@ class Approximation {
     const Vec2 joint = 0.5 * (a + b + d * (ta - tb));
     const Vec2 across = (b - d * tb) - (a + d * ta);
     const double l = length(across);
-    if (l < 1e-12) return false;
+    if (l < kNoLength) return false;
     add(a, ta, joint, pieces);
     add(joint, (1 / l) * across, b, pieces);
     return true;
@@ -103,7 +104,7 @@ class Approximation {
       return std::abs(piece.arc.sweep) < 3 ? round : 1e30;
     }
     const Vec2 d = piece.end - from;
-    return std::abs(cross(d, p - from)) / std::max(length(d), 1e-12);
+    return std::abs(cross(d, p - from)) / std::max(length(d), kNoLength);
   }
 
   PlaneCurve curve_;

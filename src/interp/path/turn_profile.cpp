@@ -56,7 +56,8 @@ double size_of(const ProfilePiece& piece) {
   return piece.arc ? std::min(chord, length(piece.start - piece.center)) : chord;
 }
 
-// Arcs keep to one side of their centre's height: they run on all the way.
+// Whether the piece leads towards -x all the way: of an arc, whether it keeps to one side of its
+// centre's height.
 bool runs_on(const ProfilePiece& piece) {
   const double travel = piece.end.x - piece.start.x;
   if (piece.corner != ProfilePiece::Corner::none) return true;
@@ -66,7 +67,8 @@ bool runs_on(const ProfilePiece& piece) {
          side * (piece.end.y - piece.center.y) >= -kSmall && travel <= -kSmall;
 }
 
-// To the right of its direction: away from the material where the distance is above 0.
+// Moves the piece to the right of its direction: away from the material where `distance` is above
+// 0.
 void set_aside(ProfilePiece& piece, double distance) {
   if (piece.arc) {
     const double r = length(piece.start - piece.center);
@@ -92,7 +94,8 @@ Vec2 lines_meet(const ProfilePiece& a, const ProfilePiece& b) {
   return a.start + (cross(b.start - a.start, e) / det) * d;
 }
 
-// Where the circle comes nearest to the line, if they do not meet. Its radius is that of the end.
+// Where line and circle meet, else where they are nearest to each other. The circle's radius is
+// that of the arc's end.
 Vec2 line_meets_circle(const ProfilePiece& line, const ProfilePiece& arc, Vec2 near) {
   const Vec2 d = line.end - line.start;
   const Vec2 unit = (1 / length(d)) * d;

@@ -13,10 +13,12 @@
 namespace mrsim {
 namespace {
 
+constexpr double kNoDirection = 1e-12;  // mm: a move along the tool's axis has no direction in plan
+
 Vec2 direction(const Motion& m, const Frame& frame, const Basis& b, double at) {
   const Vec3 t = m.kind == MotionKind::arc ? arc_tangent(m, at) : m.end - m.start;
   const Vec2 flat = in_plane(b, turn_inverse(frame, t));
-  return (1 / std::max(length(flat), 1e-12)) * flat;
+  return (1 / std::max(length(flat), kNoDirection)) * flat;
 }
 
 bool is_backward(const CycleCall& call) { return call.digit("VARI", 4) == 1; }

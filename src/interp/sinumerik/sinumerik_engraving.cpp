@@ -21,17 +21,17 @@ constexpr std::size_t kValues = 21;
 enum : int { kPolar, kAlong, kReserved, kAcross, kUp, kSpacingBy, kPolarCenter, kMirror };
 
 // A letter of height 1 on the line y = 0, and where it stands in the text.
-using Placing = std::function<Vec2(Vec2 inside, double begin, double width)>;
+using Layout = std::function<Vec2(Vec2 inside, double begin, double width)>;
 
 std::vector<std::vector<Vec2>> set_letters(std::string_view letters, double height, double gap,
-                                           const Placing& place) {
+                                           const Layout& layout) {
   std::vector<std::vector<Vec2>> out;
   double begin = 0;
   for (const char c : letters) {
     TextStrokes letter = letter_strokes(c);
     const double width = letter.width * height;
     for (std::vector<Vec2>& stroke : letter.strokes) {
-      for (Vec2& p : stroke) p = place(height * p, begin, width);
+      for (Vec2& p : stroke) p = layout(height * p, begin, width);
       out.push_back(std::move(stroke));
     }
     begin += width + gap;

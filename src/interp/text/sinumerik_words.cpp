@@ -146,14 +146,14 @@ bool SinumerikWords::zero_follows() {
 void SinumerikWords::name(Block& block) {
   const std::size_t from = p_;
   while (is_name(at(p_))) ++p_;
-  const std::string_view run = line_.substr(from, p_ - from);
-  const std::string name = upper_case(run.substr(0, 33));
+  const std::string_view token = line_.substr(from, p_ - from);
+  const std::string name = upper_case(token.substr(0, 33));
   const std::size_t after_name = p_;
   skip_blanks();
   const char c = at(p_);
   if (c == ':' && block.words.empty()) return label(block, from, after_name);
   const bool assigned = (c == '=' && at(p_ + 1) != '=') || c == '[';
-  if (assigned && language_ && language_->is_variable(run)) return assignment(block, from);
+  if (assigned && language_ && language_->is_variable(token)) return assignment(block, from);
   p_ = after_name;
   if (!assigned && statement(block, from)) return;
   skip_blanks();
@@ -167,10 +167,10 @@ void SinumerikWords::name(Block& block) {
     }
     for (const std::string_view off : kOffWithZero)
       if (name == off && zero_follows()) return;
-    return unsupported(block, run, "no variable of DEF or of a .DEF file (--path), but an address",
+    return unsupported(block, token, "no variable of DEF or of a .DEF file (--path), but an address",
                        from);
   }
-  if (c == '(') return call(block, from, run);
+  if (c == '(') return call(block, from, token);
   if (name == "MCALL") {
     block.modal_call = true;
     return;
@@ -183,24 +183,24 @@ void SinumerikWords::name(Block& block) {
     word.address = Address::function;
     word.code = entry.code;
     if (entry.code == Code::header) p_ = line_.size();  // PROC NAME ...
-    word.text = run;
+    word.text = token;
     return push(block, word, from);
   }
-  program_name(block, from, run);
+  program_name(block, from, token);
 }
 
 // A name that is no function: a subprogram's, alone or behind CALL.
-void SinumerikWords::program_name(Block& block, std::size_t from, std::string_view run) {
-  const std::string name = upper_case(run.substr(0, 33));
+void SinumerikWords::program_name(Block& block, std::size_t from, std::string_view token) {
+  const std::string name = upper_case(token.substr(0, 33));
   Word word;
   word.address = Address::call;
   if (name == "CALL" || name == "EXTCALL") {
     skip_blanks();
-    if (at(p_) != '"') return unsupported(block, run, "a call by variable", from);
+    if (at(p_) != '"') return unsupported(block, token, "a call by variable", from);
     text_value(block, word);
     skip_blanks();
     if (upper_case(line_.substr(std::min(p_, line_.size()), 6)) == "BLOCK ")
-      return unsupported(block, run, "a call of a part of another program (BLOCK)", from);
+      return unsupported(block, token, "a call of a part of another program (BLOCK)", from);
     if (!block.bad) push(block, word, from);
     return;
   }
@@ -210,16 +210,16 @@ void SinumerikWords::program_name(Block& block, std::size_t from, std::string_vi
     return;
   }
   const std::string_view what = unsupported_name(name);
-  if (!what.empty()) return unsupported(block, run, what, from);
-  if (run.size() > kLongestVariable)
+  if (!what.empty()) return unsupported(block, token, what, from);
+  if (token.size() > kLongestVariable)
     return fault(block, "name-too-long",
                  fmt::format("a name has at most {} characters", kLongestVariable), from, p_);
-  word.text = run;
+  word.text = token;
   push(block, word, from);
 }
 
 // NAME( ... ): a call with arguments. Quotes hide brackets.
-void SinumerikWords::call(Block& block, std::size_t from, std::string_view run) {
+void SinumerikWords::call(Block& block, std::size_t from, std::string_view token) {
   const std::size_t open = p_;
   int depth = 0;
   bool quoted = false;
@@ -237,7 +237,7 @@ void SinumerikWords::call(Block& block, std::size_t from, std::string_view run) 
     return fault(block, "bracket", "the ( here is not closed (alarm 12080)", open, open + 1);
   const std::string_view argument = line_.substr(open + 1, p_ - open - 1);
   ++p_;
-  const std::string name = upper_case(run.substr(0, 33));
+  const std::string name = upper_case(token.substr(0, 33));
   for (const std::string_view harmless : kHarmlessCalls)
     if (name == harmless) return;
   for (const std::string_view read : read_calls()) {
@@ -248,7 +248,7 @@ void SinumerikWords::call(Block& block, std::size_t from, std::string_view run) 
   }
   Word word;
   word.address = Address::call;
-  word.text = run;
+  word.text = token;
   const std::size_t first = argument.find_first_not_of(" \t");
   if ((name == "EXTCALL" || name == "CALL") && first != std::string_view::npos &&
       argument[first] == '"' && argument.find('"', first + 1) != std::string_view::npos) {
@@ -269,7 +269,7 @@ void SinumerikWords::call(Block& block, std::size_t from, std::string_view run) 
     return fault(block, "subprogram-missing",
                  fmt::format("{} is no cycle, and no PROC of this file or of one beside it", name),
                  from, p_);
-  unsupported(block, run, what, from);
+  unsupported(block, token, what, from);
 }
 
 }  // namespace mrsim

@@ -50,7 +50,7 @@ bool SinumerikWords::of_other_axis(std::size_t close) const {
 // NAME[index]=value, which is no variable: an axis by AX[ ], a code by G[ ], or data without effect
 // on geometry. p_ on the bracket.
 void SinumerikWords::array_word(Block& block, std::size_t from, const std::string& name) {
-  const std::string_view run = line_.substr(from, name.size());
+  const std::string_view token = line_.substr(from, name.size());
   const bool read = language_ && (name == "AX" || name == "G");
   std::size_t close = line_.find(']', p_);
   const bool harmless =
@@ -72,24 +72,25 @@ void SinumerikWords::array_word(Block& block, std::size_t from, const std::strin
     return;
   }
   if ((!read && !harmless) || close == std::string_view::npos)
-    return unsupported(block, run, "an array", from);
+    return unsupported(block, token, "an array", from);
   p_ = close + 1;
   skip_blanks();
-  if (at(p_) != '=') return unsupported(block, run, "an array", from);
+  if (at(p_) != '=') return unsupported(block, token, "an array", from);
   ++p_;
   Word word;
   word.address = Address::data;
   if (!value(block, word)) return;
   if (name == "AX") {
     const char axis = index.string && index.text.size() == 1 ? upper(index.text[0]) : '\0';
-    if (axis < 'X' || axis > 'Z') return unsupported(block, run, "an axis other than X Y Z", from);
+    if (axis < 'X' || axis > 'Z')
+      return unsupported(block, token, "an axis other than X Y Z", from);
     word.address = letter(axis);
     if (word.string)
       return fault(block, "expression", "a number is needed here (alarm 12150)", from, p_);
   } else if (name == "G") {
     word.address = letter('G');
     const double code = code_of_group(index.value, word.value);
-    if (code < 0) return unsupported(block, run, "a code of this group", from);
+    if (code < 0) return unsupported(block, token, "a code of this group", from);
     word.value = code;
   }
   push(block, word, from);

@@ -141,8 +141,8 @@ void SpecialWords::jump_label() {
 void SpecialWords::codesys_name(Block& block) {
   const std::size_t from = p_;
   while (is_name(at(p_))) ++p_;
-  const std::string_view run = line_.substr(from, p_ - from);
-  const std::string name = upper_case(run);
+  const std::string_view token = line_.substr(from, p_ - from);
+  const std::string name = upper_case(token);
   Word word;
   if ((name.starts_with("FF") || name.starts_with("EF")) &&
       (name.size() == 2 || is_digit(name[2]))) {
@@ -162,12 +162,12 @@ void SpecialWords::codesys_name(Block& block) {
     return push(block, word, from);
   }
   const std::string_view what = unsupported_name(name);
-  if (!what.empty()) return unsupported(block, run, what, from);
-  if (run.size() < 3 || run.size() > 80)
+  if (!what.empty()) return unsupported(block, token, what, from);
+  if (token.size() < 3 || token.size() > 80)
     return fault(block, "address-without-number",
                  fmt::format("no number after {}", name.substr(0, 1)), from, p_);
   word.address = Address::call;
-  word.text = run;
+  word.text = token;
   skip_blanks();
   if (at(p_) == '{') {
     const std::size_t close = line_.find('}', p_);

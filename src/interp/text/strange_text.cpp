@@ -115,26 +115,26 @@ void StrangeText::character(Block& block) {
 
 // FANUC reads "G1 95" as G195; whoever wrote it meant something else. A sign may stand apart.
 void StrangeText::check_inner_blanks(std::size_t from) {
-  std::string_view run = line_.substr(from, p_ - from);
-  run = run.substr(0, run.find_last_not_of(" \t") + 1);  // those behind it end the number
-  const std::size_t blank = run.find_first_of(" \t", run.find_first_of("0123456789."));
+  std::string_view token = line_.substr(from, p_ - from);
+  token = token.substr(0, token.find_last_not_of(" \t") + 1);  // those behind it end the number
+  const std::size_t blank = token.find_first_of(" \t", token.find_first_of("0123456789."));
   if (blank == std::string_view::npos) return;
   reporter_.add(
       Severity::warning, "blank-in-number",
       fmt::format("blanks mean nothing to this control: \"{}\" is one number; missing axis "
                   "letter?",
-                  run.substr(0, 40)),
-      static_cast<int>(from), static_cast<int>(run.size()));
+                  token.substr(0, 40)),
+      static_cast<int>(from), static_cast<int>(token.size()));
 }
 
 void StrangeText::word(Block& block, std::size_t from) {
   p_ = from + 1;  // also behind "@" and "^", which are no names
   while (is_name(at(p_)) || at(p_) == '=' || at(p_) == '.') ++p_;
-  const std::string_view run = line_.substr(from, p_ - from);
-  const bool assigned = run.find('=') != std::string_view::npos;
-  if (assigned || run.size() > 2)
+  const std::string_view token = line_.substr(from, p_ - from);
+  const bool assigned = token.find('=') != std::string_view::npos;
+  if (assigned || token.size() > 2)
     return fault(block, "word-unknown",
-                 fmt::format("{} is not a word of this control{}", to_utf8(run.substr(0, 40)),
+                 fmt::format("{} is not a word of this control{}", to_utf8(token.substr(0, 40)),
                              assigned ? " (is it a SINUMERIK program? --dialect sinumerik)" : ""),
                  from, p_);
   const bool zero = upper(line_[from]) == 'O' && from > 0 && is_digit(line_[from - 1]);

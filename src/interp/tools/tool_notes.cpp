@@ -21,13 +21,13 @@ bool heads_list(const std::string& comment) {
   return false;
 }
 
-// Runs and lists that are kept: a program of nothing but comments fills no memory.
+// Comments and lists that are kept: a program of nothing but comments fills no memory.
 constexpr std::size_t kLongestList = 1000;
 
 // "(BALL MILL D8)", "(TOOL NUMBER: 5)", "(DRILL D6)", "(TOOL NUMBER: 6)": the number ends what is
 // said of a tool.
-bool numbers_come_last(const std::vector<ToolHint>& run) {
-  return run.front().id.empty() && run.back().bare_id && !run.back();
+bool numbers_come_last(const std::vector<ToolHint>& comments) {
+  return comments.front().id.empty() && comments.back().bare_id && !comments.back();
 }
 
 // As a whole word: MILL_D10 is none in "MILL_D10_R1".
@@ -112,9 +112,9 @@ void ToolNotes::stands_alone(ToolHint hint, bool heads) {
   }
   if (adds_details(hint) && add_size(hint)) return;
   if (!(hint || !hint.id.empty() || hint.only_angle())) return;
-  if (!run_.empty() && run_.back().only_angle() && !hint.only_angle()) {
-    merge_hint(hint, run_.back());
-    run_.pop_back();
+  if (!comments_.empty() && comments_.back().only_angle() && !hint.only_angle()) {
+    merge_hint(hint, comments_.back());
+    comments_.pop_back();
   }
   const bool is_tool = hint.names_tool || (hint.type && lists_) || is_tool_with_size(hint);
   if (hint.id.empty() && is_tool && (hint.diameter > 0 || hint.settings)) add_nameless(hint);
@@ -123,18 +123,18 @@ void ToolNotes::stands_alone(ToolHint hint, bool heads) {
     return add(current_, hint);
   if (hint.id.empty()) add_unnumbered(hint);
   if (hint.id.empty() && !cuts_ && named_.size() < kLongestList) named_.push_back(hint);
-  if (run_.size() == kLongestList) settle_run();
+  if (comments_.size() == kLongestList) settle_comments();
   told_id_.clear();
-  run_.push_back(std::move(hint));
+  comments_.push_back(std::move(hint));
 }
 
 // The comments between two blocks, told apart by the tools that they name. The last of them wait
 // for their tool.
-void ToolNotes::settle_run() {
-  if (run_.empty()) return;
+void ToolNotes::settle_comments() {
+  if (comments_.empty()) return;
   end_group();
-  const bool last = numbers_come_last(run_);
-  for (const ToolHint& hint : run_) {
+  const bool last = numbers_come_last(comments_);
+  for (const ToolHint& hint : comments_) {
     const bool ends = last && hint.bare_id && !hint;
     if (!hint.id.empty() && !ends) end_group();  // "TOOL 3" begins what is said of it
     if (group_.text.empty())
@@ -143,7 +143,7 @@ void ToolNotes::settle_run() {
       merge_hint(group_, hint);
     if (ends) end_group();
   }
-  run_.clear();
+  comments_.clear();
 }
 
 void ToolNotes::end_group() {
@@ -204,10 +204,11 @@ bool ToolNotes::add_size(const ToolHint& hint) {
     add(id, hint);
     return true;
   }
-  if (run_.empty()) return false;
-  if (nameless_.text == run_.back().text) merge_hint(nameless_, hint);
-  if (!named_.empty() && named_.back().text == run_.back().text) merge_hint(named_.back(), hint);
-  merge_hint(run_.back(), hint);
+  if (comments_.empty()) return false;
+  if (nameless_.text == comments_.back().text) merge_hint(nameless_, hint);
+  if (!named_.empty() && named_.back().text == comments_.back().text)
+    merge_hint(named_.back(), hint);
+  merge_hint(comments_.back(), hint);
   return true;
 }
 
@@ -234,7 +235,7 @@ bool ToolNotes::adopt_nameless() {
 }
 
 void ToolNotes::call(const std::string& id) {
-  settle_run();
+  settle_comments();
   const bool other = !group_.id.empty() && group_.id != id;
   const bool listed = !other && add_by_name(id);
   if (lathe_) add_no_cutter(id);
@@ -274,13 +275,13 @@ void ToolNotes::change(const std::string& id) {
 }
 
 void ToolNotes::end_block() {
-  settle_run();
+  settle_comments();
   told_id_.clear();
   if (blocks_since_change_ < 1) ++blocks_since_change_;
 }
 
 void ToolNotes::end_waiting() {
-  settle_run();
+  settle_comments();
   end_group();
 }
 

@@ -34,7 +34,7 @@ class ToolNotes {
   void end_block();
   /// A cut: comments above it are not about the next tool.
   void cut() {
-    if (!group_.text.empty() || !run_.empty()) end_waiting();  // asked at every cut
+    if (!group_.text.empty() || !comments_.empty()) end_waiting();  // asked at every cut
     cuts_ = cuts_since_change_ = true;
     called_.clear();
   }
@@ -64,7 +64,7 @@ class ToolNotes {
   bool add_size(const ToolHint& hint);
   void add_no_cutter(const std::string& id);
   bool add_by_name(const std::string& id);
-  void settle_run();
+  void settle_comments();
   void end_group();
   void end_waiting();
   void add_nameless(const ToolHint& hint);
@@ -74,11 +74,11 @@ class ToolNotes {
   std::size_t turret_digits_;
   std::map<std::string, ToolHint> hints_;
   std::map<std::string, std::string> not_understood_;
-  std::vector<ToolHint> run_;    ///< the comments since the last block
-  ToolHint group_;               ///< those before it that wait for their tool
-  std::vector<ToolHint> named_;  ///< without a number, above the first cut
-  ToolHint nameless_;            ///< above the first cut
-  bool lists_ = false;           ///< a comment has headed a list of tools
+  std::vector<ToolHint> comments_;  ///< the comments since the last block
+  ToolHint group_;                  ///< those before it that wait for their tool
+  std::vector<ToolHint> named_;     ///< without a number, above the first cut
+  ToolHint nameless_;               ///< above the first cut
+  bool lists_ = false;              ///< a comment has headed a list of tools
   bool cuts_ = false, cuts_since_change_ = false;
   bool adopted_ = false;  ///< nameless_ is the tool
   std::string other_, current_;

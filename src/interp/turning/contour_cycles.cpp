@@ -298,7 +298,7 @@ bool ContourCycles::rough() {
     farthest = std::abs(travel);
     r.down = travel > 0 ? 1 : -1;
   }
-  r.run = component(contour_.back().end + shift, r.v) > r.start ? 1 : -1;
+  r.along = component(contour_.back().end + shift, r.v) > r.start ? 1 : -1;
   if (component(shift, r.u) * r.down > kRounding)
     warning("cycle-allowance",
             fmt::format("{} of G{} leads into the finished shape, which is cut too deep: of a bore "
@@ -308,7 +308,7 @@ bool ContourCycles::rough() {
   std::vector<PlanePiece> pieces;
   for (std::size_t i = 1; i < contour_.size(); ++i)
     pieces.push_back(turned_piece(contour_[i], r.u, r.v, shift + semi_finish_));
-  const RoughContour shape(std::move(pieces), -r.down, r.run);
+  const RoughContour shape(std::move(pieces), -r.down, r.along);
   if (const int bad = shape.runs_back(); bad >= 0) {
     const Motion& m = contour_[static_cast<std::size_t>(bad) + 1];
     const bool home =
@@ -358,7 +358,7 @@ bool ContourCycles::levels(const Rough& r, const RoughContour& shape) {
 
 // To the level, along it to the contour, off at 45 degrees, back.
 void ContourCycles::pass(const Rough& r, double at, double end) {
-  if ((end - r.start) * r.run <= kRounding) return;
+  if ((end - r.start) * r.along <= kRounding) return;
   Vec3 p = position_.physical;
   component(p, r.u) = at;
   go(p, contour_.front().kind);
@@ -371,7 +371,7 @@ void ContourCycles::pass(const Rough& r, double at, double end) {
 // Over the pocket at the height of the start, down to the pass before, into the material.
 void ContourCycles::pocket_pass(const Rough& r, double at, const FreeStretch& stretch) {
   const TurnSettings& set = modal_.turn_settings;
-  if ((stretch.to - stretch.from) * r.run <= kRounding) return;
+  if ((stretch.to - stretch.from) * r.along <= kRounding) return;
   Vec3 p = position_.physical;
   component(p, r.u) = r.top;
   go(p, kRapid);
@@ -389,9 +389,9 @@ void ContourCycles::cut(const Rough& r, double at, double begin, double end) {
   Vec3 p = position_.physical;
   component(p, r.v) = end;
   go(p, kLine);
-  const double escape = std::min(modal_.turn_settings.escape, (end - begin) * r.run);
+  const double escape = std::min(modal_.turn_settings.escape, (end - begin) * r.along);
   component(p, r.u) = at - r.down * escape;
-  component(p, r.v) = end - r.run * escape;
+  component(p, r.v) = end - r.along * escape;
   go(p, kRapid);
 }
 

@@ -41,7 +41,7 @@ class ContourCycles : public ControlPart {
     int u = 0, v = 2;           ///< axes
     double top = 0, start = 0;  ///< where the passes begin, u and v
     double down = 1;            ///< from the start to the contour, in u
-    double run = -1;            ///< from the start to the contour's end, in v
+    double along = -1;          ///< from the start to the contour's end, in v
   };
 
   bool settings();

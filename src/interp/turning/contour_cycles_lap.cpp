@@ -74,9 +74,9 @@ void ContourCycles::orient_allowance() {
     const double travel = component(m.end - from, u);
     if (std::abs(travel) > std::abs(deepest)) deepest = travel;
   }
-  const double run = contour_.empty() ? 0 : component(contour_.back().end - from, v);
+  const double travel = contour_.empty() ? 0 : component(contour_.back().end - from, v);
   component(call_.allowance, u) = std::copysign(component(call_.allowance, u), -deepest);
-  component(call_.allowance, v) = std::copysign(component(call_.allowance, v), -run);
+  component(call_.allowance, v) = std::copysign(component(call_.allowance, v), -travel);
 }
 
 // The program has come to a contour on its way: it goes on behind G80.

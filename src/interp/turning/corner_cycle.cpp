@@ -32,7 +32,7 @@ bool CornerCycle::read(Corner& c) {
   if (component(whole, c.u) == 0 || component(whole, c.v) == 0)
     return fail("value-range", "CYCLE951: the two corners have the same X or the same Z");
   c.down = sign_of(component(whole, c.u));
-  c.run = sign_of(component(whole, c.v));
+  c.along = sign_of(component(whole, c.v));
   if (work == 1) {
     c.allowance = {-sign_of(whole.x) * std::abs(call_.get("FALX")) * unit, 0,
                    -sign_of(whole.z) * std::abs(call_.get("FALZ")) * unit};
@@ -60,20 +60,20 @@ bool CornerCycle::run() {
 void CornerCycle::rough(const Corner& c) {
   const Vec3 end = c.end + c.allowance;
   const double from = component(c.start, c.u), stop = component(end, c.v);
-  const double begin = component(c.start, c.v) - c.run * c.clear;
+  const double begin = component(c.start, c.v) - c.along * c.clear;
   const auto go = [&](double u, double v, MotionKind kind) {
     c.u == 0 ? to(u, v, kind) : to(v, u, kind);
   };
   const double whole = (component(end, c.u) - from) * c.down;
-  if (whole <= 0 || (stop - component(c.start, c.v)) * c.run <= 0) return;
+  if (whole <= 0 || (stop - component(c.start, c.v)) * c.along <= 0) return;
   go(from - c.down * c.clear, begin, MotionKind::rapid);
   const int n = steps_of(whole, c.depth);
   for (int i = 1; i <= n; ++i) {
     const double at = from + c.down * whole * i / n;
     go(at, begin, MotionKind::rapid);
     go(at, stop, MotionKind::line);
-    const double off = std::min(c.clear, (stop - begin) * c.run);
-    go(at - c.down * off, stop - c.run * off, MotionKind::rapid);
+    const double off = std::min(c.clear, (stop - begin) * c.along);
+    go(at - c.down * off, stop - c.along * off, MotionKind::rapid);
     go(at - c.down * off, begin, MotionKind::rapid);
   }
   go(from - c.down * c.clear, begin, MotionKind::rapid);

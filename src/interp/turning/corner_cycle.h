@@ -18,7 +18,7 @@ class CornerCycle : public TurnCall {
   struct Corner {
     Vec3 start, end, allowance;
     int u = 0, v = 2;
-    double down = -1, run = -1;  ///< signs of the infeed and of the cut
+    double down = -1, along = -1;  ///< signs of the infeed and of the cut
     double clear = 0, depth = 0;
   };
 

@@ -70,7 +70,7 @@ bool GrooveCycles::groove_corners(Groove& g, double width) {
   }
   if (below > std::abs(g.bottom - g.top) || beside[0] + beside[1] > width)
     return fail("value-range", "CYCLE93: the corners (RCO, RCI) are larger than the groove");
-  if (beside[0] + beside[1] > std::abs(g.flanks[1].place - g.flanks[0].place) + kRounding)
+  if (beside[0] + beside[1] > std::abs(g.flanks[1].z - g.flanks[0].z) + kRounding)
     return fail("value-range", "CYCLE93: the blade is too wide between the corners of the bottom");
   return true;
 }
@@ -93,8 +93,8 @@ bool GrooveCycles::blade(Groove& g, double low, double high) {
                                            call_.name, tip));
   const bool middle = tip == 6 || tip == 8, right = tip == 1 || tip == 4;
   const double from = middle ? w / 2 : right ? w : 0;  // of the point, from the blade's low corner
-  g.flanks[0].place = low + from;
-  g.flanks[1].place = high - w + from;
+  g.flanks[0].z = low + from;
+  g.flanks[1].z = high - w + from;
   g.nose = tool->nose_radius;
   g.step = 0.95 * (w - 2 * tool->nose_radius);
   if (g.step <= 0)
@@ -129,16 +129,16 @@ void GrooveCycles::finish_flank(const Groove& g, const Flank& f, double side, do
   const double in = sign_of(g.bottom - g.top), above = std::abs(g.clear - g.top);
   const double edge = g.top + in * f.edge, corner = g.bottom - in * f.corner;
   const bool chamfer = f.edge > 0 && !f.edge_round;
-  to(g.clear, f.place - side * (chamfer ? f.edge + above : f.edge), MotionKind::rapid);
-  if (chamfer) to(edge, f.place, MotionKind::line);
+  to(g.clear, f.z - side * (chamfer ? f.edge + above : f.edge), MotionKind::rapid);
+  if (chamfer) to(edge, f.z, MotionKind::line);
   if (f.edge > 0 && f.edge_round) {
-    to(g.top, f.place - side * f.edge, MotionKind::line);
-    quarter(edge, f.place, f.edge, side * in, true);
+    to(g.top, f.z - side * f.edge, MotionKind::line);
+    quarter(edge, f.z, f.edge, side * in, true);
   }
-  to(corner, f.place, MotionKind::line);
+  to(corner, f.z, MotionKind::line);
   if (f.corner > 0 && f.corner_round)
-    quarter(g.bottom, f.place + side * f.corner, f.corner, -side * in, false);
-  to(g.bottom, f.place + side * f.corner, MotionKind::line);
+    quarter(g.bottom, f.z + side * f.corner, f.corner, -side * in, false);
+  to(g.bottom, f.z + side * f.corner, MotionKind::line);
   to(g.bottom, middle, MotionKind::line);
   to(g.clear, middle, MotionKind::rapid);
 }
@@ -147,10 +147,10 @@ bool GrooveCycles::groove() {
   Groove g;
   if (!groove_values(g)) return false;
   const Flank &first = g.flanks[0], &last = g.flanks[1];
-  const double in = sign_of(g.bottom - g.top), travel = last.place - first.place;
+  const double in = sign_of(g.bottom - g.top), travel = last.z - first.z;
   if (std::abs(g.bottom - g.top) > kMostTurningPasses * g.infeed && g.infeed > 0)
     return fail("value-range", "too many passes");
-  const double most = std::abs(travel), run = sign_of(travel);
+  const double most = std::abs(travel), along = sign_of(travel);
   double before = std::max(g.flank_allowance - first.corner, 0.0),
          behind = std::max(g.flank_allowance - last.corner, 0.0);
   const double room = most - first.corner - last.corner, wanted = before + behind;
@@ -158,8 +158,8 @@ bool GrooveCycles::groove() {
     before *= room / wanted;
     behind *= room / wanted;
   }
-  const double begin = first.place + run * (first.corner + before),
-               end = last.place - run * (last.corner + behind);
+  const double begin = first.z + along * (first.corner + before),
+               end = last.z - along * (last.corner + behind);
   if (std::abs(end - begin) > kMostTurningPasses * g.step)
     return fail("value-range", "too many passes");
   to(g.clear, position_.programmed.z, MotionKind::rapid);
@@ -204,13 +204,13 @@ bool GrooveCycles::parting() {
   if (!blade(g, z - width, z)) return false;
   const double before = modal_.feed;
   to(g.clear, position_.programmed.z, MotionKind::rapid);
-  to(g.clear, g.flanks[0].place, MotionKind::rapid);
+  to(g.clear, g.flanks[0].z, MotionKind::rapid);
   if (call_.get("FF1") > 0) modal_.feed = call_.get("FF1") * feed_scale();
-  to(std::clamp(g.infeed, g.bottom, g.top), g.flanks[0].place, MotionKind::line);
+  to(std::clamp(g.infeed, g.bottom, g.top), g.flanks[0].z, MotionKind::line);
   if (call_.get("FF2") > 0) modal_.feed = call_.get("FF2") * feed_scale();
-  to(g.bottom, g.flanks[0].place, MotionKind::line);
+  to(g.bottom, g.flanks[0].z, MotionKind::line);
   modal_.feed = before;
-  to(g.clear, g.flanks[0].place, MotionKind::rapid);
+  to(g.clear, g.flanks[0].z, MotionKind::rapid);
   return true;
 }
 

@@ -21,7 +21,7 @@ class GrooveCycles : public TurnCall {
   /// A flank of a groove; of its corners, what the blade's point keeps off them along each side:
   /// the radius of a rounding, with the blade's own, or the leg of a chamfer.
   struct Flank {
-    double place = 0;             ///< of the tool along Z
+    double z = 0;                 ///< of the tool
     double edge = 0, corner = 0;  ///< at the groove's edge and at its bottom
     bool edge_round = false, corner_round = false;
   };

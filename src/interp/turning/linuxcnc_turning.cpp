@@ -126,12 +126,12 @@ bool LinuxCncTurning::increment(char letter_from, char axis) {
 }
 
 // Only G0 to G3 count, and the words that go with them.
-bool LinuxCncTurning::contour_words(const Word*& place) {
+bool LinuxCncTurning::contour_words(const Word*& axis_word) {
   for (const Word& word : block_.words) {
     const auto c = static_cast<char>(word.address);
     if (word.address < Address::function && c != 'G') {
       if (std::string_view("XZUWIKRAC").find(c) != std::string_view::npos) {
-        if (!place) place = &word;
+        if (!axis_word) axis_word = &word;
         continue;
       }
     } else if (c == 'G') {
@@ -157,11 +157,11 @@ bool LinuxCncTurning::contour_words(const Word*& place) {
 }
 
 void LinuxCncTurning::contour_block() {
-  const Word* place = nullptr;
-  if (contour_words(place) && place) move_to(*place);
+  const Word* axis_word = nullptr;
+  if (contour_words(axis_word) && axis_word) move_to(*axis_word);
 }
 
-bool LinuxCncTurning::move_to(const Word& place) {
+bool LinuxCncTurning::move_to(const Word& where) {
   ProfilePiece piece;
   Vec3 end = at_;
   Target to;
@@ -177,10 +177,10 @@ bool LinuxCncTurning::move_to(const Word& place) {
     piece.ccw = arc.sweep > 0;
     if (pieces_.empty())
       return error("cycle-contour", "the contour of a cycle begins with G0 or G1, the way to it",
-                   place);
+                   where);
   }
   if (pieces_.size() > kMostContourPieces)
-    return error("value-range", fmt::format("more than {} pieces", kMostContourPieces), place);
+    return error("value-range", fmt::format("more than {} pieces", kMostContourPieces), where);
   end = to.programmed;
   piece.start = unit * in_plane(basis(), at_);
   piece.end = unit * in_plane(basis(), end);
@@ -188,7 +188,7 @@ bool LinuxCncTurning::move_to(const Word& place) {
   Motion source;
   source.file = block_.file;
   source.line = block_.line_number;
-  source.column = place.column + 1;
+  source.column = where.column + 1;
   source.call = block_.call;
   sources_.push_back(source);
   pieces_.push_back(piece);
@@ -246,7 +246,7 @@ void LinuxCncTurning::cut() {
 }
 
 void LinuxCncTurning::run_move(const ProfileMove& move) {
-  const Vec2 from = mover_.place(), end = scale() * move.end;
+  const Vec2 from = mover_.position(), end = scale() * move.end;
   if (move.kind == ProfileMove::Kind::arc) {
     modal_.motion = move.ccw ? Code::arc_ccw : Code::arc_cw;
     if (length(end - from) <= kRounding) return;

@@ -40,9 +40,9 @@ class LinuxCncTurning : public ControlPart {
  private:
   bool own_words();
   bool go_to_start();
-  bool contour_words(const Word*& place);
+  bool contour_words(const Word*& axis_word);
   bool increment(char letter, char axis);
-  bool move_to(const Word& place);
+  bool move_to(const Word& where);
   Vec2 centre(Vec2 otherwise) const;
   bool add_corner();
   void end_contour();
