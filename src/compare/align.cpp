@@ -16,6 +16,7 @@ namespace {
 using Vector6 = Eigen::Matrix<double, 6, 1>;
 using Matrix6 = Eigen::Matrix<double, 6, 6>;
 
+constexpr double kSettled = 1e-9;  // of the part's reach: a step that moves no digit of the result
 constexpr int kMostSteps = 60;
 
 // Rodrigues' formula about the axis w / |w| by |w| radians.
@@ -199,7 +200,7 @@ IcpResult icp(const std::vector<Vec3>& points, const NominalSurface& nominal,
     const Step step = solve(all, pivot, reach);
     out.transform = compose(step.move, out.transform);
     all = residuals(points, nominal, out.transform, threads);
-    if (step.size < 1e-9 * reach) break;
+    if (step.size < kSettled * reach) break;
   }
   out.rms_after = rms_of(all);
   return out;

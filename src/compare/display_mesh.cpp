@@ -1,6 +1,7 @@
 #include "compare/display_mesh.h"
 
 #include "compare/align.h"
+#include "core/rounding.h"
 #include "core/trig.h"
 #include "core/vec.h"
 #include "mesh/solid/half_edges.h"
@@ -116,7 +117,8 @@ std::vector<std::uint64_t> cells_of(const TriMesh& mesh, double cells) {
   Box3 box;
   for (const auto& v : mesh.vertices) extend(box, to_vec(v));
   const Vec3 size = box.hi - box.lo;
-  const double scale = cells / std::max({size.x, size.y, size.z, 1e-9});
+  // A mesh whose points all lie in one place has one cell.
+  const double scale = cells / std::max({size.x, size.y, size.z, kRounding});
   std::vector<std::uint64_t> out(mesh.vertices.size());
   for (std::size_t v = 0; v < out.size(); ++v) {
     const Vec3 p = scale * (to_vec(mesh.vertices[v]) - box.lo);

@@ -130,11 +130,11 @@ void FlatPatches::find_borders() {
   if (!borders.triangles.empty()) borders_.emplace(borders);
 }
 
-FlatPatches::Placement FlatPatches::place(const TrianglePiece& piece, std::uint32_t triangle,
+FlatPatches::Overlay FlatPatches::overlay(const TrianglePiece& piece, std::uint32_t triangle,
                                           const Vec3& foot) const {
   const std::uint32_t seed = seed_[triangle];
   const Vec3 normal = tree_.normal(seed), origin = tree_.corners(seed).a;
-  Placement out;
+  Overlay out;
   if (dot(normal, normal) == 0 || !is_over(piece, normal, foot)) return out;
   Box3 shadow;
   for (const Vec3& p : piece) {

@@ -31,16 +31,16 @@ class FlatPatches {
   FlatPatches(const TriMesh& mesh, const NominalSurface& surface, int threads);
 
   /// How a piece lies over a patch.
-  struct Placement {
+  struct Overlay {
     bool inside = false;          ///< all of it is over the patch
     double height = 0;            ///< inside: no point of it is farther from the surface
     std::optional<CutPlane> cut;  ///< else: a border of the patch that runs through it
   };
-  /// Whether the patch of `triangle` has more triangles; place() is for those.
+  /// Whether the patch of `triangle` has more triangles; overlay() is for those.
   bool is_joined(std::uint32_t triangle) const { return joined_[triangle]; }
   /// Over the patch of the triangle whose face holds `foot`, a point of the surface that lies below
   /// the piece. Neither inside nor a cut: too many borders about it to look at all of them.
-  Placement place(const TrianglePiece& piece, std::uint32_t triangle, const Vec3& foot) const;
+  Overlay overlay(const TrianglePiece& piece, std::uint32_t triangle, const Vec3& foot) const;
   /// The same for the triangle and all that share a corner with it, in place of a patch: no point
   /// of a piece that lies over them is farther from the surface than this; infinite for others.
   double distance_over_ring(const TrianglePiece& piece, std::uint32_t triangle,

@@ -91,7 +91,7 @@ Verdict judge(const NominalSurface& to, const FlatPatches& patches, const Piece&
   if (lower_to(farthest_corner(tree.corners(hit.triangle), c))) return out;
   const bool face = hit.feature == kTriangleFace, flat = face && patches.is_joined(hit.triangle);
   if (flat) {
-    const FlatPatches::Placement over = patches.place(c, hit.triangle, hit.point);
+    const FlatPatches::Overlay over = patches.overlay(c, hit.triangle, hit.point);
     if (over.inside && lower_to(over.height)) return out;
     out.cut = over.cut;
   }

@@ -74,7 +74,7 @@ std::vector<SurfacePlace> inner_edge_places(const NominalSurface& solid,
   std::vector<SurfacePlace> places;
   if (points.empty()) return places;
   const TriangleTree& tree = solid.tree();
-  const NearPoints piece(points, near);
+  const NearPoints covered(points, near);
   const Box3 box = box_of(points, near);
   for (std::uint32_t t = 0; t < tree.size(); ++t) {
     const TriangleTree::Corners k = tree.corners(t);
@@ -88,7 +88,7 @@ std::vector<SurfacePlace> inner_edge_places(const NominalSurface& solid,
       const auto steps = std::max(2.0, std::ceil(distance(a, b) / near));
       for (double step = 0.5; step < steps; ++step) {
         const Vec3 on = a + (step / steps) * (b - a);
-        if (!piece.any_at(on)) continue;
+        if (!covered.any_at(on)) continue;
         places.push_back({on, normalized(tree.normal(other) + tree.normal(t))});
         break;
       }

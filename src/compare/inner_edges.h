@@ -1,4 +1,4 @@
-// Inner edges of a solid that a piece of material covers: no tool reaches them, whatever its size.
+// Inner edges of a solid that material left to cut covers: no tool reaches them, whatever its size.
 #pragma once
 
 #include "compare/reach.h"
@@ -9,7 +9,7 @@
 namespace mrsim {
 
 /// One place on each edge between two triangles that bend inwards, where it comes within `near` mm
-/// of one of `points`, which lie on the piece; evenly thinned out to some hundreds.
+/// of one of `points`, which lie on that material; evenly thinned out to some hundreds.
 std::vector<SurfacePlace> inner_edge_places(const NominalSurface& solid,
                                             std::span<const Vec3> points, double near);
 

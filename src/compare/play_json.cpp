@@ -96,8 +96,8 @@ class MotionPacker {
     heads_.put(std::int64_t(m.kind) | kAssumed * m.assumed_start | kJumps * jumps |
                kTilted * tilted);
     heads_.add(m.file, file_), heads_.add(m.line, line_), heads_.add(m.tool, tool_);
-    if (jumps) place(m.start);
-    place(m.end);
+    if (jumps) add_place(m.start);
+    add_place(m.end);
     if (m.kind == MotionKind::arc) {
       for (int k = 0; k < 3; ++k)
         places_.put(steps(component(m.center, k) - component(m.start, k), kLength));
@@ -111,7 +111,7 @@ class MotionPacker {
   Json places() const { return places_.json(); }
 
  private:
-  void place(const Vec3& p) {
+  void add_place(const Vec3& p) {
     for (int k = 0; k < 3; ++k) places_.add(steps(component(p, k), kLength), at_[k]);
   }
   void unit(const Vec3& v) {

@@ -112,17 +112,17 @@ void be_silent() {
 bool collect(int fd, int seconds, const std::string& what, std::string& bytes) {
   using Clock = std::chrono::steady_clock;
   const auto end = Clock::now() + std::chrono::seconds(seconds);
-  std::array<char, 65536> piece;
+  std::array<char, 65536> chunk;
   for (;;) {
     const auto left = std::chrono::duration_cast<std::chrono::milliseconds>(end - Clock::now());
     if (left.count() <= 0) return false;
     pollfd wait{fd, POLLIN, 0};
     if (::poll(&wait, 1, static_cast<int>(left.count())) <= 0) continue;
-    const ssize_t n = ::read(fd, piece.data(), piece.size());
+    const ssize_t n = ::read(fd, chunk.data(), chunk.size());
     if (n == 0) return true;
-    if (n > 0 && bytes.size() + piece.size() > bytes.capacity())
+    if (n > 0 && bytes.size() + chunk.size() > bytes.capacity())
       require_memory(3.0 * double(bytes.capacity()), what);
-    if (n > 0) bytes.append(piece.data(), static_cast<std::size_t>(n));
+    if (n > 0) bytes.append(chunk.data(), static_cast<std::size_t>(n));
   }
 }
 

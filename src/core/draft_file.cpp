@@ -20,7 +20,7 @@
 namespace mrsim {
 namespace {
 
-constexpr std::size_t kSmall = std::size_t(1) << 16;      // bytes: pieces that are collected
+constexpr std::size_t kSmall = std::size_t(1) << 16;      // bytes: writes that are collected
 constexpr std::size_t kBuffer = std::size_t(1) << 20;     // and written together
 constexpr std::uint64_t kStart = std::uint64_t(8) << 20;  // written out together
 
@@ -146,10 +146,10 @@ std::size_t DraftFile::read_at(char* data, std::size_t size, std::uint64_t offse
 
 std::string DraftFile::sha256() const {
   Sha256 hash;
-  std::vector<char> piece(kBuffer);
+  std::vector<char> chunk(kBuffer);
   std::uint64_t at = 0;
-  while (const std::size_t n = read_at(piece.data(), piece.size(), at)) {
-    hash.update(piece.data(), n);
+  while (const std::size_t n = read_at(chunk.data(), chunk.size(), at)) {
+    hash.update(chunk.data(), n);
     at += n;
   }
   return hash.hex();
@@ -170,10 +170,10 @@ void DraftFile::name_as(const std::string& name) {
 
 void DraftFile::pour() const {
   StreamEnd end(place_);
-  std::vector<char> piece(kBuffer);
+  std::vector<char> chunk(kBuffer);
   std::uint64_t at = 0;
-  while (const std::size_t n = read_at(piece.data(), piece.size(), at)) {
-    end.write(piece.data(), n);
+  while (const std::size_t n = read_at(chunk.data(), chunk.size(), at)) {
+    end.write(chunk.data(), n);
     at += n;
   }
 }

@@ -46,10 +46,10 @@ std::string inflated(std::string_view packed, std::size_t size, const std::strin
   return out;
 }
 
-// Packs what it is given and hands it on in pieces.
+// Packs what it is given and hands it on in chunks.
 class Deflater {
  public:
-  explicit Deflater(const ByteSink& out) : out_(out), packed_(kPiece, '\0') {
+  explicit Deflater(const ByteSink& out) : out_(out), packed_(kChunk, '\0') {
     constexpr int kLevel = 6, kMemory = 8;
     const int ready =
         deflateInit2(&stream_, kLevel, Z_DEFLATED, -MAX_WBITS, kMemory, Z_DEFAULT_STRATEGY);
@@ -63,9 +63,9 @@ class Deflater {
     const auto* bytes = static_cast<const Bytef*>(data);
     crc_ = crc32_z(crc_, bytes, size);
     plain_ += size;
-    for (std::size_t done = 0; done < size; done += kPiece) {
+    for (std::size_t done = 0; done < size; done += kChunk) {
       stream_.next_in = const_cast<Bytef*>(bytes + done);
-      stream_.avail_in = uInt(std::min(size - done, kPiece));
+      stream_.avail_in = uInt(std::min(size - done, kChunk));
       while (stream_.avail_in > 0) run(Z_NO_FLUSH);
     }
   }
@@ -78,7 +78,7 @@ class Deflater {
   std::size_t packed_size() const { return packed_size_; }
 
  private:
-  static constexpr std::size_t kPiece = std::size_t(1) << 18;
+  static constexpr std::size_t kChunk = std::size_t(1) << 18;
 
   int run(int flush) {
     stream_.next_out = reinterpret_cast<Bytef*>(packed_.data());

@@ -1,5 +1,6 @@
 // Tools of CAMotics, by number: {"1": {"units": "metric", "shape": "cylindrical", "diameter": 6,
 // "length": 20}}.
+#include "core/rounding.h"
 #include "core/trig.h"
 #include "core/units.h"
 #include "setup/library_formats.h"
@@ -24,7 +25,7 @@ std::string shape_tool(const std::string& shape, double length, double snub, Too
   if (shape == "spheroid") {
     tool.type = ToolType::ballmill;
     tool.flute_length = 0;
-    return std::abs(length - tool.diameter) < 1e-9 ? "" : "a spheroid that is no ball";
+    return std::abs(length - tool.diameter) < kRounding ? "" : "a spheroid that is no ball";
   }
   if (shape != "conical" && shape != "snubnose") return "the shape \"" + shape + "\" is unknown";
   if (!(length > 0)) return "no length";

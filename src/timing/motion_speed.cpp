@@ -41,9 +41,10 @@ Vec3 arc_tangent(const Motion& m, double angle) {
 
 // Every axis that an arc moves runs along it sooner or later, so the weakest of them limits it.
 double along_arc(const Motion& m, const Vec3& limits) {
+  constexpr double kAlongAxis = 1 - 1e-12;  // cosine: the arc lies in a plane across this axis
   double most = kInfinity;
   for (int axis = 0; axis < 3; ++axis) {
-    const bool stands = m.rise == 0 && std::fabs(component(m.axis, axis)) > 1 - 1e-12;
+    const bool stands = m.rise == 0 && std::fabs(component(m.axis, axis)) > kAlongAxis;
     if (!stands) most = std::min(most, component(limits, axis));
   }
   return most;

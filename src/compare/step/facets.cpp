@@ -107,15 +107,15 @@ void append(const FaceMesh& mesh, bool is_reversed, SolidFacets& out) {
 bool is_closed(const SolidFacets& facets) {
   using Point = std::array<float, 3>;
   std::map<Point, std::uint32_t> places;
-  std::vector<std::uint32_t> place(facets.points.size() / 3);
-  for (std::size_t i = 0; i < place.size(); ++i) {
+  std::vector<std::uint32_t> new_index(facets.points.size() / 3);
+  for (std::size_t i = 0; i < new_index.size(); ++i) {
     const Point p{facets.points[3 * i], facets.points[3 * i + 1], facets.points[3 * i + 2]};
-    place[i] = places.emplace(p, std::uint32_t(places.size())).first->second;
+    new_index[i] = places.emplace(p, std::uint32_t(places.size())).first->second;
   }
   std::vector<std::pair<std::uint32_t, std::uint32_t>> sides, turned;
   for (std::size_t t = 0; t < facets.triangles.size(); t += 3) {
-    const std::uint32_t k[3] = {place[facets.triangles[t]], place[facets.triangles[t + 1]],
-                                place[facets.triangles[t + 2]]};
+    const std::uint32_t k[3] = {new_index[facets.triangles[t]], new_index[facets.triangles[t + 1]],
+                                new_index[facets.triangles[t + 2]]};
     if (k[0] == k[1] || k[1] == k[2] || k[2] == k[0]) continue;
     for (int i = 0; i < 3; ++i) {
       sides.emplace_back(k[i], k[(i + 1) % 3]);

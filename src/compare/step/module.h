@@ -25,11 +25,12 @@ struct StepFacets {
   double deviation = 0;  // mm: the largest distance from the faces that was found
 };
 
-/// Facets of `path`, wanted within `deflection` mm of the exact faces; nullptr when memory ran out.
+/// Facets of the file `path`, wanted within `deflection` mm of the exact faces; nullptr when memory
+/// ran out.
 using ReadStepFacets = const StepFacets*(const char* path, double deflection) noexcept;
 using FreeStepFacets = void(const StepFacets*) noexcept;
 
-/// Names under which the module shows the two; the number changes with the border.
+/// The module exports both under these names; the number is raised when this header changes.
 constexpr const char* kReadStepFacets = "mrsim_read_step_facets_2";
 constexpr const char* kFreeStepFacets = "mrsim_free_step_facets_2";
 
