@@ -7,12 +7,11 @@
 #include "mesh/cells/mesh_memory.h"
 #include "mesh/cells/step_timer.h"
 #include "mesh/cells/thin_features.h"
-#include "mesh/simplify/guilty_cells.h"
 #include "mesh/simplify/mesh_certifier.h"
 #include "mesh/simplify/owner_borders.h"
 #include "mesh/simplify/simplify_apart.h"
 #include "mesh/solid/self_intersection.h"
-#include "mesh/surface/piece_hash.h"
+#include "mesh/surface/input_hash.h"
 #include "mesh/surface/surface.h"
 
 #include <algorithm>
@@ -30,9 +29,9 @@ using detail::CellOctree;
 using detail::Crossing;
 using detail::Detail;
 using detail::DualSurface;
+using detail::InputHash;
 using detail::LabelledMesh;
 using detail::Lattice;
-using detail::PlaceHash;
 using detail::StepTimer;
 
 constexpr double kBaseShare = 1.0;        ///< of the tolerance, for triangles before simplification
@@ -312,7 +311,7 @@ class AdaptiveMesher {
 
   // Tells a triangle from all others of former rounds, which need not be certified again.
   static std::uint64_t triangle_hash(const LabelledMesh& mesh, std::size_t t) {
-    PlaceHash hash;
+    InputHash hash;
     hash.add(mesh.faces[mesh.labels[t]]);
     for (const std::uint32_t v : mesh.triangles[t]) hash.add(mesh.vertices[v]);
     return hash.value();

@@ -1,6 +1,5 @@
 #include "mesh/draw/render.h"
 
-#include "mesh/draw/lying.h"
 #include "mesh/draw/picture.h"
 #include "mesh/draw/picture_text.h"
 #include "mesh/draw/view.h"

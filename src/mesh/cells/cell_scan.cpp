@@ -25,9 +25,9 @@ constexpr std::size_t kLong = 24;  ///< candidates that are cheaper narrowed tha
 class Points {
  public:
   Points(const Lattice& lattice, const CellView& cell, bool turned)
-      : lattice_(lattice), cell_(cell), turned_(turned), lo_(place_on_lattice(0, 0, 0)) {
+      : lattice_(lattice), cell_(cell), turned_(turned), lo_(on_lattice(0, 0, 0)) {
     const std::int32_t n = cell.voxels;
-    hi_ = place_on_lattice(n, n, n);
+    hi_ = on_lattice(n, n, n);
     inner_ = {std::clamp(0.0, lo_.x, hi_.x), std::clamp(0.0, lo_.y, hi_.y), 0};
     outer_ = {-lo_.x > hi_.x ? lo_.x : hi_.x, -lo_.y > hi_.y ? lo_.y : hi_.y, 0};
   }
@@ -35,15 +35,15 @@ class Points {
   std::int32_t last(int axis) const {
     return !turned_ ? cell_.voxels : axis == 0 ? 2 * cell_.voxels : axis == 1 ? 0 : cell_.voxels;
   }
-  Vec3 place(const std::int32_t (&at)[3]) const {
-    if (!turned_) return place_on_lattice(at[0], at[1], at[2]);
+  Vec3 position(const std::int32_t (&at)[3]) const {
+    if (!turned_) return on_lattice(at[0], at[1], at[2]);
     Vec3 p = lerp(inner_, outer_, static_cast<double>(at[0]) / (2 * cell_.voxels));
-    p.z = place_on_lattice(0, 0, at[2]).z;
+    p.z = on_lattice(0, 0, at[2]).z;
     return p;
   }
 
  private:
-  Vec3 place_on_lattice(std::int32_t x, std::int32_t y, std::int32_t z) const {
+  Vec3 on_lattice(std::int32_t x, std::int32_t y, std::int32_t z) const {
     const std::int32_t step = lattice_.per_voxel();
     return lattice_.position(
         {cell_.origin.x + x * step, cell_.origin.y + y * step, cell_.origin.z + z * step});
@@ -88,7 +88,8 @@ class Scan {
   bool finds(List candidates) {
     const Range all{{0, 0, 0}, {points_.last(0), points_.last(1), points_.last(2)}};
     if (candidates.size() > kLong)
-      descent_ = field_.descent(0.5 * (points_.place(all.lo) + points_.place(all.hi)), candidates);
+      descent_ =
+          field_.descent(0.5 * (points_.position(all.lo) + points_.position(all.hi)), candidates);
     return finds(all, candidates, 1);
   }
 
@@ -97,7 +98,7 @@ class Scan {
   bool finds(const Range& range, List list, std::size_t level) {
     const int axis = range.longest();
     if (range.side(axis) <= kTogether) return finds_among(range, list);
-    const Vec3 first = points_.place(range.lo), last = points_.place(range.hi);
+    const Vec3 first = points_.position(range.lo), last = points_.position(range.hi);
     if (judge_.is_far({first, last}, list)) return false;
     if (list.size() > kLong && descent_->enter(level, box_about(first, last), judge_.band(),
                                                true) == ExactField::Region::mixed) {
@@ -111,13 +112,13 @@ class Scan {
     return finds(low, list, level) || finds(high, list, level);
   }
   bool finds_among(const Range& range, List list) const {
-    Vec3 places[kMost];
+    Vec3 points[kMost];
     std::size_t n = 0;
     for (std::int32_t x = range.lo[0]; x <= range.hi[0]; ++x)
       for (std::int32_t y = range.lo[1]; y <= range.hi[1]; ++y)
         for (std::int32_t z = range.lo[2]; z <= range.hi[2]; ++z)
-          places[n++] = points_.place({x, y, z});
-    return judge_.finds({places, n}, list);
+          points[n++] = points_.position({x, y, z});
+    return judge_.finds({points, n}, list);
   }
 
   const ExactField& field_;
@@ -133,13 +134,14 @@ double radius(const Box3& box) { return 0.5 * length(box.hi - box.lo) + kQuantum
 // The plane that a surface is like.
 struct MeanPlane {
   explicit MeanPlane(const CellSurface& surface) {
-    for (const CellSurface::Point& p : surface.all()) place += p.position, normal += p.normal;
-    place = (1.0 / static_cast<double>(surface.count)) * place;
+    for (const CellSurface::Point& p : surface.all()) middle += p.position, normal += p.normal;
+    middle = (1.0 / static_cast<double>(surface.count)) * middle;
+    // Normals that cancel out leave no plane: all distances from it are then about 0.
     normal = (1 / std::max(length(normal), 1e-30)) * normal;
   }
-  double operator()(const Vec3& p) const { return dot(normal, p - place); }
+  double operator()(const Vec3& p) const { return dot(normal, p - middle); }
 
-  Vec3 place, normal;
+  Vec3 middle, normal;
 };
 
 struct Views {
@@ -161,18 +163,18 @@ struct Views {
     return limits.bend > limits.near || (d > 0 ? plane(center) > room : plane(center) < -room);
   }
 
-  bool finds(std::span<const Vec3> places, List list) const {
+  bool finds(std::span<const Vec3> points, List list) const {
     FieldSample all[kMost];
-    field.samples(places, list, all);
+    field.samples(points, list, all);
     Vec3 doubtful[kMost];
     double least[kMost], seen[kMost];
     std::size_t n = 0;
-    for (std::size_t k = 0; k < places.size(); ++k) {
+    for (std::size_t k = 0; k < points.size(); ++k) {
       const double d = all[k].distance;
-      if (limits.bend <= limits.near && bends(d, plane(places[k]))) return true;
+      if (limits.bend <= limits.near && bends(d, plane(points[k]))) return true;
       if (d < -limits.near) continue;  // without the unseen ones as well
       if (!cell.stock_seen && all[k].owner == kStockOwner && d <= limits.near) return true;
-      doubtful[n] = places[k];
+      doubtful[n] = points[k];
       least[n++] = d - limits.unseen;
     }
     if (n == 0 || cell.all_seen) return false;
@@ -199,10 +201,10 @@ struct Sides {
     const Vec3 center = 0.5 * (box.lo + box.hi);
     return sign * field.sample(center, list).distance - radius(box) > -depth;
   }
-  bool finds(std::span<const Vec3> places, List list) const {
+  bool finds(std::span<const Vec3> points, List list) const {
     double d[kMost];
-    field.distances(places, list, d);
-    return std::any_of(d, d + places.size(), [&](double x) { return sign * x < -depth; });
+    field.distances(points, list, d);
+    return std::any_of(d, d + points.size(), [&](double x) { return sign * x < -depth; });
   }
 };
 

@@ -57,20 +57,20 @@ struct EdgeEnds {
 };
 
 /// A face of a cell that no smaller cell divides, with the crossings on its sides: the first four
-/// of them, since more can not be joined. A crossing's place: 4 * its edge + the place in the
-/// edge's ring of the cell before the face.
+/// of them, since more can not be joined. A crossing's slot: 4 * its edge + the quadrant
+/// about the edge (ring_cell) of the cell before the face.
 struct CellFace {
   std::int32_t low = -1, high = -1;  ///< cells on both sides of it
   std::int32_t axis = 0;
   bool low_complete = false, high_complete = false;  ///< see is_complete()
   std::int32_t count = 0;                            ///< of all its crossings
-  std::int32_t places[4] = {-1, -1, -1, -1};
+  std::int32_t slots[4] = {-1, -1, -1, -1};
 
-  void add(std::int32_t edge, int place) {
-    if (count < 4) places[count] = 4 * edge + place;
+  void add(std::int32_t edge, int quadrant) {
+    if (count < 4) slots[count] = 4 * edge + quadrant;
     ++count;
   }
-  std::int32_t crossing(int i) const { return places[i] / 4; }
+  std::int32_t crossing(int i) const { return slots[i] / 4; }
   /// Of its crossings all are there.
   bool has_all_edges() const { return low_complete || high_complete; }
 };
@@ -112,19 +112,19 @@ class SurfaceCells {
   Lattice lattice_;
 };
 
-/// Ring places 0..3 run counter-clockwise about the edge's axis.
-inline std::int32_t ring_cell(const MinimalEdge& e, int place) {
-  return e.cells[(place ^ (place >> 1)) & 3];
+/// The cells about an edge: quadrants 0..3, counter-clockwise about the edge's axis.
+inline std::int32_t ring_cell(const MinimalEdge& e, int quadrant) {
+  return e.cells[(quadrant ^ (quadrant >> 1)) & 3];
 }
 
-/// The face between ring places `place` and `place + 1` of an edge; low = high where one cell spans
-/// both.
-inline CellFace face_of(const MinimalEdge& e, int place) {
-  const std::int32_t from = ring_cell(e, place), to = ring_cell(e, (place + 1) & 3);
+/// The face between the quadrants `quadrant` and `quadrant + 1` of an edge; low = high where one
+/// cell spans both.
+inline CellFace face_of(const MinimalEdge& e, int quadrant) {
+  const std::int32_t from = ring_cell(e, quadrant), to = ring_cell(e, (quadrant + 1) & 3);
   CellFace face;
-  face.axis = (e.axis + 1 + (place & 1)) % 3;
-  face.low = place < 2 ? from : to;
-  face.high = place < 2 ? to : from;
+  face.axis = (e.axis + 1 + (quadrant & 1)) % 3;
+  face.low = quadrant < 2 ? from : to;
+  face.high = quadrant < 2 ? to : from;
   return face;
 }
 

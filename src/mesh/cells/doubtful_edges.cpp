@@ -46,9 +46,9 @@ class DoubtfulSearch {
       near.lo[a] = std::max(part.lo[a] - 1, 0);
       near.hi[a] = std::min(part.hi[a] + 1, voxels_);
     }
-    const Box3 box = inflated(
-        Box3{place(near.lo[0], near.lo[1], near.lo[2]), place(near.hi[0], near.hi[1], near.hi[2])},
-        kQuantum);
+    const Box3 box = inflated(Box3{position(near.lo[0], near.lo[1], near.lo[2]),
+                                   position(near.hi[0], near.hi[1], near.hi[2])},
+                              kQuantum);
     Candidates own;
     if (field_.restrict_to(box, kSurfaceBand, candidates, own) != ExactField::Region::mixed ||
         is_alone(box, own))
@@ -75,7 +75,7 @@ class DoubtfulSearch {
     const std::int32_t step = lattice_.per_voxel();
     return {origin_.x + x * step, origin_.y + y * step, origin_.z + z * step};
   }
-  Vec3 place(std::int32_t x, std::int32_t y, std::int32_t z) const {
+  Vec3 position(std::int32_t x, std::int32_t y, std::int32_t z) const {
     return lattice_.position(point(x, y, z));
   }
 
@@ -94,12 +94,13 @@ class DoubtfulSearch {
   };
   void sample(const DoubtfulPart& range, std::span<const std::uint32_t> candidates,
               Samples& out) const {
-    Vec3 places[kMostPoints];
+    Vec3 points[kMostPoints];
     std::size_t count = 0;
     for (std::int32_t x = range.lo[0]; x <= range.hi[0]; ++x)
       for (std::int32_t y = range.lo[1]; y <= range.hi[1]; ++y)
-        for (std::int32_t z = range.lo[2]; z <= range.hi[2]; ++z) places[count++] = place(x, y, z);
-    field_.distances({places, count}, candidates, out.d, out.deciders);
+        for (std::int32_t z = range.lo[2]; z <= range.hi[2]; ++z)
+          points[count++] = position(x, y, z);
+    field_.distances({points, count}, candidates, out.d, out.deciders);
     out.range = range;
     out.stride[0] = range.side(1) * range.side(2);
     out.stride[1] = range.side(2);

@@ -17,7 +17,7 @@ class FlatMap {
   /// is not ~0.
   std::pair<std::int32_t, bool> insert(std::uint64_t key, std::int32_t fresh) {
     if (2 * (count_ + 1) > slots_.size()) rehash(2 * count_ + 2);
-    Slot& s = slots_[place(key)];
+    Slot& s = slots_[slot_of(key)];
     if (s.key == key) return {s.value, false};
     s = {key, fresh};
     ++count_;
@@ -26,7 +26,7 @@ class FlatMap {
 
   /// The value of the key, -1 where it is unknown.
   std::int32_t find(std::uint64_t key) const {
-    const Slot& s = slots_[place(key)];
+    const Slot& s = slots_[slot_of(key)];
     return s.key == key ? s.value : -1;
   }
 
@@ -37,7 +37,7 @@ class FlatMap {
     std::int32_t value = -1;
   };
 
-  std::size_t place(std::uint64_t key) const {
+  std::size_t slot_of(std::uint64_t key) const {
     std::uint64_t h = (key ^ key >> 31) * 0x9e3779b97f4a7c15u;
     h ^= h >> 29;
     std::size_t i = h & (slots_.size() - 1);
@@ -51,7 +51,7 @@ class FlatMap {
     std::vector<Slot> old(size);
     old.swap(slots_);
     for (const Slot& s : old)
-      if (s.key != kEmpty) slots_[place(s.key)] = s;
+      if (s.key != kEmpty) slots_[slot_of(s.key)] = s;
   }
 
   std::vector<Slot> slots_;

@@ -138,7 +138,7 @@ void CellOctree::refine(std::vector<std::int32_t> pending) {
   }
 }
 
-// Null where the cell has none.
+// The list that the cell shares with its neighbours; null where it has none.
 const Candidates* CellOctree::common_list(std::int32_t n) const {
   const OctreeNode& a = node(n);
   if (part_.common == nullptr || a.region != ExactField::Region::mixed ||
@@ -200,9 +200,9 @@ void CellOctree::sample_corners(const std::vector<std::int32_t>& pending) {
   }
 }
 
-// A cell above a voxel stays whole only where it is known not to hide anything: all that can decide
-// d in it shows itself at its corners, its centre or on its edges, or what does not is shallow at
-// every point of the voxel lattice.
+// A cell larger than a voxel stays whole only where it hides nothing: each sweep that can decide d
+// in it decides it at a corner, at the centre or on an edge, or is shallow at every point of the
+// voxel lattice.
 bool CellOctree::must_split(std::int32_t n) {
   OctreeNode& a = nodes_[static_cast<std::size_t>(n)];
   const bool above_voxel = a.size > lattice().per_voxel();
@@ -294,8 +294,8 @@ std::vector<CellFace> CellOctree::faces(std::span<const MinimalEdge> edges) cons
   FlatMap ids(3 * edges.size());  // by the smaller of the two cells and its side
   std::vector<CellFace> out;
   for (std::size_t k = 0; k < edges.size(); ++k)
-    for (int place = 0; place < 4; ++place) {
-      CellFace face = face_of(edges[k], place);
+    for (int quadrant = 0; quadrant < 4; ++quadrant) {
+      CellFace face = face_of(edges[k], quadrant);
       if (face.low == face.high) continue;
       const std::int32_t owner = size_of(face.high) < size_of(face.low) ? face.high : face.low;
       const std::uint64_t key = static_cast<std::uint64_t>(owner) * 6 +
@@ -306,7 +306,7 @@ std::vector<CellFace> CellOctree::faces(std::span<const MinimalEdge> edges) cons
         face.high_complete = is_complete(face.high);
         out.push_back(face);
       }
-      out[static_cast<std::size_t>(index)].add(static_cast<std::int32_t>(k), place);
+      out[static_cast<std::size_t>(index)].add(static_cast<std::int32_t>(k), quadrant);
     }
   if (is_whole()) return out;
   const auto plane = [&](const CellFace& face) {
@@ -339,7 +339,7 @@ std::vector<MinimalEdge> CellOctree::doubtful_edges() const {
   return out;
 }
 
-// In cells above a voxel in which more than one owner can decide d.
+// Looks within cells larger than a voxel, where more than one owner can decide d.
 void CellOctree::add_doubtful_inside(std::vector<MinimalEdge>& out) const {
   const std::int32_t voxel = lattice().per_voxel();
   std::vector<std::int32_t> large;

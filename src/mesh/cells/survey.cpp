@@ -58,10 +58,10 @@ double sheets_in(const ExactField& field, const Box3& box, const Candidates& swe
   const std::size_t steps = std::clamp(kAsked / sweeps.size(), kLeast, kMost);
   const double size = box.hi.x - box.lo.x;
   const Vec3 number = (1 / size) * box.lo;
-  double place = number.x * 0.7548776662 + number.y * 0.5698402910 + number.z * 0.8191725134;
+  double spread = number.x * 0.7548776662 + number.y * 0.5698402910 + number.z * 0.8191725134;
   const auto next = [&] {
-    place += kGolden;
-    return place - std::floor(place);
+    spread += kGolden;
+    return spread - std::floor(spread);
   };
   std::array<Vec3, kMost + 1> points;
   std::array<FieldSample, kMost + 1> samples;

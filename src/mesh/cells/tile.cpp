@@ -83,7 +83,7 @@ void CellTile::find_stock() {
     within_[a] = 0;
     for (std::int32_t i = 0; i < kCells; ++i) {
       const double p = planes_[a][static_cast<std::size_t>(i)];
-      if (std::max(lo - p, p - hi) + kInsideTolerance < 0) within_[a] |= run(i, 1);
+      if (std::max(lo - p, p - hi) + kInsideTolerance < 0) within_[a] |= bit_range(i, 1);
     }
   }
 }
@@ -119,7 +119,7 @@ void CellTile::fill(const LatticePoint& origin, std::int32_t size, bool inside) 
   if (!inside) return;
   for (std::int32_t x = origin.x; x < origin.x + size; ++x)
     for (std::int32_t y = origin.y; y < origin.y + size; ++y)
-      column(x, y).inside |= run(origin.z, size);
+      column(x, y).inside |= bit_range(origin.z, size);
 }
 
 template <std::int32_t kSize>
@@ -166,8 +166,8 @@ void CellTile::sample_node(const LatticePoint& origin, std::span<const std::uint
         found.very_near |= std::uint64_t(size <= half_voxel) << z;
       }
       Column& own = column(origin.x + x, origin.y + y);
-      own.sampled |= run(origin.z, kSize);
-      if (!list.empty()) own.cut |= run(origin.z, kSize);
+      own.sampled |= bit_range(origin.z, kSize);
+      if (!list.empty()) own.cut |= bit_range(origin.z, kSize);
       own.inside |= found.inside << origin.z;
       own.near |= found.near << origin.z;
       own.very_near |= found.very_near << origin.z;
@@ -178,7 +178,7 @@ void CellTile::sample_node(const LatticePoint& origin, std::span<const std::uint
 // corners are sampled when they are asked for.
 template <std::int32_t kSize>
 void CellTile::mark_stock_node(const LatticePoint& origin) {
-  const std::uint64_t all = run(origin.z, kSize);
+  const std::uint64_t all = bit_range(origin.z, kSize);
   for (std::int32_t x = origin.x; x < origin.x + kSize; ++x)
     for (std::int32_t y = origin.y; y < origin.y + kSize; ++y) {
       const auto first = static_cast<std::size_t>(cell_at(x, y, origin.z));
@@ -196,7 +196,7 @@ Vec3 CellTile::position(const LatticePoint& p) const {
 }
 
 float CellTile::known_offset(std::int32_t corner) const {
-  const LatticePoint p = place(corner);
+  const LatticePoint p = point_of(corner);
   const Column& own = column(p.x, p.y);
   if (has(own.sampled, p.z)) return offset_[static_cast<std::size_t>(corner)];
   return has(own.inside, p.z) ? -kUnknown : kUnknown;
@@ -205,11 +205,12 @@ float CellTile::known_offset(std::int32_t corner) const {
 float CellTile::offset(std::int32_t corner) const {
   const float known = known_offset(corner);
   if (!std::isnan(known)) return known;
-  return static_cast<float>(field_.sample(position(place(corner)), {}).distance + kInsideTolerance);
+  return static_cast<float>(field_.sample(position(point_of(corner)), {}).distance +
+                            kInsideTolerance);
 }
 
 Box3 CellTile::box(std::int32_t cell) const {
-  const LatticePoint p = place(cell);
+  const LatticePoint p = point_of(cell);
   const auto x = static_cast<std::size_t>(p.x), y = static_cast<std::size_t>(p.y),
              z = static_cast<std::size_t>(p.z);
   return {{planes_[0][x], planes_[1][y], planes_[2][z]},
@@ -217,7 +218,7 @@ Box3 CellTile::box(std::int32_t cell) const {
 }
 
 Box3 CellTile::inner_box(std::int32_t cell) const {
-  const LatticePoint p = place(cell);
+  const LatticePoint p = point_of(cell);
   const auto &x = inner_[0][static_cast<std::size_t>(p.x)],
              &y = inner_[1][static_cast<std::size_t>(p.y)],
              &z = inner_[2][static_cast<std::size_t>(p.z)];
@@ -238,18 +239,18 @@ std::int32_t CellTile::own_list(std::int32_t cell) const {
 std::int32_t CellTile::list_of(std::int32_t cell) const {
   if (!own_lists_.empty())
     if (const std::int32_t own = own_list(cell); own != 0) return own;
-  const LatticePoint p = place(cell);
+  const LatticePoint p = point_of(cell);
   return list_of_[static_cast<std::size_t>(node_id(p.x / kNode, p.y / kNode, p.z / kNode))];
 }
 
 bool CellTile::is_complete(std::int32_t cell) const {
-  const LatticePoint p = place(cell);
+  const LatticePoint p = point_of(cell);
   const auto in = [](std::int32_t i) { return i > 0 && i < kCells - 1; };
   return in(p.x) && in(p.y) && in(p.z);
 }
 
 bool CellTile::is_far(std::int32_t cell) const {
-  const LatticePoint p = place(cell);
+  const LatticePoint p = point_of(cell);
   const auto range = [](std::int32_t i) {
     return std::pair(std::max(i - 1, 0), std::min(i + 2, kCells - 1));
   };
@@ -262,7 +263,7 @@ bool CellTile::is_far(std::int32_t cell) const {
       any |= column(x, y).inside;
       all &= column(x, y).inside;
     }
-  const std::uint64_t bits = run(z0, z1 - z0 + 1);
+  const std::uint64_t bits = bit_range(z0, z1 - z0 + 1);
   return (any & bits) == 0 || (all & bits) == bits;
 }
 
@@ -288,7 +289,7 @@ MinimalEdge CellTile::edge_at(const LatticePoint& p, int axis) const {
 // Corners that were not sampled lie in nodes that the surface does not pass, and so do edges that
 // start there. Edges have cells on both sides.
 void CellTile::find_crossed() {
-  const std::uint64_t above = run(1, kCells - 1), below = run(0, kCells - 1);
+  const std::uint64_t above = bit_range(1, kCells - 1), below = bit_range(0, kCells - 1);
   for (std::int32_t x = 0; x < kCells; ++x)
     for (std::int32_t y = 0; y < kCells; ++y) {
       const Column& own = column(x, y);
@@ -337,7 +338,7 @@ std::vector<MinimalEdge> CellTile::doubtful_edges() const {
         if (!is_tested(x, axis == 0) || !is_tested(y, axis == 1)) return std::uint64_t(0);
         return own.near & end.near >> shift & (own.very_near | end.very_near >> shift) &
                (own.cut | end.cut >> shift) & ~(own.inside ^ end.inside >> shift) &
-               run(axis == 2 ? kFirstTested : kFirstOwned, kOwned);
+               bit_range(axis == 2 ? kFirstTested : kFirstOwned, kOwned);
       };
       const std::uint64_t bits[3] = {alike(0, column(x + 1, y), 0), alike(1, column(x, y + 1), 0),
                                      alike(2, own, 1)};
@@ -357,7 +358,7 @@ std::pair<double, double> CellTile::offsets(const MinimalEdge& e) const {
 }
 
 EdgeEnds CellTile::ends(const MinimalEdge& e) const {
-  const LatticePoint p = place(e.low);
+  const LatticePoint p = point_of(e.low);
   return {position(p), planes_[e.axis][static_cast<std::size_t>(component(p, e.axis) + 1)]};
 }
 

@@ -56,7 +56,7 @@ class CellTile final : public SurfaceCells {
   std::size_t lists() const override { return lists_.size(); }
   bool is_complete(std::int32_t cell) const override;
   bool is_far(std::int32_t cell) const override;
-  bool is_owned_cell(std::int32_t cell) const override { return is_owned(place(cell)); }
+  bool is_owned_cell(std::int32_t cell) const override { return is_owned(point_of(cell)); }
   std::pair<double, double> offsets(const MinimalEdge& edge) const override;
   EdgeEnds ends(const MinimalEdge& edge) const override;
 
@@ -101,7 +101,7 @@ class CellTile final : public SurfaceCells {
   static std::int32_t node_id(std::int32_t x, std::int32_t y, std::int32_t z) {
     return (x * kNodes + y) * kNodes + z;
   }
-  static LatticePoint place(std::int32_t id) {
+  static LatticePoint point_of(std::int32_t id) {
     constexpr std::int32_t kLast = kCells - 1;  // of a power of two
     return {id / (kCells * kCells), id / kCells & kLast, id & kLast};
   }
@@ -110,7 +110,7 @@ class CellTile final : public SurfaceCells {
     return in(p.x) && in(p.y) && in(p.z);
   }
   /// Bits begin .. begin + count - 1.
-  static std::uint64_t run(std::int32_t begin, std::int32_t count) {
+  static std::uint64_t bit_range(std::int32_t begin, std::int32_t count) {
     return ~std::uint64_t(0) >> (64 - count) << begin;
   }
   static bool is_tested(std::int32_t i, bool along) {

@@ -65,18 +65,18 @@ class TileEdges {
 };
 
 /// An edge of a cell: the corner it starts at, by sides of the cell, the same as a column, and the
-/// cell's place in its ring.
+/// cell's quadrant about it.
 struct CellEdge {
   int d[3], axis;
   std::int32_t column;
-  int place;
+  int quadrant;
 };
 
 constexpr CellEdge cell_edge(int x, int y, int z, int axis) {
   CellEdge e{{x, y, z}, axis, TileEdges::column(axis, x, y), 0};
   // The cell lies on the high side of an edge on its own low side.
   const int beside = 1 - e.d[(axis + 1) % 3], above = 1 - e.d[(axis + 2) % 3];
-  e.place = above ? 3 - beside : beside;
+  e.quadrant = above ? 3 - beside : beside;
   return e;
 }
 

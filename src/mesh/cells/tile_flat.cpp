@@ -55,7 +55,8 @@ void CellTile::merge_flat_cells() {
   FlatLayers flat;
   for (std::int32_t x = 1; x < kTileCells - 1; ++x)
     for (std::int32_t y = 1; y < kTileCells - 1; ++y) {
-      const std::uint64_t uncut = column(x, y).sampled & ~column(x, y).cut & run(1, kTileCells - 2);
+      const std::uint64_t uncut =
+          column(x, y).sampled & ~column(x, y).cut & bit_range(1, kTileCells - 2);
       const std::uint64_t a = inside(x, y), b = inside(x, y + 1), c = inside(x + 1, y),
                           d = inside(x + 1, y + 1);
       const std::uint64_t differ = (a ^ b) | (a ^ c) | (a ^ d);
@@ -69,7 +70,7 @@ void CellTile::merge_flat_cells() {
           bits != 0 && is_tested(y, false))
         flat.of(1, y)[row] = bits;
       for (std::uint64_t left =
-               uncut & (a ^ a >> 1) & ~(differ | differ >> 1) & run(kFirstOwned, kTileOwned);
+               uncut & (a ^ a >> 1) & ~(differ | differ >> 1) & bit_range(kFirstOwned, kTileOwned);
            left != 0; left &= left - 1)
         flat.of(2, std::countr_zero(left))[row] |= std::uint64_t(1) << y;
     }

@@ -15,24 +15,24 @@ namespace mrsim::detail {
 /// order. Memory: some MB.
 template <class Body>
 void write_items(std::size_t count, int threads, const ByteSink& out, const Body& body) {
-  constexpr std::size_t kPiece = 4096;
+  constexpr std::size_t kChunk = 4096;
   const std::size_t round = 4 * static_cast<std::size_t>(resolve_threads(threads));
-  std::vector<std::string> texts(std::min(round, count / kPiece + 1)), made(texts.size());
-  std::size_t waiting = 0;  // pieces in `made`, which go out while the next ones are made
+  std::vector<std::string> texts(std::min(round, count / kChunk + 1)), made(texts.size());
+  std::size_t waiting = 0;  // chunks in `made`, which go out while the next ones are made
   const auto hand_on = [&] {
     for (std::size_t p = 0; p < waiting; ++p) out(made[p].data(), made[p].size());
   };
-  for (std::size_t first = 0; first < count; first += round * kPiece) {
-    const std::size_t pieces = std::min(round, (count - first + kPiece - 1) / kPiece);
-    parallel_for(pieces + 1, threads, [&](std::size_t p) {
+  for (std::size_t first = 0; first < count; first += round * kChunk) {
+    const std::size_t chunks = std::min(round, (count - first + kChunk - 1) / kChunk);
+    parallel_for(chunks + 1, threads, [&](std::size_t p) {
       if (p == 0) return hand_on();
       std::string& text = texts[p - 1];
       text.clear();
-      const std::size_t begin = first + (p - 1) * kPiece, end = std::min(count, begin + kPiece);
+      const std::size_t begin = first + (p - 1) * kChunk, end = std::min(count, begin + kChunk);
       for (std::size_t i = begin; i < end; ++i) body(text, i);
     });
     std::swap(texts, made);
-    waiting = pieces;
+    waiting = chunks;
   }
   hand_on();
 }

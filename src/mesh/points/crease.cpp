@@ -1,5 +1,7 @@
 #include "mesh/points/crease.h"
 
+#include "core/rounding.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -8,6 +10,8 @@ namespace {
 
 constexpr double kSmoothJoin = 3e-3;      ///< sine of the angle below which two faces join smoothly
 constexpr double kLargestShallow = 0.05;  ///< sine
+constexpr double kParallel = 1e-9;        ///< sine squared: two faces that meet in no line
+constexpr double kLastStep = 1e-10;       ///< mm: Newton's method has converged
 constexpr double kAlike = 0.95;           ///< cosine between faces that may be exchanged
 constexpr int kExchanges = 8;             ///< of faces on the way to a crease
 
@@ -20,7 +24,7 @@ bool newton_step(const Vec3* n, const double* g, int rows, Vec3& step) {
   if (rows == 2) {
     const double aa = dot(n[0], n[0]), ab = dot(n[0], n[1]), bb = dot(n[1], n[1]);
     const double det = aa * bb - ab * ab;
-    if (!(det > 1e-9)) return false;
+    if (!(det > kParallel)) return false;
     step = (-g[0] * bb + g[1] * ab) / det * n[0] + (-g[1] * aa + g[0] * ab) / det * n[1];
     return true;
   }
@@ -113,7 +117,7 @@ bool solve_faces(const ExactField& field, std::span<const FieldSample> faces, in
       n[i] = plane.normal, g[i] = plane.distance;
       worst = std::max(worst, std::abs(g[i]));
     }
-    if (worst < 1e-9) return true;
+    if (worst < kRounding) return true;
     int all = rows;
     if (plane_axis >= 0) component(n[all++], plane_axis) = 1;
     if (!newton_step(n, g, all, step)) return worst < kOnSurface;
@@ -121,7 +125,7 @@ bool solve_faces(const ExactField& field, std::span<const FieldSample> faces, in
     if (size > reach) return false;
     p = p + step;
     if (distance(p, middle) > reach) return false;
-    if (size < 1e-10) return worst < kOnSurface;
+    if (size < kLastStep) return worst < kOnSurface;
   }
   double worst = 0;
   for (const FieldSample& s : faces)

@@ -37,13 +37,13 @@ bool solve_faces(const ExactField& field, std::span<const FieldSample> faces, in
 /// Strictly inside the room (`flat`: the axis on which it has no extent, or -1) and on the surface.
 bool accept(const Probe& probe, const Vec3& p, const Box3& room, int flat);
 
-/// Whether the crease between two faces was found from a point, or is known not to be met.
+/// Whether the crease between two faces was found; `none`: there is none to be found.
 enum class CreaseSearch : std::uint8_t { found, not_found, none };
 
-/// The crease between two faces in the room, from p on, in the plane of the given axis (-1:
-/// freely). The surface may pass a third face between them, which takes the place of the one that
-/// it is like: short moves in rows meet in a crease that few pairs of their faces draw. None where
-/// the third joins both smoothly.
+/// The crease between two faces in the room, searched from p on, in the plane across the given axis
+/// (-1: in space). Where a third face lies between the two, it replaces the one whose normal is
+/// like its own: along rows of short moves few pairs of faces meet in the crease. None where the
+/// third face joins both smoothly.
 CreaseSearch crease_by_exchange(const Probe& probe, const Box3& room, int axis, Vec3 p,
                                 FieldSample a, FieldSample b, SurfacePoint& found);
 

@@ -1,5 +1,7 @@
 #include "mesh/points/surface_search.h"
 
+#include "core/rounding.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -14,8 +16,8 @@ constexpr int kCrossingSteps = 80, kFaceSteps = 4;
 struct Line {
   const Vec3 &from, &along;
 };
-// Newton from t along the line to where the face, with this plane at t, leaves the material; the
-// plane becomes the last one met.
+// Newton's method along the line: the parameter at which the line passes the face. `plane` is the
+// face's tangent plane at t; on return it is that of the last step.
 double zero_on_line(const ExactField& field, const FieldSample& face, FacePlane& plane,
                     const Line& line, double t) {
   for (int k = 0; k < kFaceSteps; ++k) {
@@ -80,7 +82,8 @@ bool CrossingSearch::take(const ExactField& field, const FieldSample& sample) {
     if (side_ > 0) fa_ *= 0.5;
     side_ = 1;
   }
-  // The zero of the face that decides here; then Illinois; plain halving when that is slow.
+  // First where the line passes the face that decides here; if that does not end the search, the
+  // Illinois method; where that is slow, halving.
   if (steps_ < kFaceSteps) {
     FacePlane plane = field.face_plane(point_, at_);
     t_ = zero_on_line(field, at_, plane, {from_, along_}, t_);
@@ -94,7 +97,7 @@ bool CrossingSearch::take(const ExactField& field, const FieldSample& sample) {
   return false;
 }
 
-Vec3 CrossingSearch::place() const {
+Vec3 CrossingSearch::position() const {
   const double slope = dot(normal_, along_) / size_;
   if (slope < kLeastSlope) return point_;
   return point_ + kInsideTolerance / (slope * size_) * along_;
@@ -115,7 +118,7 @@ Vec3 find_crossing(const Probe& probe, const Vec3& inside, const Vec3& outside) 
 }
 
 Vec3 find_place(const Probe& probe, const Vec3& inside, const Vec3& outside) {
-  return search_crossing(probe, inside, outside).place();
+  return search_crossing(probe, inside, outside).position();
 }
 
 SmoothSearch::SmoothSearch(const ExactField& field, const Box3& room, const Vec3& start,
@@ -133,10 +136,10 @@ void SmoothSearch::follow(const ExactField& field, const FieldSample& face, Face
 }
 
 bool SmoothSearch::take(const ExactField& field, const FieldSample& sample) {
-  // The face at the start may have led to where the sample lacks sweeps.
+  // The first face may have led out of the region for which the candidates are complete.
   if (!in_reach(point_, room_)) return true;
   at_ = sample;
-  if (std::abs(sample.distance) > 1e-9 && steps_ < kNewtonSteps) {
+  if (std::abs(sample.distance) > kRounding && steps_ < kNewtonSteps) {
     follow(field, sample, field.face_plane(point_, sample));
     ++steps_;
     return !in_reach(point_, room_);

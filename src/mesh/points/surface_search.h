@@ -68,7 +68,7 @@ class CrossingSearch {
   const Vec3& normal() const { return normal_; }  ///< of the surface, nearly there
   /// The point beside the crossing at which d = 0. For edges that cross one plane all these points
   /// lie on that plane.
-  Vec3 place() const;
+  Vec3 position() const;
   /// Takes the sample at point(); true when that is the crossing.
   bool take(const ExactField& field, const FieldSample& sample);
 
@@ -79,7 +79,7 @@ class CrossingSearch {
   int side_ = 0, steps_ = 0;
 };
 Vec3 find_crossing(const Probe& probe, const Vec3& inside, const Vec3& outside);
-/// Its place() instead of its point().
+/// Its position() instead of its point().
 Vec3 find_place(const Probe& probe, const Vec3& inside, const Vec3& outside);
 
 /// A point of the surface strictly inside `room`, from `start` on, along whatever face decides d:

@@ -10,7 +10,7 @@
 #include <utility>
 
 #include <OpenMesh/Core/Mesh/TriMesh_ArrayKernelT.hh>
-// Needs what the mesh includes.
+// Must come behind the mesh: it uses names that the mesh includes.
 #include <OpenMesh/Core/Geometry/QuadricT.hh>
 
 namespace mrsim {
@@ -29,9 +29,9 @@ struct Traits : OpenMesh::DefaultTraits {
 
 Vec3 vec(const OpenMesh::Vec3d& p) { return {p[0], p[1], p[2]}; }
 
-// Closed meshes. What the decimation asks of each edge again and again stands here once more:
-// distributions compile the tests of the library with its assertions, which compare names of types
-// at each access (2.5 times the time of a whole decimation).
+// A closed mesh. Tests of an edge that the decimation makes again and again are written anew here:
+// distributions compile OpenMesh's own with assertions that compare names of types at each access,
+// with which the whole decimation takes 2.5 times as long.
 class HalfEdgeMesh : public OpenMesh::TriMesh_ArrayKernelT<Traits> {
  public:
   // Whether the edge may collapse: both ends have no common neighbours but the two corners of
@@ -112,7 +112,7 @@ class Decimation {
     }
   }
 
-  // What is left, in the order it had.
+  // The triangles and vertices that are left, in their order before.
   TriMesh collected() {
     TriMesh out;
     std::vector<std::uint32_t> number(mesh_.n_vertices(), 0);

@@ -6,6 +6,7 @@ namespace mrsim::detail {
 namespace {
 
 constexpr double kLeastHeight = 2e-5;  ///< mm: of a new triangle
+constexpr double kNoDivisor = 1e-30;   ///< mm: in place of the longest side of a point
 constexpr double kGoodHeight = 2e-4;   ///< mm: asked of it where it takes the place of a higher one
 
 // Of two angles that face an edge: they are more than half a turn together by more than this.
@@ -20,7 +21,7 @@ bool circle_holds(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d) {
 
 double height_of(const Vec3& a, const Vec3& b, const Vec3& c) {
   const double longest = std::max({distance(a, b), distance(b, c), distance(c, a)});
-  return length(cross(b - a, c - a)) / std::max(longest, 1e-30);
+  return length(cross(b - a, c - a)) / std::max(longest, kNoDivisor);
 }
 
 }  // namespace
@@ -32,25 +33,27 @@ CutMesh::CutMesh(const LabelledMesh& from, int threads)
 
 Vec3 CutMesh::normal(std::uint32_t t) const {
   const Corners& x = mesh.triangles[t];
-  return cross(place(x[1]) - place(x[0]), place(x[2]) - place(x[0]));
+  return cross(position(x[1]) - position(x[0]), position(x[2]) - position(x[0]));
 }
 
 Vec3 CutMesh::middle(std::uint32_t t) const {
   const Corners& x = mesh.triangles[t];
-  return (1.0 / 3) * (place(x[0]) + place(x[1]) + place(x[2]));
+  return (1.0 / 3) * (position(x[0]) + position(x[1]) + position(x[2]));
 }
 
 double CutMesh::height(std::uint32_t t) const {
   const Corners& x = mesh.triangles[t];
-  return height_of(place(x[0]), place(x[1]), place(x[2]));
+  return height_of(position(x[0]), position(x[1]), position(x[2]));
 }
 
 bool CutMesh::cut_edge(std::uint32_t h, const Vec3& at) {
   const std::uint32_t o = opposites_[h];
   if (!is_half_edge(o)) return false;
   const std::uint32_t a = from(h), b = to(h), c = apex(h), d = apex(o), t = h / 3, u = o / 3;
-  if (!may_replace(t, place(a), at, place(c)) || !may_replace(t, at, place(b), place(c)) ||
-      !may_replace(u, place(b), at, place(d)) || !may_replace(u, at, place(a), place(d)))
+  if (!may_replace(t, position(a), at, position(c)) ||
+      !may_replace(t, at, position(b), position(c)) ||
+      !may_replace(u, position(b), at, position(d)) ||
+      !may_replace(u, at, position(a), position(d)))
     return false;
   const std::uint32_t bc = opposites_[next_half_edge(h)], ca = opposites_[previous_half_edge(h)],
                       ad = opposites_[next_half_edge(o)], db = opposites_[previous_half_edge(o)];
@@ -73,8 +76,9 @@ bool CutMesh::cut_edge(std::uint32_t h, const Vec3& at) {
 
 bool CutMesh::cut_triangle(std::uint32_t t, const Vec3& at) {
   const auto [a, b, c] = mesh.triangles[t];
-  if (!may_replace(t, place(a), place(b), at) || !may_replace(t, place(b), place(c), at) ||
-      !may_replace(t, place(c), place(a), at))
+  if (!may_replace(t, position(a), position(b), at) ||
+      !may_replace(t, position(b), position(c), at) ||
+      !may_replace(t, position(c), position(a), at))
     return false;
   const std::uint32_t bc = opposites_[3 * t + 1], ca = opposites_[3 * t + 2];
   const bool moves = !is_horizontal({a, b, c}, at);
@@ -94,10 +98,10 @@ bool CutMesh::flip_edge(std::uint32_t h) {
   const std::uint32_t o = opposites_[h];
   if (!is_half_edge(o)) return false;
   const std::uint32_t a = from(h), b = to(h), c = apex(h), d = apex(o), t = h / 3, u = o / 3;
-  if (!is_horizontal({a, b, c}, place(d)) ||
-      !circle_holds(place(a), place(b), place(c), place(d)) ||
-      !may_replace(t, place(a), place(d), place(c)) ||
-      !may_replace(t, place(d), place(b), place(c)))
+  if (!is_horizontal({a, b, c}, position(d)) ||
+      !circle_holds(position(a), position(b), position(c), position(d)) ||
+      !may_replace(t, position(a), position(d), position(c)) ||
+      !may_replace(t, position(d), position(b), position(c)))
     return false;
   const std::uint32_t bc = opposites_[next_half_edge(h)], ca = opposites_[previous_half_edge(h)],
                       ad = opposites_[next_half_edge(o)], db = opposites_[previous_half_edge(o)];
@@ -120,7 +124,7 @@ bool CutMesh::may_replace(std::uint32_t t, const Vec3& a, const Vec3& b, const V
 bool CutMesh::is_horizontal(std::initializer_list<std::uint32_t> corners, const Vec3& at) const {
   for (int axis = 0; axis < 3; ++axis)
     if (std::all_of(corners.begin(), corners.end(), [&](std::uint32_t v) {
-          return component(place(v), axis) == component(at, axis);
+          return component(position(v), axis) == component(at, axis);
         }))
       return true;
   return false;

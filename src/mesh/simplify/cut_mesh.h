@@ -24,7 +24,7 @@ class CutMesh {
   std::uint32_t from(std::uint32_t h) const { return mesh.triangles[h / 3][h % 3]; }
   std::uint32_t to(std::uint32_t h) const { return from(next_half_edge(h)); }
   std::uint32_t apex(std::uint32_t h) const { return from(previous_half_edge(h)); }
-  const Vec3& place(std::uint32_t v) const { return mesh.vertices[v]; }
+  const Vec3& position(std::uint32_t v) const { return mesh.vertices[v]; }
   /// Its length is twice the area.
   Vec3 normal(std::uint32_t t) const;
   Vec3 middle(std::uint32_t t) const;
@@ -39,9 +39,9 @@ class CutMesh {
   bool cut_triangle(std::uint32_t t, const Vec3& at);
   /// Joins the other two corners of an edge's triangles instead of its ends, where the circle about
   /// one triangle holds the apex of the other one (Delaunay's condition, which keeps triangles from
-  /// growing long). True where it did. Then the edge's own triangle has the edge's begin, the other
-  /// one its end. Requires: both lie in one plane. Only where a coordinate of that plane is the
-  /// same: no surface moves.
+  /// growing long). Returns whether it did; then the edge's own triangle has the begin of the edge,
+  /// the other one its end. Done only in planes on which one coordinate is the same, so that no
+  /// surface moves. Requires: both triangles lie in one plane.
   bool flip_edge(std::uint32_t h);
 
  private:

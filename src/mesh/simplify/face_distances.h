@@ -19,7 +19,7 @@ class FaceDistances {
   /// Signed distance of p from the face, mm: ExactField::patch_distance.
   double operator()(const Vec3& p, const FieldSample& face) {
     const std::uint64_t key = face_key(face);
-    Slot& s = slots_[place(p, key)];
+    Slot& s = slots_[slot_of(p, key)];
     if (s.key != key || !(s.p == p)) s = {key, p, field_.patch_distance(p, face)};
     return s.distance;
   }
@@ -36,7 +36,7 @@ class FaceDistances {
     double distance = 0;
   };
 
-  static std::size_t place(const Vec3& p, std::uint64_t key) {
+  static std::size_t slot_of(const Vec3& p, std::uint64_t key) {
     std::uint64_t h = key;
     for (const double x : {p.x, p.y, p.z})
       h = (h ^ std::bit_cast<std::uint64_t>(x)) * 0x9e3779b97f4a7c15u, h ^= h >> 32;

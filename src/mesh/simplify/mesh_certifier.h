@@ -1,11 +1,16 @@
-// Certifies the triangles of a mesh: how far they are from the exact part, each and all together
-// (docs/mesh.md, Tolerance).
+// Certifies the triangles of a mesh: how far they are from the exact part, each and all together,
+// and which cells are to blame for one that is too far (docs/mesh.md, Tolerance).
 #pragma once
 
+#include "mesh/cells/octree.h"
 #include "mesh/simplify/certify.h"
 #include "mesh/simplify/labelled_mesh.h"
+#include "mesh/simplify/simplify.h"
+#include "mesh/surface/surface.h"
 
 #include <cstddef>
+#include <cstdint>
+#include <vector>
 
 namespace mrsim::detail {
 
@@ -41,5 +46,12 @@ class MeshCertifier {
   double tolerance_;
   int threads_;
 };
+
+/// The cells whose vertices have missed the face that triangle `t` of the surface is labelled with;
+/// else the largest ones about its edge. `ahead`: those next to the former along the crease that
+/// they have missed as well. With duplicates.
+std::vector<std::int32_t> guilty_cells(const ExactField& field, const CellOctree& tree,
+                                       const DualSurface& surface, const LabelledMesh& mesh,
+                                       std::size_t t, bool ahead);
 
 }  // namespace mrsim::detail

@@ -95,7 +95,7 @@ class BorderCutter {
     if (!first) return;
     bool differs = false;
     for (std::size_t k = 0; k < 3; ++k) {
-      const Vec3 &a = cut_.place(x[k]), &b = cut_.place(x[(k + 1) % 3]);
+      const Vec3 &a = cut_.position(x[k]), &b = cut_.position(x[(k + 1) % 3]);
       for (const Vec3& p : {lerp(a, m, 2 * kEndShare), lerp(0.5 * (a + b), m, 2 * kEndShare)}) {
         if (!is_on_face(p, own)) return;
         const std::optional<FieldSample> s = face_at(p, cell);
@@ -113,7 +113,7 @@ class BorderCutter {
   bool is_shared(const CutMesh::Corners& x) const {
     std::int32_t cell = 0;
     return std::any_of(x.begin(), x.end(), [&](std::uint32_t v) {
-      cell = tree_.locate(cut_.place(v), cell);
+      cell = tree_.locate(cut_.position(v), cell);
       return tree_.candidates(cell).size() > 1;
     });
   }
@@ -148,8 +148,8 @@ class BorderCutter {
   }
   // Unit vector in the triangle's plane, from the edge to its apex.
   Vec3 inward(std::uint32_t h) const {
-    const Vec3 &a = cut_.place(cut_.from(h)), &b = cut_.place(cut_.to(h)),
-               &c = cut_.place(cut_.apex(h));
+    const Vec3 &a = cut_.position(cut_.from(h)), &b = cut_.position(cut_.to(h)),
+               &c = cut_.position(cut_.apex(h));
     const Vec3 u = b - a;
     return normalized(c - a - (dot(c - a, u) / dot(u, u)) * u);
   }
@@ -234,7 +234,7 @@ class BorderCutter {
   // Where the owner on the triangle's side of an edge changes for the first time, well off the
   // ends.
   std::optional<Vec3> border_on(std::uint32_t h) const {
-    const Vec3 &a = cut_.place(cut_.from(h)), &b = cut_.place(cut_.to(h));
+    const Vec3 &a = cut_.position(cut_.from(h)), &b = cut_.position(cut_.to(h));
     const double end = std::max(kEndShare, tolerance_ / distance(a, b));  // that near, ends will do
     if (end > 0.25) return {};
     const double height = cut_.height(h / 3);
@@ -276,12 +276,12 @@ class BorderCutter {
 
   // The point between two of a line at which the owner changes from the first one's, moved by
   // `shift`; nothing where that is off the surface.
-  template <class PlaceAt>
-  std::optional<Vec3> change(const PlaceAt& place, Owned from, Owned to, std::int32_t cell,
+  template <class PointAt>
+  std::optional<Vec3> change(const PointAt& point_at, Owned from, Owned to, std::int32_t cell,
                              const Vec3& shift) const {
-    const auto owner = [&](double s) { return face_at(place(s), cell); };
+    const auto owner = [&](double s) { return face_at(point_at(s), cell); };
     Owned first = from, last = to;
-    const bool is_seen = halve_between(place, first, last) &&
+    const bool is_seen = halve_between(point_at, first, last) &&
                          is_owner(owner(first.at), from.owner) &&
                          is_owner(owner(last.at), to.owner);
     if (is_seen) from = first, to = last;
@@ -291,7 +291,7 @@ class BorderCutter {
       if (!s) return {};
       (s->owner == from.owner ? from : to).at = middle;
     }
-    const Vec3 p = place(0.5 * (from.at + to.at)) + shift;
+    const Vec3 p = point_at(0.5 * (from.at + to.at)) + shift;
     return face_at(p, cell) ? std::optional<Vec3>(p) : std::nullopt;
   }
   static bool is_owner(const std::optional<FieldSample>& face, std::int32_t owner) {
@@ -300,8 +300,8 @@ class BorderCutter {
 
   // Halves the way between the two with no other sweep asked. False where neither is on the surface
   // at a point of it.
-  template <class PlaceAt>
-  bool halve_between(const PlaceAt& place, Owned& from, Owned& to) const {
+  template <class PointAt>
+  bool halve_between(const PointAt& point_at, Owned& from, Owned& to) const {
     std::uint32_t both[2];
     std::size_t count = 0;
     for (const std::int32_t owner : {from.owner, to.owner})
@@ -309,7 +309,7 @@ class BorderCutter {
     if (count == 2 && both[1] < both[0]) std::swap(both[0], both[1]);
     for (int i = 0; i < kHalvings; ++i) {
       const double middle = 0.5 * (from.at + to.at);
-      const Vec3 p = place(middle);
+      const Vec3 p = point_at(middle);
       const FieldSample s = field_.sample(p, {both, count});
       if (std::abs(s.distance) > surface_band(p)) return false;
       (s.owner == from.owner ? from : to).at = middle;
@@ -345,17 +345,18 @@ class BorderCutter {
   // tolerance.
   std::optional<Vec3> border_beside(std::uint32_t h) const {
     const std::uint32_t t = h / 3;
-    const Vec3 m = 0.5 * (cut_.place(cut_.from(h)) + cut_.place(cut_.to(h))), c = cut_.middle(t);
+    const Vec3 m = 0.5 * (cut_.position(cut_.from(h)) + cut_.position(cut_.to(h))),
+               c = cut_.middle(t);
     const Vec3 aside = inward(h);
     const double depth = dot(c - m, aside);
     if (depth < 2 * tolerance_) return {};
     std::int32_t cell = tree_.locate(m);
-    const auto place = [&](double s) { return lerp(m, c, s); };
+    const auto point_at = [&](double s) { return lerp(m, c, s); };
     const double begin = tolerance_ / depth;
-    const std::optional<FieldSample> near = face_at(place(begin), cell);
+    const std::optional<FieldSample> near = face_at(point_at(begin), cell);
     if (!near || near->owner == owner_of(t)) return {};
-    if (reaches(owner_of(t), place(begin)) && reaches(near->owner, c)) return {};
-    return change(place, {begin, near->owner}, {1, owner_of(t)}, cell, {});
+    if (reaches(owner_of(t), point_at(begin)) && reaches(near->owner, c)) return {};
+    return change(point_at, {begin, near->owner}, {1, owner_of(t)}, cell, {});
   }
 
   bool crosses_itself() const {

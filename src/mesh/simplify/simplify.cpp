@@ -3,7 +3,7 @@
 #include "core/parallel.h"
 #include "mesh/simplify/certify.h"
 #include "mesh/solid/exact_predicates.h"
-#include "mesh/surface/piece_hash.h"
+#include "mesh/surface/input_hash.h"
 
 #include <algorithm>
 #include <cmath>
@@ -21,6 +21,7 @@ constexpr double kGrowth = 1.6;          ///< of the length of new edges, from p
 constexpr double kLeastAltitude = 2e-5;  ///< mm: of a new triangle
 constexpr double kFineCosine = 0.98;  ///< between a new triangle and the exact surface: 11 degrees
 constexpr double kLeastCosine = 0.3;  ///< the same where the triangles before lie no better
+constexpr double kNoSquare = 1e-30;   ///< mm^2: in place of the length of two equal places, squared
 constexpr double kStraightCosine = 1 - 1e-9;
 constexpr std::size_t kBlocks = 8;        ///< parts of the mesh that are worked on at once
 constexpr std::size_t kLeastBlock = 256;  ///< vertices that are worth a block
@@ -169,7 +170,7 @@ class Simplifier {
   // the tolerance.
   bool may_become(std::uint32_t v, const Spoke& s, std::uint32_t to,
                   std::optional<double>& least) const {
-    PlaceHash triangle;
+    InputHash triangle;
     triangle.add(std::uint64_t(to) << 32 | s.next);
     triangle.add(std::uint64_t(s.last) << 32 | mesh_.labels[s.triangle]);
     if (const int known = measured_.find(triangle.value()); known >= 0) return known == 1;
@@ -224,7 +225,7 @@ class Simplifier {
                       &g = mesh_.faces[label(other + ring_.size() - 1)];
     if (join_smoothly({field_, {}, 0}, mesh_.vertices[v], f, g, 1)) {
       const Vec3 u = b - a;
-      const double t = dot(mesh_.vertices[v] - a, u) / std::max(dot(u, u), 1e-30);
+      const double t = dot(mesh_.vertices[v] - a, u) / std::max(dot(u, u), kNoSquare);
       const double room = is_straight(f, a, b) ? limits_.straight : limits_.lateral;
       if (distance(mesh_.vertices[v], lerp(a, b, t)) > room) return false;
     }

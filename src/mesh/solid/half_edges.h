@@ -58,8 +58,8 @@ inline VertexFans half_edges_by_vertex(const TriMesh& mesh) {
   return half_edges_by_vertex(mesh.triangles, mesh.vertices.size());
 }
 
-/// The connected piece of surface of each triangle (triangles that share a vertex are connected),
-/// numbered by their first triangle. Returns how many there are.
+/// The connected component of the surface that each triangle belongs to (triangles that share a
+/// vertex are connected), numbered by their first triangle. Returns how many there are.
 std::size_t find_components(Triangles triangles, std::size_t vertices,
                             std::vector<std::uint32_t>& component);
 

@@ -13,9 +13,10 @@ namespace mrsim {
 namespace {
 
 constexpr std::size_t kTrianglesAThread = 8192;
+constexpr double kSliver = 1e-14;  // height over longest side: a triangle without an area
 constexpr std::uint32_t kNone = ~0u;
 
-std::string place(const Vec3& p) {
+std::string point_text(const Vec3& p) {
   return fmt::format("({:.6g}, {:.6g}, {:.6g}) mm", p.x + 0.0, p.y + 0.0, p.z + 0.0);
 }
 
@@ -62,7 +63,7 @@ void add(SurfaceComponent& sum, const SurfaceComponent& part) {
   for (int a = 0; a < 3; ++a) sum.moment24[a].add(part.moment24[a]);
 }
 
-// What a run of triangles adds to the components of its block.
+// What some triangles, one after another, add to the components of their block.
 struct PartialSums {
   std::map<std::uint32_t, SurfaceComponent> components;
   std::size_t degenerate = 0;
@@ -93,7 +94,7 @@ PartialSums sum_triangles(const MeshBlock& block, const std::vector<std::uint32_
     for (const Vec3& x : {p, q, r}) extend(sum->bounds, x);
     const double longest = std::max({dot(b - a, b - a), dot(c - b, c - b), dot(a - c, a - c)});
     // Coordinates are floats, so the cross product of a true sliver is far above rounding.
-    if (twice_area > 1e-14 * longest) continue;
+    if (twice_area > kSliver * longest) continue;
     if (out.degenerate++ == 0) out.first_degenerate = p;
   }
   return out;
@@ -155,7 +156,8 @@ void MeshAudit::add_sums(const MeshBlock& block, const std::vector<std::uint32_t
       sum.first_triangle += triangles_;
       add(nodes_[first_node_.back() + index], sum);
     }
-    if (part.degenerate > 0 && fault_.degenerate == 0) fault_.flat = place(part.first_degenerate);
+    if (part.degenerate > 0 && fault_.degenerate == 0)
+      fault_.flat = point_text(part.first_degenerate);
     fault_.degenerate += part.degenerate;
   }
 }
@@ -232,7 +234,7 @@ void MeshAudit::check_edges(std::span<const Patch::State> states,
       continue;
     if (fault_.edges() == 0) {
       fault_.first = opposite[h];
-      fault_.edge = place(0.5 * (to_vec(points[a]) + to_vec(points[b])));
+      fault_.edge = point_text(0.5 * (to_vec(points[a]) + to_vec(points[b])));
     }
     ++(opposite[h] == kBoundaryEdge  ? fault_.boundary
        : opposite[h] == kTwistedEdge ? fault_.twisted
@@ -258,7 +260,8 @@ void MeshAudit::check_vertices(std::span<const Patch::State> states,
     }
   });
   for (const Found& part : parts) {
-    if (part.count > 0 && fault_.vertices == 0) fault_.vertex = place(to_vec(points[part.first]));
+    if (part.count > 0 && fault_.vertices == 0)
+      fault_.vertex = point_text(to_vec(points[part.first]));
     fault_.vertices += part.count;
   }
 }

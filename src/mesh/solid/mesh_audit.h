@@ -43,7 +43,7 @@ class OrderlessSum {
   double beyond_ = 0;
 };
 
-/// A connected piece of surface.
+/// A connected component of the surface.
 struct SurfaceComponent {
   std::uint64_t first_triangle = ~std::uint64_t(0);
   std::size_t triangles = 0, vertices = 0;

@@ -1,5 +1,5 @@
-// A mesh in runs. The mesher hands it over in runs, checks and file writers take it in runs, and so
-// none of them needs the whole mesh. A mesh in memory is one run.
+// A mesh in blocks. The mesher hands it over block by block, and checks and file writers take it
+// so: none of them needs the whole mesh. A mesh in memory is one block.
 #pragma once
 
 #include <mrsim/types.h>
@@ -12,9 +12,9 @@
 
 namespace mrsim {
 
-/// A run of triangles with their vertices. Vertices are numbered through all blocks in the order in
-/// which they come; a block counts them on its own: first those that it borrows from earlier
-/// blocks, then its new ones.
+/// Some triangles of a mesh, one after another, with their vertices. Vertices are numbered through
+/// all blocks in the order in which they come; a block counts them on its own: first those that it
+/// borrows from earlier blocks, then its new ones.
 struct MeshBlock {
   std::span<const std::array<float, 3>> points;             ///< #borrowed + #new, mm
   std::span<const std::uint32_t> borrowed;                  ///< their numbers in the whole mesh

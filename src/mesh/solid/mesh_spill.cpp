@@ -21,8 +21,8 @@ void read(const ScratchFile& file, std::uint64_t& offset, std::size_t count, std
 
 void SpilledMesh::take(const MeshBlock& block) {
   MRSIM_ASSERT(block.owners.size() == block.triangles.size() && block.colors.empty());
-  places_.push_back({file_.size(), block.points.size(), block.borrowed.size(),
-                     block.triangles.size(), block.unfinished.size(), block.first_new});
+  records_.push_back({file_.size(), block.points.size(), block.borrowed.size(),
+                      block.triangles.size(), block.unfinished.size(), block.first_new});
   append(file_, block.points);
   append(file_, block.borrowed);
   append(file_, block.triangles);
@@ -34,7 +34,7 @@ void SpilledMesh::take(const MeshBlock& block) {
 
 void SpilledMesh::restart() {
   file_.clear();
-  places_.clear();
+  records_.clear();
   vertices_ = triangles_ = 0;
 }
 
@@ -43,14 +43,14 @@ void SpilledMesh::for_each_block(const Body& body) const {
   std::vector<std::uint32_t> borrowed, unfinished;
   std::vector<std::array<std::uint32_t, 3>> triangles;
   std::vector<std::int32_t> owners;
-  for (const Place& place : places_) {
-    std::uint64_t offset = place.offset;
-    read(file_, offset, place.points, points);
-    read(file_, offset, place.borrowed, borrowed);
-    read(file_, offset, place.triangles, triangles);
-    read(file_, offset, place.triangles, owners);
-    read(file_, offset, place.unfinished, unfinished);
-    body({points, borrowed, place.first_new, triangles, owners, {}, unfinished});
+  for (const Record& record : records_) {
+    std::uint64_t offset = record.offset;
+    read(file_, offset, record.points, points);
+    read(file_, offset, record.borrowed, borrowed);
+    read(file_, offset, record.triangles, triangles);
+    read(file_, offset, record.triangles, owners);
+    read(file_, offset, record.unfinished, unfinished);
+    body({points, borrowed, record.first_new, triangles, owners, {}, unfinished});
   }
 }
 

@@ -26,13 +26,13 @@ class SpilledMesh final : public MeshSink, public MeshSource {
   void set_origin(OwnerTable origin) { origin_ = std::move(origin); }
 
  private:
-  struct Place {
+  struct Record {
     std::uint64_t offset = 0;
     std::size_t points = 0, borrowed = 0, triangles = 0, unfinished = 0;
     std::uint32_t first_new = 0;
   };
   ScratchFile file_;
-  std::vector<Place> places_;
+  std::vector<Record> records_;
   std::size_t vertices_ = 0, triangles_ = 0;
   OwnerTable origin_;
 };

@@ -119,7 +119,7 @@ std::map<std::uint32_t, std::uint32_t> solids_of_cavities(const MeshAudit& audit
   return out;
 }
 
-void place_piece(Piece& piece, const MeshAudit& audit) {
+void set_volume(Piece& piece, const MeshAudit& audit) {
   OrderlessSum volume6, moment24[3];
   for (const std::uint32_t c : piece.components) {
     const SurfaceComponent& surface = audit.components()[c];
@@ -148,7 +148,7 @@ std::vector<Piece> find_pieces(const MeshAudit& audit, const MeshSource& mesh) {
     piece.triangles += surfaces[cavity].triangles;
     piece.components.push_back(cavity);
   }
-  for (Piece& piece : pieces) place_piece(piece, audit);
+  for (Piece& piece : pieces) set_volume(piece, audit);
   std::stable_sort(pieces.begin(), pieces.end(),
                    [](const Piece& a, const Piece& b) { return a.volume > b.volume; });
   return pieces;

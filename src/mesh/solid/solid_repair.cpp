@@ -38,7 +38,7 @@ using Triangle = std::array<std::uint32_t, 3>;
 
 // Vertices of open edges that are this many float steps of the largest coordinate apart are one.
 constexpr float kWeldSteps = 8;
-constexpr std::uint32_t kNoPlace = ~0u;
+constexpr std::uint32_t kUnused = ~0u;
 
 bool is_solid(const TriMesh& mesh) { return check_mesh(mesh).oriented; }
 
@@ -224,7 +224,7 @@ bool rays_may_fail(const SurfaceMesh& surface) {
   });
 }
 
-// Turns pieces so that they bound a solid; what is in the way is told from the mesh afterwards.
+// Turns components so that they bound a solid; what is in the way is told from the mesh afterwards.
 TriMesh oriented(const TriMesh& mesh, const std::string& name) {
   SurfaceMesh surface = to_surface(mesh);
   pmp::stitch_borders(surface);
@@ -252,35 +252,35 @@ std::size_t drop_sheets(TriMesh& mesh) {
   for (std::uint32_t first = 0; first < mesh.triangles.size(); ++first) {
     if (taken[first]) continue;
     const Vec3 from = corner(mesh, first, 0);
-    std::vector<std::uint32_t> piece{first};
+    std::vector<std::uint32_t> component{first};
     taken[first] = true;
     double area = 0, volume = 0;
-    for (std::size_t i = 0; i < piece.size(); ++i) {
-      const Vec3 normal = area_normal(mesh, piece[i]);
+    for (std::size_t i = 0; i < component.size(); ++i) {
+      const Vec3 normal = area_normal(mesh, component[i]);
       area += 0.5 * length(normal);
-      volume += dot(normal, corner(mesh, piece[i], 0) - from) / 6;
-      for (std::uint32_t h = 3 * piece[i]; h < 3 * piece[i] + 3; ++h) {
+      volume += dot(normal, corner(mesh, component[i], 0) - from) / 6;
+      for (std::uint32_t h = 3 * component[i]; h < 3 * component[i] + 3; ++h) {
         if (!is_half_edge(opposite[h]) || taken[opposite[h] / 3]) continue;
         taken[opposite[h] / 3] = true;
-        piece.push_back(opposite[h] / 3);
+        component.push_back(opposite[h] / 3);
       }
     }
     if (std::fabs(volume) > 0.5 * area * thinnest) continue;
     ++sheets;
-    for (const std::uint32_t f : piece) flat[f] = true;
+    for (const std::uint32_t f : component) flat[f] = true;
   }
   if (sheets == 0) return 0;
   TriMesh rest;
-  std::vector<std::uint32_t> place(mesh.vertices.size(), kNoPlace);
+  std::vector<std::uint32_t> new_index(mesh.vertices.size(), kUnused);
   for (std::size_t f = 0; f < mesh.triangles.size(); ++f) {
     if (flat[f]) continue;
     Triangle t = mesh.triangles[f];
     for (std::uint32_t& v : t) {
-      if (place[v] == kNoPlace) {
-        place[v] = static_cast<std::uint32_t>(rest.vertices.size());
+      if (new_index[v] == kUnused) {
+        new_index[v] = static_cast<std::uint32_t>(rest.vertices.size());
         rest.vertices.push_back(mesh.vertices[v]);
       }
-      v = place[v];
+      v = new_index[v];
     }
     rest.triangles.push_back(t);
   }

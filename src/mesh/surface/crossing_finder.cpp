@@ -118,8 +118,8 @@ void CrossingFinder::find_together(std::span<const std::int32_t> crossings) {
     const int axis = c.edge.axis;
     const Box3 inner = cells_.inner_box(c.edge.smallest_cell());
     mrsim::component(c.position, axis) =
-        snap_between(mrsim::component(searches[i].place(), axis), mrsim::component(inner.lo, axis),
-                     mrsim::component(inner.hi, axis));
+        snap_between(mrsim::component(searches[i].position(), axis),
+                     mrsim::component(inner.lo, axis), mrsim::component(inner.hi, axis));
   }
 }
 

@@ -12,9 +12,9 @@ namespace {
 
 constexpr double kDiagonal = 1.4142135623730951;  ///< of a square
 
-// Of the two ring places about a face, cells come by low and high in the first half of the ring.
-int low_place(int place) { return place < 2 ? place : (place + 1) & 3; }
-int high_place(int place) { return place < 2 ? place + 1 : place; }
+// Of the two quadrants beside a face, cells come by low and high in the first half of the ring.
+int low_quadrant(int quadrant) { return quadrant < 2 ? quadrant : (quadrant + 1) & 3; }
+int high_quadrant(int quadrant) { return quadrant < 2 ? quadrant + 1 : quadrant; }
 
 std::int32_t root_of(std::vector<std::int32_t>& parent, std::int32_t i) {
   while (parent[static_cast<std::size_t>(i)] != i) {
@@ -134,16 +134,16 @@ bool LoopFinder::is_crease(const CellFace& face, const Crossing& a, const Crossi
 // `from`, `to`: which crossings of the face.
 void LoopFinder::add_segment(std::int32_t f, int from, int to) {
   const CellFace& face = at(faces_, f);
-  const auto place = [&](int i) { return static_cast<std::int8_t>(face.places[i] & 3); };
+  const auto quadrant = [&](int i) { return static_cast<std::int8_t>(face.slots[i] & 3); };
   for (const int i : {from, to})
-    crossings_[static_cast<std::size_t>(face.crossing(i))].segments[place(i)] =
+    crossings_[static_cast<std::size_t>(face.crossing(i))].segments[quadrant(i)] =
         static_cast<std::int32_t>(segments_.size());
   Segment s;
   s.face = f;
   s.from = face.crossing(from);
   s.to = face.crossing(to);
-  s.from_place = place(from);
-  s.to_place = place(to);
+  s.from_quadrant = quadrant(from);
+  s.to_quadrant = quadrant(to);
   segments_.push_back(s);
 }
 
@@ -193,8 +193,10 @@ void LoopFinder::join_loops() {
         join(parent, static_cast<std::int32_t>(4 * k) + i,
              static_cast<std::int32_t>(4 * k) + ((i + 1) & 3));
   for (const Segment& s : segments_) {
-    join(parent, 4 * s.from + low_place(s.from_place), 4 * s.to + low_place(s.to_place));
-    join(parent, 4 * s.from + high_place(s.from_place), 4 * s.to + high_place(s.to_place));
+    join(parent, 4 * s.from + low_quadrant(s.from_quadrant),
+         4 * s.to + low_quadrant(s.to_quadrant));
+    join(parent, 4 * s.from + high_quadrant(s.from_quadrant),
+         4 * s.to + high_quadrant(s.to_quadrant));
   }
   begin_loops();
   std::vector<std::int32_t> loop_of_root(parent.size(), -1);
@@ -241,8 +243,8 @@ void LoopFinder::list_segments() {
   const auto loop = [&](std::int32_t i) -> Loop& { return loops_[static_cast<std::size_t>(i)]; };
   for (Segment& s : segments_) {
     const Crossing& c = at(crossings_, s.from);
-    s.low = c.loops[low_place(s.from_place)];
-    s.high = c.loops[high_place(s.from_place)];
+    s.low = c.loops[low_quadrant(s.from_quadrant)];
+    s.high = c.loops[high_quadrant(s.from_quadrant)];
     for (const std::int32_t i : {s.low, s.high})
       if (i >= 0) ++loop(i).segments;
   }

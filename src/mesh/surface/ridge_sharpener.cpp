@@ -72,7 +72,7 @@ std::vector<RidgeVertex> RidgeSharpener::find_ridge(const CellOctree& tree) cons
   for (std::size_t k = 0; k < loops_.size(); ++k) add_if_near(k, loops_[k].point);
   for (const Segment& s : segments_)
     if (s.vertex >= 0) {
-      SurfacePoint there = place_of(s);
+      SurfacePoint there = point_on(s);
       there.position = mesh_.vertices[static_cast<std::size_t>(s.vertex)];
       add_if_near(static_cast<std::size_t>(s.vertex), there);
     }
@@ -80,12 +80,12 @@ std::vector<RidgeVertex> RidgeSharpener::find_ridge(const CellOctree& tree) cons
 }
 
 // Of a segment's vertex; count = 0 where that is not known.
-SurfacePoint RidgeSharpener::place_of(const Segment& s) const {
+SurfacePoint RidgeSharpener::point_on(const Segment& s) const {
   if (s.crease >= 0) return at(creases_, s.crease).point;
   const FieldSample &from = at(crossings_, s.from).at, &to = at(crossings_, s.to).at;
-  SurfacePoint place;
-  if (same_face(from, to)) place.faces[0] = from, place.count = 1;
-  return place;
+  SurfacePoint point;
+  if (same_face(from, to)) point.faces[0] = from, point.count = 1;
+  return point;
 }
 
 // Where vertices were joined, what was drawn about an edge on one side of a ridge may lie on the
@@ -97,24 +97,24 @@ void RidgeSharpener::label_moved(std::span<const std::uint32_t> triangles,
     if (segments_[k].vertex >= 0) segment_of.push_back(static_cast<std::int32_t>(k));
   for (const std::uint32_t t : triangles) {
     const FieldSample& label = at(crossings_, mesh_.crossings[t]).at;
-    SurfacePoint places[3];
+    SurfacePoint points[3];
     for (std::size_t k = 0; k < 3; ++k) {
       const std::size_t v = mesh_.triangles[t][k], s = v - loops_.size();
       if (const SurfacePoint* there = strip.find(mesh_.triangles[t][k]))
-        places[k] = *there;
+        points[k] = *there;
       else if (v < loops_.size())
-        places[k] = loops_[v].point;
+        points[k] = loops_[v].point;
       else if (s < segment_of.size())
-        places[k] = place_of(at(segments_, segment_of[s]));
+        points[k] = point_on(at(segments_, segment_of[s]));
       else
-        places[k].faces[0] = label, places[k].count = 1;
+        points[k].faces[0] = label, points[k].count = 1;
     }
     const auto holds = [&](const FieldSample& face) {
-      return std::all_of(std::begin(places), std::end(places),
+      return std::all_of(std::begin(points), std::end(points),
                          [&](const SurfacePoint& p) { return has_face(p, face); });
     };
     if (holds(label)) continue;
-    const std::span<const FieldSample> faces(places[0].faces, places[0].count);
+    const std::span<const FieldSample> faces(points[0].faces, points[0].count);
     if (const auto face = std::find_if(faces.begin(), faces.end(), holds); face != faces.end())
       mesh_.moved.emplace_back(t, *face);
   }

@@ -25,7 +25,7 @@ class RidgeSharpener : public SurfaceStep {
   std::vector<SurfacePoint> find_tips() const;
   std::size_t segment_vertices() const;
   std::vector<RidgeVertex> find_ridge(const CellOctree& tree) const;
-  SurfacePoint place_of(const Segment& s) const;
+  SurfacePoint point_on(const Segment& s) const;
   void label_moved(std::span<const std::uint32_t> triangles, const RidgeStrip& strip);
 
   BaseMesh& mesh_;

@@ -43,7 +43,7 @@ RidgeStrip::RidgeStrip(std::vector<Vec3>& vertices, std::vector<Triangle>& trian
       ridge_(std::move(ridge)),
       normal_of_(std::move(normal_of)),
       threads_(threads),
-      place_(vertices.size(), -1),
+      index_(vertices.size(), -1),
       joined_(ridge_.size()),
       members_(ridge_.size()),
       fresh_(ridge_.size()),
@@ -53,7 +53,7 @@ RidgeStrip::RidgeStrip(std::vector<Vec3>& vertices, std::vector<Triangle>& trian
       has_slid_(ridge_.size()) {
   for (std::size_t k = 0; k < ridge_.size(); ++k) {
     RidgeVertex& r = ridge_[k];
-    place_[r.vertex] = joined_[k] = static_cast<std::int32_t>(k);
+    index_[r.vertex] = joined_[k] = static_cast<std::int32_t>(k);
     members_[k] = {joined_[k]};
     before_.push_back(vertices_[r.vertex]);
     if (r.moves) vertices_[r.vertex] = r.point.position = snap(r.point.position);
@@ -62,7 +62,7 @@ RidgeStrip::RidgeStrip(std::vector<Vec3>& vertices, std::vector<Triangle>& trian
 }
 
 std::uint32_t RidgeStrip::now(std::uint32_t vertex) const {
-  const std::int32_t p = place(vertex);
+  const std::int32_t p = index_of(vertex);
   return p < 0 ? vertex : of(joined_[static_cast<std::size_t>(p)]).vertex;
 }
 
@@ -71,7 +71,7 @@ void RidgeStrip::find_stars() {
   for (std::uint32_t t = 0; t < triangles_.size(); ++t) {
     bool is_near = false;
     for (const std::uint32_t v : triangles_[t])
-      if (const std::int32_t p = place(v); p >= 0) {
+      if (const std::int32_t p = index_of(v); p >= 0) {
         ++first_[static_cast<std::size_t>(p) + 1];
         is_near = true;
       }
@@ -82,7 +82,8 @@ void RidgeStrip::find_stars() {
   std::vector<std::uint32_t> next(first_.begin(), first_.end() - 1);
   for (const std::uint32_t t : near_)
     for (const std::uint32_t v : triangles_[t])
-      if (const std::int32_t p = place(v); p >= 0) stars_[next[static_cast<std::size_t>(p)]++] = t;
+      if (const std::int32_t p = index_of(v); p >= 0)
+        stars_[next[static_cast<std::size_t>(p)]++] = t;
 }
 
 // The remaining triangles about a vertex and about all that were joined into it, some of them
@@ -99,7 +100,7 @@ std::vector<std::uint32_t> RidgeStrip::star(std::int32_t p) const {
 // All its corners lie on one crease, or it looks the wrong way: two corners have passed each other.
 bool RidgeStrip::is_spoiled(std::uint32_t triangle) const {
   const Triangle x = now(triangles_[triangle]);
-  const std::int32_t a = place(x[0]), b = place(x[1]), c = place(x[2]);
+  const std::int32_t a = index_of(x[0]), b = index_of(x[1]), c = index_of(x[2]);
   if (a >= 0 && b >= 0 && c >= 0 && share_crease(of(a).point, of(b).point, of(c).point))
     return true;
   return looks_away(triangle, x);
@@ -127,7 +128,7 @@ void RidgeStrip::join() {
     const Triangle x = now(triangles_[t]);
     if (is_gone(x) || !is_spoiled(t)) return;
     for (std::size_t k = 0; k < 3; ++k) {
-      const std::int32_t a = place(x[k]), b = place(x[(k + 1) % 3]);
+      const std::int32_t a = index_of(x[k]), b = index_of(x[(k + 1) % 3]);
       if (a >= 0 && b >= 0) sides.push(side(a, b));
     }
   };
@@ -196,7 +197,7 @@ bool RidgeStrip::join_neighbour(std::int32_t p) {
   std::vector<std::pair<double, std::int32_t>> next;
   for (const std::uint32_t t : star(p))
     for (const std::uint32_t v : now(triangles_[t]))
-      if (const std::int32_t q = place(v); q >= 0 && q != p && of(q).point.count >= 2)
+      if (const std::int32_t q = index_of(v); q >= 0 && q != p && of(q).point.count >= 2)
         next.emplace_back(distance(of(q).point.position, of(p).point.position), q);
   std::sort(next.begin(), next.end());
   for (const auto& [far, q] : next)
@@ -207,8 +208,8 @@ bool RidgeStrip::join_neighbour(std::int32_t p) {
   return false;
 }
 
-void RidgeStrip::touch(std::span<const std::int32_t> places) {
-  for (const std::int32_t p : places) {
+void RidgeStrip::touch(std::span<const std::int32_t> indices) {
+  for (const std::int32_t p : indices) {
     const auto k = static_cast<std::size_t>(p);
     fresh_[k] = touched_[k] = reset_[k] = 1;
   }
@@ -217,7 +218,7 @@ void RidgeStrip::touch(std::span<const std::int32_t> places) {
 bool RidgeStrip::has_corner(std::uint32_t triangle, std::span<const char> flags) const {
   const Triangle& x = triangles_[triangle];
   return std::any_of(x.begin(), x.end(), [&](std::uint32_t v) {
-    return place(v) >= 0 && flags[static_cast<std::size_t>(place(v))];
+    return index_of(v) >= 0 && flags[static_cast<std::size_t>(index_of(v))];
   });
 }
 
@@ -241,7 +242,7 @@ bool RidgeStrip::put_back(std::int32_t p) {
 bool RidgeStrip::put_back_corners(std::uint32_t triangle) {
   bool any = false;
   for (const std::uint32_t v : triangles_[triangle])
-    if (const std::int32_t p = place(v); p >= 0) any = put_back(p) || any;
+    if (const std::int32_t p = index_of(v); p >= 0) any = put_back(p) || any;
   return any;
 }
 
@@ -306,8 +307,8 @@ bool RidgeStrip::put_back_meeting() {
   const auto each_corner = [&](const auto& pair, const auto& act) {
     for (const std::uint32_t t : {numbers[pair.first], numbers[pair.second]})
       for (const std::uint32_t v : triangles_[t])
-        if (place(v) >= 0)
-          act(static_cast<std::size_t>(joined_[static_cast<std::size_t>(place(v))]));
+        if (index_of(v) >= 0)
+          act(static_cast<std::size_t>(joined_[static_cast<std::size_t>(index_of(v))]));
   };
   for (const auto& pair : pairs) each_corner(pair, [&](std::size_t p) { ++parts[p]; });
   bool any = false;
@@ -353,7 +354,7 @@ RidgeStrip::Left RidgeStrip::finish() {
 }
 
 const SurfacePoint* RidgeStrip::find(std::uint32_t vertex) const {
-  const std::int32_t p = place(vertex);
+  const std::int32_t p = index_of(vertex);
   if (p < 0 || is_back_[static_cast<std::size_t>(p)]) return nullptr;
   return &of(p).point;
 }

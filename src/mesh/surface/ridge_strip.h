@@ -51,22 +51,22 @@ class RidgeStrip {
  private:
   using Triangle = std::array<std::uint32_t, 3>;
 
-  std::int32_t place(std::uint32_t vertex) const { return place_[vertex]; }
-  const RidgeVertex& of(std::int32_t place) const {
-    return ridge_[static_cast<std::size_t>(place)];
+  std::int32_t index_of(std::uint32_t vertex) const { return index_[vertex]; }
+  const RidgeVertex& of(std::int32_t index) const {
+    return ridge_[static_cast<std::size_t>(index)];
   }
   std::uint32_t now(std::uint32_t vertex) const;
   Triangle now(const Triangle& x) const { return {now(x[0]), now(x[1]), now(x[2])}; }
   bool is_spoiled(std::uint32_t triangle) const;
   bool looks_away(std::uint32_t triangle, const Triangle& x) const;
   void find_stars();
-  void touch(std::span<const std::int32_t> places);
+  void touch(std::span<const std::int32_t> indices);
   bool has_corner(std::uint32_t triangle, std::span<const char> flags) const;
-  std::vector<std::uint32_t> star(std::int32_t place) const;
+  std::vector<std::uint32_t> star(std::int32_t index) const;
   bool join_if(std::int32_t from, std::int32_t to, bool must_be_spoiled);
   // They return whether anything has changed.
-  bool join_neighbour(std::int32_t place);
-  bool put_back(std::int32_t place);
+  bool join_neighbour(std::int32_t index);
+  bool put_back(std::int32_t index);
   bool put_back_corners(std::uint32_t triangle);
   bool put_back_flat();
   bool put_back_doubled();
@@ -77,10 +77,10 @@ class RidgeStrip {
   std::vector<RidgeVertex> ridge_;
   NormalOf normal_of_;
   int threads_;
-  std::vector<std::int32_t> place_;                 ///< by vertex: its index in `ridge_`, -1 = none
-  std::vector<Vec3> before_;                        ///< by place, as all below
-  std::vector<std::int32_t> joined_;                ///< the place that it was joined into
-  std::vector<std::vector<std::int32_t>> members_;  ///< all places joined into it, and itself
+  std::vector<std::int32_t> index_;                 ///< by vertex: its index in `ridge_`, -1 = none
+  std::vector<Vec3> before_;                        ///< by index, as all below
+  std::vector<std::int32_t> joined_;                ///< the index that it was joined into
+  std::vector<std::vector<std::int32_t>> members_;  ///< all indices joined into it, and itself
   std::vector<std::uint32_t> first_, stars_;        ///< triangles about each, before joining
   std::vector<char> fresh_;               ///< moved, joined or put back since the last test
   std::vector<char> touched_, reset_;     ///< at any time; put back at any time

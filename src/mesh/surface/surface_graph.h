@@ -17,8 +17,8 @@ namespace mrsim::detail {
 /// well, as finely as cells of half the size would.
 enum class Detail : std::uint8_t { flat, fan, full };
 
-/// Where the surface crosses an edge of the grid. Ring places 0..3 run counter-clockwise about the
-/// edge's axis; `segments[i]` lies in the face between places i and i + 1 (-1: one cell spans
+/// Where the surface crosses an edge of the grid. Quadrants 0..3 are counter-clockwise about the
+/// edge's axis; `segments[i]` lies in the face between quadrants i and i + 1 (-1: one cell spans
 /// both).
 struct Crossing {
   MinimalEdge edge;
@@ -29,7 +29,7 @@ struct Crossing {
   std::int32_t loops[4] = {-1, -1, -1, -1};
   Detail detail = Detail::flat;
 
-  std::int32_t cell(int place) const { return ring_cell(edge, place); }
+  std::int32_t cell(int quadrant) const { return ring_cell(edge, quadrant); }
   Vec3 low_end() const { return end(low); }
   Vec3 high_end() const { return end(high); }
 
@@ -44,11 +44,12 @@ struct Crossing {
 /// The curve of the surface in a face, from one crossing to another.
 struct Segment {
   std::int32_t face = -1, from = -1, to = -1;
-  std::int8_t from_place = 0, to_place = 0;  ///< of the face, in the rings of these crossings
-  std::int32_t low = -1, high = -1;          ///< loops of the cells on both sides of the face
-  bool is_crease = false;    ///< its ends lie on faces of the part that meet in a crease
-  std::int32_t crease = -1;  ///< where it is one
-  std::int32_t vertex = -1;  ///< its own one, -1 where the mesh needs none
+  std::int8_t from_quadrant = 0,
+              to_quadrant = 0;       ///< of the face, about the edges of these crossings
+  std::int32_t low = -1, high = -1;  ///< loops of the cells on both sides of the face
+  bool is_crease = false;            ///< its ends lie on faces of the part that meet in a crease
+  std::int32_t crease = -1;          ///< where it is one
+  std::int32_t vertex = -1;          ///< its own one, -1 where the mesh needs none
 };
 
 /// Where a crease passes a face of a cell.

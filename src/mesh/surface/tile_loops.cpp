@@ -49,14 +49,14 @@ constexpr std::array<CellCase, 256> cell_cases() {
 }
 constexpr std::array<CellCase, 256> kCases = cell_cases();
 
-// An edge of a face by the column and the place on z where it starts beside the face's low corner,
-// and the place before the face in its ring; in the order of all edges.
+// An edge of a face by the column and the z where it starts beside the face's low corner,
+// and the quadrant about it that lies before the face; in the order of all edges.
 struct FaceEdge {
   std::int32_t column;
-  int z, place;
+  int z, quadrant;
 };
-constexpr FaceEdge face_edge(int axis, int x, int y, int z, int place) {
-  return {TileEdges::column(axis, x, y), z, place};
+constexpr FaceEdge face_edge(int axis, int x, int y, int z, int quadrant) {
+  return {TileEdges::column(axis, x, y), z, quadrant};
 }
 constexpr FaceEdge kFaceEdges[3][4] = {{face_edge(1, 0, 0, 0, 1), face_edge(2, 0, 0, 0, 2),
                                         face_edge(1, 0, 0, 1, 3), face_edge(2, 0, 1, 0, 0)},
@@ -108,7 +108,7 @@ void TileLoops::add_square(const CellTile& tile, const TileSquare& square) {
         const std::int32_t edges = TileEdges::column(0, p.x, p.y) + e.column, z = p.z + e.d[2];
         if (e.axis != square.axis || !has_bit(tile.crossed().bits(edges), z)) continue;
         Crossing& c = crossings_[static_cast<std::size_t>(tile.crossed().number(edges, z))];
-        c.loops[e.place] = id;
+        c.loops[e.quadrant] = id;
         on = &c;
       }
     }
@@ -157,7 +157,7 @@ void TileLoops::add_loop(const CellTile& tile, std::int32_t x, std::int32_t y, s
   for (; edges != 0; edges &= edges - 1) {
     const CellEdge& e = kCellEdges[std::countr_zero(edges)];
     const std::int32_t k = tile.crossed().number(column + e.column, z + e.d[2]);
-    crossings_[static_cast<std::size_t>(k)].loops[e.place] = id;
+    crossings_[static_cast<std::size_t>(k)].loops[e.quadrant] = id;
     loop_crossings_.push_back(k);
   }
   loop.crossings = static_cast<std::uint32_t>(loop_crossings_.size()) - loop.first_crossing;
@@ -196,7 +196,7 @@ void TileLoops::add_segments(const CellTile& tile, const std::vector<std::uint64
         CellFace face;
         for (int k = 0; k < 4; ++k)
           if (has_bit(bits[k], z))
-            face.add(edges.number(column + kOn[k].column, z + kOn[k].z), kOn[k].place);
+            face.add(edges.number(column + kOn[k].column, z + kOn[k].z), kOn[k].quadrant);
         if (!has_bit(needed, z) &&
             same_face(crossings_[static_cast<std::size_t>(face.crossing(0))].at,
                       crossings_[static_cast<std::size_t>(face.crossing(1))].at))
@@ -250,8 +250,8 @@ void TileLoops::add_crowded_loops(const CellTile& tile, std::int32_t x, std::int
       next &= next - 1;
       loop |= 1u << k;
       const Crossing& c = crossings_[static_cast<std::size_t>(ids[k])];
-      for (const int place : {kCellEdges[k].place, kCellEdges[k].place + 3}) {
-        const std::int32_t s = c.segments[place & 3];
+      for (const int quadrant : {kCellEdges[k].quadrant, kCellEdges[k].quadrant + 3}) {
+        const std::int32_t s = c.segments[quadrant & 3];
         MRSIM_ASSERT(s >= 0);
         const Segment& segment = segments_[static_cast<std::size_t>(s)];
         const std::int32_t other = segment.from == ids[k] ? segment.to : segment.from;

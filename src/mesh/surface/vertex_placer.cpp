@@ -1,7 +1,7 @@
 #include "mesh/surface/vertex_placer.h"
 
 #include "core/parallel.h"
-#include "mesh/surface/piece_hash.h"
+#include "mesh/surface/input_hash.h"
 #include "mesh/surface/sample_groups.h"
 
 #include <algorithm>
@@ -14,7 +14,7 @@ namespace {
 constexpr double kPlaneCosine = 1 - 1e-9;  ///< between normals of one plane
 constexpr double kPlaneRoom = 1e-5;        ///< mm: of its points, rounded
 
-void add_crossing(PlaceHash& hash, const Crossing& c) {
+void add_crossing(InputHash& hash, const Crossing& c) {
   hash.add(c.position);
   hash.add(c.at);
 }
@@ -37,14 +37,14 @@ void VertexPlacer::find_creases() {
     if (s.is_crease) creases_.push_back({static_cast<std::int32_t>(k), {}, {}});
   }
   std::vector<std::uint64_t> keys(creases_.size(), 0);
-  std::vector<PlacedPoints::Place> places(creases_.size());
+  std::vector<KnownPoints::Result> results(creases_.size());
   std::vector<std::uint8_t> is_known(creases_.size());
   const auto place = [&](std::size_t k) {
     const Segment& s = at(segments_, creases_[k].segment);
     if (options_.remember) keys[k] = key_of(s);
-    const PlacedPoints::Place* known = options_.remember ? placed_creases_.find(keys[k]) : nullptr;
+    const KnownPoints::Result* known = options_.remember ? known_creases_.find(keys[k]) : nullptr;
     is_known[k] = known != nullptr;
-    places[k] = known ? *known : place_crease(s);
+    results[k] = known ? *known : place_crease(s);
   };
   // Those of cells with the same candidates follow each other.
   std::vector<std::int32_t> all(creases_.size());
@@ -58,27 +58,27 @@ void VertexPlacer::find_creases() {
         for (const std::int32_t k : groups[g]) place(static_cast<std::size_t>(k));
       },
       16);
-  for (std::size_t k = 0; k < places.size(); ++k) {
-    if (options_.remember && !is_known[k]) placed_creases_.add(keys[k], places[k]);
-    creases_[k].point = places[k].point, creases_[k].outside = places[k].outside;
-    if (places[k].smooth) segments_[static_cast<std::size_t>(creases_[k].segment)].crease = -1;
+  for (std::size_t k = 0; k < results.size(); ++k) {
+    if (options_.remember && !is_known[k]) known_creases_.add(keys[k], results[k]);
+    creases_[k].point = results[k].point, creases_[k].outside = results[k].outside;
+    if (results[k].smooth) segments_[static_cast<std::size_t>(creases_[k].segment)].crease = -1;
   }
 }
 
-PlacedPoints::Place VertexPlacer::place_crease(const Segment& s) const {
-  PlacedPoints::Place place;
+KnownPoints::Result VertexPlacer::place_crease(const Segment& s) const {
+  KnownPoints::Result result;
   const Crossing &a = at(crossings_, s.from), &b = at(crossings_, s.to);
   const CellFace& face = at(faces_, s.face);
   const Box3 box = face_box(face);
   const Probe p = probe(face_cell(face));
   const auto point = crease_in_face(p, box, face.axis, a.position, a.at, b.position, b.at);
-  place.smooth = !point;
-  if (place.smooth) return place;
-  place.point = *point;
+  result.smooth = !point;
+  if (result.smooth) return result;
+  result.point = *point;
   const FieldSample ends[2] = {a.at, b.at};
-  if (options_.sharpen && place.point.count == 0)
-    place.outside = crease_near(p, box, face.axis, 0.5 * (a.position + b.position), ends);
-  return place;
+  if (options_.sharpen && result.point.count == 0)
+    result.outside = crease_near(p, box, face.axis, 0.5 * (a.position + b.position), ends);
+  return result;
 }
 
 void VertexPlacer::place_loops() {
@@ -91,7 +91,7 @@ void VertexPlacer::place_loops() {
     if (loop.point.count > 0 || !cells_.is_complete(loop.cell)) continue;
     if (options_.remember) {
       keys[k] = key_of(loop);
-      if (const PlacedPoints::Place* known = placed_loops_.find(keys[k])) {
+      if (const KnownPoints::Result* known = known_loops_.find(keys[k])) {
         loop.point = known->point;
         if (options_.sharpen) outside_[k] = known->outside;
         continue;
@@ -106,7 +106,7 @@ void VertexPlacer::place_loops() {
   if (!options_.remember) return;
   for (const std::int32_t k : fresh) {
     const auto i = static_cast<std::size_t>(k);
-    placed_loops_.add(keys[i], {loops_[i].point, options_.sharpen ? outside_[i] : SurfacePoint{}});
+    known_loops_.add(keys[i], {loops_[i].point, options_.sharpen ? outside_[i] : SurfacePoint{}});
   }
 }
 
@@ -114,14 +114,14 @@ void VertexPlacer::place_loops() {
 std::uint64_t VertexPlacer::key_of(const Segment& s) const {
   const CellFace& face = at(faces_, s.face);
   const std::int32_t cell = face_cell(face);
-  PlaceHash hash(static_cast<std::uint64_t>(cell) * 8 +
+  InputHash hash(static_cast<std::uint64_t>(cell) * 8 +
                  static_cast<std::uint64_t>(2 * face.axis + (cell == face.low)));
   for (const std::int32_t k : {s.from, s.to}) add_crossing(hash, at(crossings_, k));
   return hash.value();
 }
 
 std::uint64_t VertexPlacer::key_of(const Loop& loop) const {
-  PlaceHash hash(static_cast<std::uint64_t>(loop.cell));
+  InputHash hash(static_cast<std::uint64_t>(loop.cell));
   for (const std::int32_t k : crossings_of(loop)) add_crossing(hash, at(crossings_, k));
   for (const std::int32_t k : segments_of(loop)) {
     const std::int32_t c = at(segments_, k).crease;

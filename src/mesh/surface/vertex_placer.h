@@ -13,24 +13,24 @@
 namespace mrsim::detail {
 
 /// Points of former rounds, by a hash of all that they are computed from.
-class PlacedPoints {
+class KnownPoints {
  public:
-  struct Place {
+  struct Result {
     SurfacePoint point, outside;
     bool smooth = false;  ///< of creases: there is none
   };
-  const Place* find(std::uint64_t key) const {
+  const Result* find(std::uint64_t key) const {
     const std::int32_t i = ids_.find(key);
-    return i < 0 ? nullptr : &places_[static_cast<std::size_t>(i)];
+    return i < 0 ? nullptr : &results_[static_cast<std::size_t>(i)];
   }
-  void add(std::uint64_t key, const Place& place) {
-    if (ids_.insert(key, static_cast<std::int32_t>(places_.size())).second)
-      places_.push_back(place);
+  void add(std::uint64_t key, const Result& result) {
+    if (ids_.insert(key, static_cast<std::int32_t>(results_.size())).second)
+      results_.push_back(result);
   }
 
  private:
   FlatMap ids_;
-  std::vector<Place> places_;
+  std::vector<Result> results_;
 };
 
 class VertexPlacer : public SurfaceStep {
@@ -46,7 +46,7 @@ class VertexPlacer : public SurfaceStep {
 
  private:
   void find_creases();
-  PlacedPoints::Place place_crease(const Segment& s) const;
+  KnownPoints::Result place_crease(const Segment& s) const;
   void place_loops();
   void place_loops_of(std::span<const std::int32_t> loops);
   bool is_smooth(const Loop& loop) const;
@@ -58,7 +58,7 @@ class VertexPlacer : public SurfaceStep {
   std::uint64_t key_of(const Loop& loop) const;
 
   std::set<std::int32_t> flat_cells_;
-  PlacedPoints placed_loops_, placed_creases_;
+  KnownPoints known_loops_, known_creases_;
 };
 
 }  // namespace mrsim::detail

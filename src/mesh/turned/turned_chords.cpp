@@ -146,9 +146,9 @@ class Chooser {
     if (height(from, to) > limit) return false;
     const Vec3 along = points_[to].at - points_[from].at;
     for (std::size_t k = from; k < to; ++k) {
-      const Vec3 piece = points_[k + 1].at - points_[k].at;
-      const double size = length(piece);
-      if (size > 4 * limits_.height && dot(piece, along) < kChordAlong * size * length(along))
+      const Vec3 chord = points_[k + 1].at - points_[k].at;
+      const double size = length(chord);
+      if (size > 4 * limits_.height && dot(chord, along) < kChordAlong * size * length(along))
         return false;
     }
     const auto [first, last] = longest_run(from, to);

@@ -7,7 +7,7 @@
 
 namespace mrsim::detail {
 
-/// The outline without points amid straight pieces of one face.
+/// The outline without points amid straight stretches of one face.
 Outline straightened(const Outline& outline);
 
 /// How chords are chosen, mm.

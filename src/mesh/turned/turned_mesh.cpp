@@ -22,7 +22,7 @@ namespace {
 
 constexpr std::uint32_t kFewestSides = 24;  ///< of a ring: no facet is taken for a face of its own
 constexpr std::uint32_t kMostSides = 1 << 20;
-constexpr double kLowest = 1.0 / 64;  ///< of the tolerance: what the outline itself is known to
+constexpr double kLowest = 1.0 / 64;  ///< of the tolerance: how exactly the outline is found
 constexpr double kFinest = 1.0 / 8;   ///< of the tolerance: the smallest parts of a voxel
 constexpr double kTriangleMemory = 170, kSquareMemory = 200;  ///< bytes, as measured
 // Shares of the tolerance that chords may take; the sides of rings have the rest.
@@ -63,7 +63,7 @@ class TurnedSides {
   std::uint32_t base_;
 };
 
-/// A ring of vertices; one on the axis.
+/// A ring of vertices about the axis; a single vertex on it.
 struct Ring {
   double radius = 0, z = 0;
   std::uint32_t first = 0, sides = 1;
@@ -204,8 +204,9 @@ double volume_excess(const std::vector<Outline>& outlines, const TriMesh& mesh) 
   return signed_volume(mesh) - kPi * exact;
 }
 
-// What keeps thin walls from meeting: rings of equally many sides, so that a section at any angle
-// is the outline drawn in; and all points of the outline, which does not meet itself.
+// What is done so that thin walls do not meet. `sides`: all rings have equally many sides, so every
+// section through the axis is the outline, drawn in a little. `all`: the outline keeps all its
+// points as well, with which it does not meet itself.
 enum class Care : std::uint8_t { none, sides, all };
 
 class TurnedMesher {
@@ -217,7 +218,7 @@ class TurnedMesher {
         report_(report),
         timer_(report, options.progress) {
     const Box3 bounds = field.bounds();
-    // What coordinates are rounded by.
+    // By how much coordinates are rounded.
     const double largest =
         std::max({std::abs(bounds.hi.x), std::abs(bounds.lo.z), std::abs(bounds.hi.z)});
     limit_ = options.tolerance - 2 * coordinate_step(largest);

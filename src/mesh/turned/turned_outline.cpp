@@ -51,7 +51,7 @@ class Leaves {
   std::vector<Leaf> leaves_;
 };
 
-// A piece that begins where the last one begins replaces it, except at the axis.
+// A chord that begins where the last one begins replaces it, except at the axis.
 void append(const OutlinePoint& p, std::vector<OutlinePoint>& out) {
   if (out.empty() || distance(out.back().at, p.at) >= kSamePlace) {
     out.push_back(p);

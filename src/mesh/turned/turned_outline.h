@@ -10,18 +10,18 @@
 
 namespace mrsim::detail {
 
-/// A point of the outline and the piece that begins there: a chord, and the curve that it stands
+/// A point of the outline and the chord that begins there, and the curve that it stands
 /// for.
 struct OutlinePoint {
   Vec3 at;            ///< mm, on the surface; y = 0, x the distance from the axis
-  FieldSample face;   ///< what the piece belongs to
+  FieldSample face;   ///< what the chord belongs to
   double height = 0;  ///< mm: no point of the curve is farther from the chord, nor the reverse
   double excess = 0;  ///< mm^2 that lie between them, positive where the chord runs in the air
   double bend = 0;    ///< length of the difference of the unit normals before and after the point
 };
 
 /// The material lies on the left of the way. Not closed: from a point of the axis to another one,
-/// whose piece means nothing.
+/// whose chord means nothing.
 struct Outline {
   std::vector<OutlinePoint> points;
   bool closed = false;

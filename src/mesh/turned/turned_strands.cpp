@@ -1,5 +1,6 @@
 #include "mesh/turned/turned_strands.h"
 
+#include "core/rounding.h"
 #include "core/vec.h"
 #include "mesh/points/surface_search.h"
 #include "mesh/points/vertex.h"
@@ -10,8 +11,9 @@ namespace mrsim::detail {
 namespace {
 
 constexpr int kMostHalvings = 16;    ///< of the curve between two points
-constexpr double kPieceAlong = 0.5;  ///< cosine between the ends of a piece, at least
-constexpr double kJoined = 0.98;     ///< the same of pieces over several faces
+constexpr double kChordTurn = 0.5;   ///< cosine between the normals at a chord's ends, at least
+constexpr double kStraight = 1e-12;  ///< product of two sines: straight at an end, but for rounding
+constexpr double kJoined = 0.98;     ///< the same of chords over several faces
 
 /// Where the outline passes a line of the lattice. Named by the shortest part of the line that
 /// holds it, so that all squares about it agree.
@@ -161,9 +163,9 @@ class SquareTracer {
     // ends.
     const double rise = -dot(n, along) / size, fall = dot(m, along) / size;
     const double turn = std::abs(n.x * m.z - n.z * m.x);
-    const double top = turn > 1e-9 ? size * std::abs(rise * fall) / turn
-                                   : size * std::max(std::abs(rise), std::abs(fall));
-    const bool bends_one_way = rise * fall >= -1e-12 && dot(n, m) > kPieceAlong;
+    const double top = turn > kTurnRounding ? size * std::abs(rise * fall) / turn
+                                            : size * std::max(std::abs(rise), std::abs(fall));
+    const bool bends_one_way = rise * fall >= -kStraight && dot(n, m) > kChordTurn;
     if (bends_one_way && top <= height_) return add(a, b, top);
     Vec3 middle = 0.5 * (a.at + b.at);
     if (halvings == kMostHalvings || !solve_faces(field_, {&a.face, 1}, 1, room_, middle) ||

@@ -9,9 +9,9 @@
 
 namespace mrsim::detail {
 
-class PlaceHash {
+class InputHash {
  public:
-  explicit PlaceHash(std::uint64_t seed = 0) : h_(seed * 0x9e3779b97f4a7c15u + 1) {}
+  explicit InputHash(std::uint64_t seed = 0) : h_(seed * 0x9e3779b97f4a7c15u + 1) {}
   void add(std::uint64_t x) {
     h_ = (h_ ^ x) * 0xff51afd7ed558ccdu;
     h_ ^= h_ >> 32;
