@@ -44,7 +44,7 @@ ROOMS = {
     "timing": CORE,
     "setup": CORE,
     "removal/field": CORE,
-    "removal/tool": CORE + ("removal/field/",),
+    "removal/tool": CORE,
     "removal/simd": CORE + ("removal/field/", "removal/tool/"),
     "removal/stock": CORE + ("removal/field/",),
     "removal/forms": CORE + ("removal/field/", "removal/tool/", "removal/simd/"),

@@ -158,7 +158,7 @@ void hash_sweeps(const Kind& kind) {
       }
       CandidateList all, left;
       list_candidates(table, table.all(), p, all);
-      const PruneRegion region = PruneRegion::block(p, 0.5);
+      const PruneRegion region = PruneRegion::cube(p, 0.5);
       bits.add(std::uint64_t(prune(table, region, region.radius + 1, 1, all, left)));
       for (const CandidateList::Slice& slice : left.slices())
         for (std::size_t k2 = 0; k2 < slice.count; ++k2)

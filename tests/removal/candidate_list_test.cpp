@@ -169,15 +169,15 @@ TEST(CandidateList, PruningNeverChangesABit) {
       const double half = r(0.02, 0.8), band = round % 3 == 1 ? 4e-6 : 3 * half;
       CandidateList all, large, small;
       list_candidates(table, ids, center, all);
-      ASSERT_GE(all.size(), table.size());  // pieces of paths
-      const PruneRegion outer = PruneRegion::block(center, 2 * half);
+      ASSERT_GE(all.size(), table.size());  // segments of paths
+      const PruneRegion outer = PruneRegion::cube(center, 2 * half);
       if (!prune(table, outer, outer.radius + band + 1e-9, band, all, large)) {
         expect_swept(r, table, all, outer, band);
         if (HasFatalFailure()) FAIL() << scene.name << ", round " << round;
         continue;
       }
       const Vec3 inside = center + half * Vec3{r(-1, 1), r(-1, 1), r(-1, 1)};
-      const PruneRegion inner = round % 3 == 0   ? PruneRegion::block(inside, half)
+      const PruneRegion inner = round % 3 == 0   ? PruneRegion::cube(inside, half)
                                 : round % 3 == 1 ? PruneRegion::ball(inside, half)
                                                  : PruneRegion::column(inside, 0.4 * half, half);
       if (!prune(table, inner, inner.radius + band + 1e-9, band, large, small)) {
@@ -203,7 +203,7 @@ TEST(CandidateList, PruningNeverChangesABit) {
   }
 }
 
-// Arcs that are too long to be cut into pieces, beside moves that are, of mills that undercut.
+// Arcs that are too long to be cut into segments, beside moves that are, of mills that undercut.
 TEST(CandidateList, LongArcsOfUndercuttingMillsAreMeasured) {
   Random r(17);
   Tool slot = endmill(8), lollipop = endmill(6);
@@ -230,7 +230,7 @@ TEST(CandidateList, LongArcsOfUndercuttingMillsAreMeasured) {
     CandidateList all, left;
     list_candidates(table, ids, center, all);
     const double half = r(0.02, 0.8), band = round % 3 == 1 ? 4e-6 : 3 * half;
-    const PruneRegion region = PruneRegion::block(center, half);
+    const PruneRegion region = PruneRegion::cube(center, half);
     if (prune(table, region, region.radius + band + 1e-9, band, all, left))
       expect_same(r, table, all, left, region, band);
     else
@@ -302,7 +302,7 @@ TEST(CandidateList, PacksStandForTheirSweeps) {
       const double band = r(0.1, 1), asked = round % 5 == 4 ? 0 : band;
       for (int level = 0; level < 6; ++level, half /= 2) {
         PruneRegion region = round % 3 == 0   ? PruneRegion::ball(center, half)
-                             : round % 3 == 1 ? PruneRegion::block(center, half)
+                             : round % 3 == 1 ? PruneRegion::cube(center, half)
                                               : PruneRegion::column(center, half, 2 * half);
         region.expand_packs = level == 5;
         if (!prune(table, region, region.radius + band + 1e-9, asked, lists[level],

@@ -2,7 +2,7 @@
 #include "removal/prune/heights.h"
 
 #include "core/units.h"
-#include "removal/columns/height_pieces.h"
+#include "removal/columns/height_segments.h"
 #include "removal/columns/sweep_columns.h"
 #include "removal/forms/path_sweep.h"
 #include "removal/prune/list_candidates.h"
@@ -49,16 +49,16 @@ double underside(const Profile& tool, double rho) {
   return std::numeric_limits<double>::infinity();
 }
 
-/// Pieces in columns, padded for whole registers.
-struct PieceColumns {
+/// Segments in columns, padded for whole registers.
+struct SegmentColumns {
   static constexpr std::size_t kStride = 320;
   alignas(64) float values[kCandidateColumns * kStride] = {};
   std::size_t count = 0;
 
-  void add(const std::vector<LineRecord>& pieces) {
-    for (const LineRecord& piece : pieces) {
+  void add(const std::vector<LineRecord>& segments) {
+    for (const LineRecord& segment : segments) {
       for (std::size_t i = 0; i < 8; ++i)
-        values[i * kStride + count] = static_cast<float>(piece.c[i]);
+        values[i * kStride + count] = static_cast<float>(segment.c[i]);
       values[kIdColumn * kStride + count] = static_cast<float>(count + 1);
       ++count;
     }
@@ -108,11 +108,11 @@ double bottom(const Profile& tool, const ToolPath& path, double x, double y) {
   return least;
 }
 
-// No position of the path that the pieces stand for lies deeper.
-double lowest_tip(const std::vector<LineRecord>& pieces) {
+// No position of the path that the segments stand for lies deeper.
+double lowest_tip(const std::vector<LineRecord>& segments) {
   double least = std::numeric_limits<double>::infinity();
-  for (const LineRecord& piece : pieces)
-    least = std::min(least, piece.c[BallSlot::z] - piece.c[BallSlot::error]);
+  for (const LineRecord& segment : segments)
+    least = std::min(least, segment.c[BallSlot::z] - segment.c[BallSlot::error]);
   return least;
 }
 
@@ -124,19 +124,19 @@ TEST(Heights, OfPathsAreBoundsOverASquare) {
     const Profile tool = make_cutter(tools_with_heights()[round % 8]);
     ASSERT_TRUE(has_heights(tool));
     const ToolPath path = random_path(r, round % 3 == 0);
-    std::vector<LineRecord> pieces;
-    ASSERT_TRUE(append_pieces(path, pieces));
-    PieceColumns columns;
-    columns.add(pieces);
+    std::vector<LineRecord> segments;
+    ASSERT_TRUE(append_segments(path, segments));
+    SegmentColumns columns;
+    columns.add(segments);
     const double wide = r.pick(3) == 0 ? 0 : r(0, 1.5);
     const Vec3 on_path = path_point(path, r(0, 1)).position;
     const Vec3 center = on_path + Vec3{r(-4, 4), r(-4, 4), 0};
-    std::vector<float> lower(PieceColumns::kStride);
-    const float upper = candidate_kernels().piece_heights(
+    std::vector<float> lower(SegmentColumns::kStride);
+    const float upper = candidate_kernels().segment_heights(
         columns.columns(), columns.count, square(center, wide, height_tool(tool)), lower.data());
     const float least =
         *std::min_element(lower.begin(), lower.begin() + static_cast<long>(columns.count));
-    const double top = lowest_tip(pieces) + height_tool(tool).top;
+    const double top = lowest_tip(segments) + height_tool(tool).top;
     for (int k = 0; k < 12; ++k) {
       const double turn = r(0, kTwoPi), away = k < 6 ? wide : r(0, wide);
       const double x = center.x + away * std::cos(turn), y = center.y + away * std::sin(turn);
@@ -185,7 +185,7 @@ TEST(Heights, OfPacksAreBoundsOfTheirMoves) {
       const CandidateList::Slice& slice = list.slices().front();
       const double wide = r(0, 0.3);
       float lower[CandidateList::kPad];
-      const float upper = candidate_kernels().piece_heights(
+      const float upper = candidate_kernels().segment_heights(
           list.columns(slice.first), 1, square(center, wide, c.classes[slice.of]), lower);
       for (int k = 0; k < 8; ++k) {
         const double turn = r(0, kTwoPi);
@@ -221,10 +221,10 @@ TEST(Heights, OfFlatEndsAreExactAtAPoint) {
   for (int round = 0; round < 500; ++round) {
     ToolPath path = random_path(r, false);
     path.travel = {r(1, 5), r(-5, 5), r(-4, 4)};
-    std::vector<LineRecord> pieces;
-    ASSERT_TRUE(append_pieces(path, pieces));
-    PieceColumns columns;
-    columns.add(pieces);
+    std::vector<LineRecord> segments;
+    ASSERT_TRUE(append_segments(path, segments));
+    SegmentColumns columns;
+    columns.add(segments);
     const Vec3 center = path_point(path, r(0, 1)).position + Vec3{r(-3, 3), r(-3, 3), 0};
     const Vec3 way = path.travel, low = way.z < 0 ? path.start + way : path.start;
     const double plan = std::hypot(way.x, way.y), m = std::fabs(way.z) / plan;
@@ -233,8 +233,8 @@ TEST(Heights, OfFlatEndsAreExactAtAPoint) {
     const double v = (center.x - low.x) * uy - (center.y - low.y) * ux;
     const double reach = std::sqrt(std::max(0.0, 9 - v * v)), s = std::max(u - reach, 0.0);
     if (std::fabs(v) > 2.99 || s > plan - 0.01 || u + reach < 0.01) continue;
-    float lower[PieceColumns::kStride];
-    const float upper = candidate_kernels().piece_heights(
+    float lower[SegmentColumns::kStride];
+    const float upper = candidate_kernels().segment_heights(
         columns.columns(), columns.count, square(center, 0, height_tool(tool)), lower);
     // Errors in plan count with the slope, and grow where the rim passes at a flat angle.
     const double error = 2e-3 * (1 + m) * (1 + m);
@@ -282,30 +282,30 @@ TEST(Heights, AreTheSameOnEveryInstructionSet) {
   Random r(94);
   for (unsigned round = 0; round < rounds(600); ++round) {
     const HeightTool tool = height_tool(make_cutter(tools_with_heights()[round % 8]));
-    PieceColumns columns;
-    std::vector<LineRecord> pieces;
+    SegmentColumns columns;
+    std::vector<LineRecord> segments;
     const int wanted = 1 + r.pick(20);
-    for (int i = 0; i < wanted; ++i) ASSERT_TRUE(append_pieces(random_path(r, false), pieces));
-    columns.add(pieces);
+    for (int i = 0; i < wanted; ++i) ASSERT_TRUE(append_segments(random_path(r, false), segments));
+    columns.add(segments);
     const std::size_t n = columns.count;
     const HeightArgs args = square({r(-6, 6), r(-6, 6), 0}, r(0, 2), tool);
-    alignas(64) float squared[PieceColumns::kStride] = {};
+    alignas(64) float squared[SegmentColumns::kStride] = {};
     for (std::size_t k = 0; k < n; ++k)
       squared[k] = r.pick(8) == 0 ? kNone : static_cast<float>(r(0, 25));
     CandidateRows rows{};
-    rows.squared = squared, rows.z = columns.values + 2 * PieceColumns::kStride;
+    rows.squared = squared, rows.z = columns.values + 2 * SegmentColumns::kStride;
     struct Result {
-      std::vector<float> lower = std::vector<float>(PieceColumns::kStride), level = lower,
-                         kept = std::vector<float>(kCandidateColumns * PieceColumns::kStride);
+      std::vector<float> lower = std::vector<float>(SegmentColumns::kStride), level = lower,
+                         kept = std::vector<float>(kCandidateColumns * SegmentColumns::kStride);
       float least, least_level;
       std::size_t count;
     };
     const auto run = [&](const CandidateKernels& kernels) {
       Result x;
-      x.least = kernels.piece_heights(columns.columns(), n, args, x.lower.data());
+      x.least = kernels.segment_heights(columns.columns(), n, args, x.lower.data());
       x.least_level = kernels.horizontal_heights(rows, n, args, x.level.data());
       x.count = kernels.keep_low(x.lower.data(), n, 1, columns.columns(), 8, x.kept.data(),
-                                 PieceColumns::kStride);
+                                 SegmentColumns::kStride);
       return x;
     };
     const auto same = [](const float* a, const float* b, std::size_t count) {
@@ -325,7 +325,7 @@ TEST(Heights, AreTheSameOnEveryInstructionSet) {
       ASSERT_EQ(plain.count, other.count);
       for (std::size_t i = 0; i < kCandidateColumns; ++i) {
         if (i == kPackColumn) continue;
-        const std::size_t column = i * PieceColumns::kStride;
+        const std::size_t column = i * SegmentColumns::kStride;
         ASSERT_TRUE(same(&plain.kept[column], &other.kept[column], plain.count)) << i;
       }
     }

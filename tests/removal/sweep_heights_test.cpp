@@ -196,9 +196,9 @@ TEST(BallHeights, SixteenPlacesAreEachAsOne) {
       return Underside::Slant{dx * move.c[3] + dy * move.c[4],
                               std::fabs(dx * move.c[4] - dy * move.c[3]), move.c[5], move.c[6]};
     };
-    PlanPlaces places;
-    alignas(64) double least[PlanPlaces::kCount], out[PlanPlaces::kCount];
-    for (std::size_t k = 0; k < PlanPlaces::kCount; ++k) {
+    PlanPoints places;
+    alignas(64) double least[PlanPoints::kCount], out[PlanPoints::kCount];
+    for (std::size_t k = 0; k < PlanPoints::kCount; ++k) {
       places.x[k] = r(-3, 12), places.y[k] = r(-3, 12), least[k] = places.low[k] = r(-4, 12);
       if (k == 0) places.x[k] = move.c[0], places.y[k] = move.c[1];
     }
@@ -208,11 +208,11 @@ TEST(BallHeights, SixteenPlacesAreEachAsOne) {
       const SweepKernels* set = sweep_kernels(isa);
       if (set == nullptr) continue;
       const std::uint32_t below = set->ball_heights(move, places, out);
-      PlanPlaces bounded = places;
-      alignas(64) double lower[PlanPlaces::kCount];
-      std::copy_n(least, PlanPlaces::kCount, lower);
+      PlanPoints bounded = places;
+      alignas(64) double lower[PlanPoints::kCount];
+      std::copy_n(least, PlanPoints::kCount, lower);
       const std::uint32_t kept = set->ball_bounds(move, wide, bounded, lower);
-      for (std::size_t k = 0; k < PlanPlaces::kCount; ++k) {
+      for (std::size_t k = 0; k < PlanPoints::kCount; ++k) {
         const Underside::Slant at = seen_from(places.x[k], places.y[k]);
         const double one = move.c[2] + tool.bottom(at);
         ++(std::isinf(one) ? missed : met);
@@ -243,17 +243,17 @@ TEST(BallHeights, AreTheSameBitsOnEveryInstructionSet) {
     const double turn = r(-4, 4);
     const LineRecord move{{r(0, 5), r(0, 5), r(-3, 3), std::cos(turn), std::sin(turn), r(0, 6),
                            r.pick(4) == 0 ? 0 : r(0, 3), r(0.1, 4)}};
-    PlanPlaces places;
-    for (std::size_t k = 0; k < PlanPlaces::kCount; ++k)
+    PlanPoints places;
+    for (std::size_t k = 0; k < PlanPoints::kCount; ++k)
       places.x[k] = r(-3, 12), places.y[k] = r(-3, 12), places.low[k] = r(-4, 12);
     const auto asked = [&](const SweepKernels& set) {
       struct Answers {
-        alignas(64) double out[PlanPlaces::kCount], least[PlanPlaces::kCount];
-        PlanPlaces places;
+        alignas(64) double out[PlanPoints::kCount], least[PlanPoints::kCount];
+        PlanPoints places;
         std::uint32_t below, kept;
       } a;
       a.places = places;
-      std::copy_n(places.low, PlanPlaces::kCount, a.least);
+      std::copy_n(places.low, PlanPoints::kCount, a.least);
       a.below = set.ball_heights(move, places, a.out);
       a.kept = set.ball_bounds(move, 0.3, a.places, a.least);
       return a;

@@ -293,13 +293,13 @@ TEST(SweepKernels, BoundsAreTheSameOnEveryInstructionSet) {
     const Vec3 p{r(0, 5), r(0, 5), r(-3, 8)};
     const double limit = round % 2 == 0 ? std::numeric_limits<double>::infinity() : r(0, 2);
     constexpr std::size_t kStride = 32 + PointColumns::kPad;
-    std::vector<double> columns(ChainColumns::kCount * kStride);
+    std::vector<double> columns(ChainColumn::kCount * kStride);
     for (std::size_t k = 0; k < rows.size(); ++k) {
       const ChainLine& m = chains[rows[k]];
       const double numbers[] = {m.x,       m.y,       m.z,        m.ux,      m.uy,
                                 m.plan,    m.rise,    m.per_plan, m.per_way, m.tilt[0],
                                 m.tilt[1], m.tilt[2], m.tilt[3]};
-      for (std::size_t i = 0; i < ChainColumns::kCount; ++i) columns[i * kStride + k] = numbers[i];
+      for (std::size_t i = 0; i < ChainColumn::kCount; ++i) columns[i * kStride + k] = numbers[i];
     }
     const auto found = [&](const SweepKernels& set) {
       std::vector<double> out(32 + PointColumns::kPad);

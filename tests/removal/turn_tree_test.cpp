@@ -54,10 +54,10 @@ TEST(TurnTree, PruningNeverChangesABit) {
     const double half = r.pick(2) ? r(0.001, 0.05) : r(0.05, 2), band = 3 * half;
     CandidateList all, large, small;
     list_candidates(sweeps, sweeps.all(), center, all);
-    const PruneRegion outer = PruneRegion::block(center, 2 * half);
+    const PruneRegion outer = PruneRegion::cube(center, 2 * half);
     if (!prune(sweeps, outer, outer.radius + band + 1e-9, band, all, large)) continue;
     const Vec3 inside = center + half * Vec3{r(-1, 1), r(-1, 1), r(-1, 1)};
-    const PruneRegion inner = round % 3 == 0   ? PruneRegion::block(inside, half)
+    const PruneRegion inner = round % 3 == 0   ? PruneRegion::cube(inside, half)
                               : round % 3 == 1 ? PruneRegion::ball(inside, half)
                                                : PruneRegion::column(inside, 0.4 * half, half);
     if (!prune(sweeps, inner, inner.radius + band + 1e-9, band, large, small)) continue;
@@ -130,7 +130,7 @@ TEST(TurnTree, OpenedPacksGiveTheSameBits) {
     const SweepTable sweeps(turning_moves(r, 20 + r.pick(200), 10, 20), tools);
     const Vec3 center = somewhere(r);
     const double half = r(0.01, 0.3), band = 3 * half;
-    const PruneRegion region = PruneRegion::block(center, half);
+    const PruneRegion region = PruneRegion::cube(center, half);
     const double reach = region.radius + band + 1e-9;
     CandidateList all, left;
     list_candidates(sweeps, sweeps.all(), center, all);

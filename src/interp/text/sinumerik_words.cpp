@@ -167,8 +167,8 @@ void SinumerikWords::name(Block& block) {
     }
     for (const std::string_view off : kOffWithZero)
       if (name == off && zero_follows()) return;
-    return unsupported(block, token, "no variable of DEF or of a .DEF file (--path), but an address",
-                       from);
+    return unsupported(block, token,
+                       "no variable of DEF or of a .DEF file (--path), but an address", from);
   }
   if (c == '(') return call(block, from, token);
   if (name == "MCALL") {

@@ -191,7 +191,7 @@ Collision Check::measure(const std::vector<Hit>& hits) const {
   return worst;
 }
 
-// Of all pieces of the part on that motion.
+// Of all bodies of the tool's part (two of a shank) on that motion.
 double Check::volume(const Collision& found, const std::vector<Hit>& hits) const {
   std::vector<std::uint32_t> movers;
   Box3 bounds;
@@ -204,7 +204,7 @@ double Check::volume(const Collision& found, const std::vector<Hit>& hits) const
   return met_volume(scene(part), movers, search_box(bounds, bounds));
 }
 
-// Those to be listed, in the order of the program.
+// The lines to be listed, in the order of the program.
 std::vector<std::size_t> Check::deepest_lines(const std::vector<std::vector<Hit>>& lines) const {
   std::vector<double> depth(std::min(lines.size(), std::max(options_.lines, kMostRanked)));
   std::vector<std::size_t> order(depth.size());
@@ -232,7 +232,7 @@ void Check::report_lines(const std::vector<std::vector<Hit>>& lines,
   });
 }
 
-// Takes the hits of rapids that only withdraw an insert out of the lines, and lines without others.
+// Removes hits of rapids that only withdraw an insert, then lines that have no hits left.
 void Check::take_withdrawals(std::vector<std::vector<Hit>>& lines, CollisionReport& report) {
   const auto at = [](const Hit& hit) { return static_cast<std::size_t>(hit.motion); };
   std::vector<std::pair<std::size_t, std::size_t>> asked;  // line, and hit of that

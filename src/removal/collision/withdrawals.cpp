@@ -35,7 +35,8 @@ const InsertOutline& Withdrawals::insert(int tool) {
   return at->second;
 }
 
-// 0: none follows a cut.
+// How many rapids in a row, this one included, follow the last cut of the same tool; 0: there is no
+// such cut, or there are too many.
 std::size_t Withdrawals::rapids_since_cut(std::size_t at) const {
   std::size_t rapids = 0;
   Vec3 from = motions_[at].start;

@@ -84,28 +84,28 @@ class Joiner {
   }
 
   std::vector<std::int32_t> shapes_of(SweepBuilder& part) {
-    std::vector<std::int32_t> places;
+    std::vector<std::int32_t> indices;
     for (std::size_t k = 0; k < part.keys().size(); ++k) {
       const auto next = static_cast<std::int32_t>(table_.shapes.size());
       const auto [at, added] = shapes_.try_emplace(part.keys()[k], next);
       if (added) table_.shapes.push_back(part.columns().shapes[k]);
-      places.push_back(at->second);
+      indices.push_back(at->second);
     }
-    return places;
+    return indices;
   }
 
   // By index + 1; 0, the stock's own, stays.
   std::vector<std::uint16_t> frames_of(const SweepColumns& from) {
-    std::vector<std::uint16_t> places(1, 0);
+    std::vector<std::uint16_t> indices(1, 0);
     for (const ToolFrame& frame : from.frames) {
       auto& known = table_.frames;
       const auto at = std::find_if(known.begin(), known.end(),
                                    [&](const ToolFrame& other) { return other.z == frame.z; });
-      places.push_back(static_cast<std::uint16_t>(at - known.begin() + 1));
+      indices.push_back(static_cast<std::uint16_t>(at - known.begin() + 1));
       if (at == known.end()) known.push_back(frame);
     }
     MRSIM_ASSERT(table_.frames.size() < 65000);
-    return places;
+    return indices;
   }
 
   SweepColumns& table_;
@@ -204,7 +204,7 @@ void build_columns(std::span<const Motion> program, std::span<const Tool> tools,
   add_outlines(out);
   add_uprights(out);
   tag_others(out);
-  cut_pieces(out);
+  cut_segments(out);
   out.packs = SweepPacks(out, threads);
   out.run_chords = RunChords(out);
   classify(out, threads);

@@ -4,10 +4,10 @@ namespace mrsim {
 
 void PathColumn::push_back(const ToolPath& path) {
   if (path.arc) {
-    places_.push_back(kArc | static_cast<std::uint32_t>(arcs_.size()));
+    numbers_.push_back(kArc | static_cast<std::uint32_t>(arcs_.size()));
     arcs_.push_back(path);
   } else {
-    places_.push_back(static_cast<std::uint32_t>(lines_.size()));
+    numbers_.push_back(static_cast<std::uint32_t>(lines_.size()));
     lines_.push_back({path.start, path.travel});
   }
 }
@@ -15,9 +15,9 @@ void PathColumn::push_back(const ToolPath& path) {
 void PathColumn::append(const PathColumn& part, std::size_t done, std::size_t all) {
   const auto first_line = static_cast<std::uint32_t>(lines_.size());
   const auto first_arc = static_cast<std::uint32_t>(arcs_.size());
-  reserve_ahead(places_, part.places_.size(), done, all);
-  for (const std::uint32_t place : part.places_)
-    places_.push_back(place + ((place & kArc) != 0 ? first_arc : first_line));
+  reserve_ahead(numbers_, part.numbers_.size(), done, all);
+  for (const std::uint32_t number : part.numbers_)
+    numbers_.push_back(number + ((number & kArc) != 0 ? first_arc : first_line));
   reserve_ahead(lines_, part.lines_.size(), done, all);
   lines_.insert(lines_.end(), part.lines_.begin(), part.lines_.end());
   reserve_ahead(arcs_, part.arcs_.size(), done, all);
@@ -25,7 +25,7 @@ void PathColumn::append(const PathColumn& part, std::size_t done, std::size_t al
 }
 
 std::size_t PathColumn::memory() const {
-  return bytes_of(places_) + bytes_of(lines_) + bytes_of(arcs_);
+  return bytes_of(numbers_) + bytes_of(lines_) + bytes_of(arcs_);
 }
 
 }  // namespace mrsim

@@ -34,14 +34,14 @@ class PathColumn {
     std::optional<ToolPath> line_;
   };
 
-  std::size_t size() const { return places_.size(); }
-  bool empty() const { return places_.empty(); }
-  bool is_line(std::size_t row) const { return (places_[row] & kArc) == 0; }
+  std::size_t size() const { return numbers_.size(); }
+  bool empty() const { return numbers_.empty(); }
+  bool is_line(std::size_t row) const { return (numbers_[row] & kArc) == 0; }
   Path operator[](std::size_t row) const { return is_line(row) ? Path(line(row)) : Path(arc(row)); }
   /// Requires: is_line(row).
-  const Line& line(std::size_t row) const { return lines_[places_[row]]; }
+  const Line& line(std::size_t row) const { return lines_[numbers_[row]]; }
   /// Requires: not is_line(row).
-  const ToolPath& arc(std::size_t row) const { return arcs_[places_[row] & ~kArc]; }
+  const ToolPath& arc(std::size_t row) const { return arcs_[numbers_[row] & ~kArc]; }
   /// The position at parameter t, which runs from 0 to end(): 1, or the angle of an arc in radians.
   PathPoint point(std::size_t row, double t) const {
     if (!is_line(row)) return path_point(arc(row), t);
@@ -56,7 +56,7 @@ class PathColumn {
 
  private:
   static constexpr std::uint32_t kArc = 1u << 31;
-  std::vector<std::uint32_t> places_;  ///< by row: in lines_, or in arcs_ with kArc
+  std::vector<std::uint32_t> numbers_;  ///< by row: in lines_, or in arcs_ with kArc
   std::vector<Line> lines_;
   std::vector<ToolPath> arcs_;
 };

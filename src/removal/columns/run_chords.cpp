@@ -15,8 +15,8 @@ constexpr double kPairSpread = 1.0 / 16;  // largest spread of the chord of two 
 constexpr double kUprightChord = 1e-3;    // in plan: shorter chords of length 1 have no direction
 
 // The path along the chord of a pack, from its lower end.
-ToolPath path_along(const LineRecord& piece) {
-  const double* r = piece.c;
+ToolPath path_along(const LineRecord& segment) {
+  const double* r = segment.c;
   ToolPath path;
   path.start = {r[BallSlot::x], r[BallSlot::y], r[BallSlot::z]};
   path.travel = r[BallSlot::length] * Vec3{r[BallSlot::ux], r[BallSlot::uy], r[BallSlot::slope]};

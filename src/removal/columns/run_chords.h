@@ -3,7 +3,7 @@
 #pragma once
 
 #include "core/heap.h"
-#include "removal/simd/chain_record.h"
+#include "removal/simd/form_records.h"
 
 #include <cstdint>
 #include <vector>

@@ -11,9 +11,9 @@ namespace mrsim {
 /// Sweeps of one form and one tool; what they have in common.
 struct SweepClass {
   /// How the distance is computed: the columns of candidate_kernels.h, sweep by sweep, or by the
-  /// tree of turning sweeps, whose packs the list holds then. Of `piece` the list holds pieces of
-  /// paths, one or more a sweep, whose heights are bounded instead.
-  enum class Form : std::uint8_t { strip, line, arc, other, turn, piece };
+  /// tree of turning sweeps, whose packs the list holds then. Of `segment` the list holds segments
+  /// of paths, one or more a sweep, whose heights are bounded instead.
+  enum class Form : std::uint8_t { strip, line, arc, other, turn, segment };
   /// What the dominance test may compare (SweepSkeleton::Kind).
   enum class Kind : std::uint8_t { none, solid, plan };
   Form form = Form::other;

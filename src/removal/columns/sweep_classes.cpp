@@ -105,25 +105,26 @@ bool are_alike(const SweepColumns& c, int threads) {
 
 }  // namespace
 
-void cut_pieces(SweepColumns& c) {
+void cut_segments(SweepColumns& c) {
   constexpr std::size_t kSweepsTogether = 1024;  // sweeps
   std::vector<LineRecord> some;
   for (std::size_t i = 0; i < c.refs.size(); ++i) {
     const SweepRef& ref = c.refs[i];
     const bool path = ref.kind == SweepKind::path, profile = ref.kind == SweepKind::profile;
-    if (!c.first_piece.empty())
-      c.first_piece[i] = static_cast<std::uint32_t>(c.pieces.size() + some.size());
+    if (!c.first_segment.empty())
+      c.first_segment[i] = static_cast<std::uint32_t>(c.segments.size() + some.size());
     if (ref.frame == 0 && (path || profile) && has_heights(c.cutter(ref))) {
-      const bool cut =
-          path ? append_pieces(*c.paths[ref.row], some) : append_pieces(c.profiles[ref.row], some);
-      if (cut && c.first_piece.empty()) c.first_piece.resize(c.refs.size() + 1);
+      const bool cut = path ? append_segments(*c.paths[ref.row], some)
+                            : append_segments(c.profiles[ref.row], some);
+      if (cut && c.first_segment.empty()) c.first_segment.resize(c.refs.size() + 1);
     }
     if ((i + 1) % kSweepsTogether != 0 && i + 1 != c.refs.size()) continue;
-    reserve_ahead(c.pieces, some.size(), i + 1, c.refs.size());
-    c.pieces.insert(c.pieces.end(), some.begin(), some.end());
+    reserve_ahead(c.segments, some.size(), i + 1, c.refs.size());
+    c.segments.insert(c.segments.end(), some.begin(), some.end());
     some.clear();
   }
-  if (!c.first_piece.empty()) c.first_piece.back() = static_cast<std::uint32_t>(c.pieces.size());
+  if (!c.first_segment.empty())
+    c.first_segment.back() = static_cast<std::uint32_t>(c.segments.size());
 }
 
 void classify(SweepColumns& c, int threads) {
@@ -161,14 +162,14 @@ void classify(SweepColumns& c, int threads) {
     found[pack.of].expand_below = std::max<double>(found[pack.of].expand_below, pack.expand_below);
   }
   // In the order of the keys: groups come together.
-  std::vector<std::uint32_t> place(found.size());
+  std::vector<std::uint32_t> new_index(found.size());
   for (const auto& [key, old] : seen) {
-    place[old] = static_cast<std::uint32_t>(c.classes.size());
+    new_index[old] = static_cast<std::uint32_t>(c.classes.size());
     c.classes.push_back(found[old]);
   }
   if (sweep_classes <= 1) c.class_of = {};  // the key of the only class is the least
-  for (std::uint32_t& of : c.class_of) of = place[of];
-  for (SweepPack& pack : c.packs.all()) pack.of = place[pack.of];
+  for (std::uint32_t& of : c.class_of) of = new_index[of];
+  for (SweepPack& pack : c.packs.all()) pack.of = new_index[pack.of];
   SweepClass turn;
   turn.form = SweepClass::Form::turn;
   if (!c.turns.empty()) c.classes.push_back(turn);

@@ -5,10 +5,10 @@
 
 namespace mrsim {
 
-/// Cuts the paths of tools with heights into pieces: fills `pieces` and `first_piece`.
-void cut_pieces(SweepColumns& columns);
+/// Cuts the paths of tools with heights into segments: fills `segments` and `first_segment`.
+void cut_segments(SweepColumns& columns);
 
-/// Fills `classes`, `class_of` and `height_numbers` of finished columns (cut_pieces too), and the
+/// Fills `classes`, `class_of` and `height_numbers` of finished columns (cut_segments too), and the
 /// classes of their packs. Same result for any number of threads.
 void classify(SweepColumns& columns, int threads);
 

@@ -3,7 +3,7 @@
 // and a register full of them is read by loads and a transposition, which beats gathering.
 #pragma once
 
-#include "removal/columns/height_pieces.h"
+#include "removal/columns/height_segments.h"
 #include "removal/columns/path_column.h"
 #include "removal/columns/run_chords.h"
 #include "removal/columns/sweep_class.h"
@@ -95,8 +95,8 @@ struct SweepColumns {
   TurnTree turn_tree;
   SweepPacks packs;
   RunChords run_chords;
-  std::vector<LineRecord> pieces;             ///< of paths and profiles (height_pieces.h)
-  std::vector<std::uint32_t> first_piece;     ///< by sweep, and the end; empty when there are none
+  std::vector<LineRecord> segments;           ///< of paths and profiles (height_segments.h)
+  std::vector<std::uint32_t> first_segment;   ///< by sweep, and the end; empty when there are none
   std::vector<std::uint32_t> class_of;        ///< by sweep; empty when all are of the first class
   std::vector<std::uint32_t> height_numbers;  ///< by sweep: number of the tip's height; empty when
                                               ///< none is compared by it
@@ -143,12 +143,12 @@ struct SweepColumns {
   Box3 bounds_of_number(std::size_t number) const;
   /// The same of a line of its form and tool.
   Box3 bounds_of_line(const SweepRef& ref, const LineRecord& record) const;
-  std::uint32_t piece_count(std::size_t sweep) const {
-    return first_piece.empty() ? 0 : first_piece[sweep + 1] - first_piece[sweep];
+  std::uint32_t segment_count(std::size_t sweep) const {
+    return first_segment.empty() ? 0 : first_segment[sweep + 1] - first_segment[sweep];
   }
   /// How lists hold a sweep.
   SweepClass::Form form_of(std::size_t sweep) const {
-    if (piece_count(sweep) > 0) return SweepClass::Form::piece;
+    if (segment_count(sweep) > 0) return SweepClass::Form::segment;
     return static_cast<SweepClass::Form>(tags[sweep] >> kTagShift);
   }
   /// Nearest point of the skeleton of a sweep of other form, less p; infinitely far where there is

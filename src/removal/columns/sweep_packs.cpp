@@ -37,7 +37,7 @@ Spread max(const Spread& a, const Spread& b) {
 // A sweep or a pack, to be packed.
 struct Item {
   std::uint32_t number = 0, first = 0, last = 0;
-  Form form = Form::other;  // strip, line or piece; others are not packed
+  Form form = Form::other;  // strip, line or segment; others are not packed
   SweepKind kind = SweepKind::path;
   std::int32_t shape = 0;
   Vec3 start, end;  // of the path
@@ -60,7 +60,7 @@ bool find_ends(const SweepColumns& c, const SweepRef& ref, Item& item) {
     item.end = item.start + Vec3{r[LineSlot::dx], r[LineSlot::dy], 0};
     return true;
   }
-  if (item.form != Form::piece || c.piece_count(item.number) != 1) return false;
+  if (item.form != Form::segment || c.segment_count(item.number) != 1) return false;
   if (ref.kind == SweepKind::profile) {
     const ProfileRow& row = c.profiles[ref.row];
     item.start = {row.c[LineSlot::x], row.c[LineSlot::y], row.z};
@@ -95,11 +95,11 @@ double squared_distance(const Vec3& p, const Vec3& a, const Vec3& d, double inve
   return dot(off, off);
 }
 
-// The sweep from the start of an item to `end`, of its form and tool; of pieces, one that strays
+// The sweep from the start of an item to `end`, of its form and tool; of segments, one that strays
 // upwards only.
 LineRecord chord_of(const SweepColumns& c, const Item& first, const Vec3& end,
                     const Spread& spread) {
-  if (first.form == Form::piece) return piece_record(first.start, end, spread.up);
+  if (first.form == Form::segment) return segment_record(first.start, end, spread.up);
   const std::uint32_t row = c.tags[first.first] & kTagRow;
   LineRecord chord = first.form == Form::strip ? c.ball_lines[row] : c.plane_lines[row];
   const double dx = end.x - first.start.x, dy = end.y - first.start.y;
@@ -126,7 +126,7 @@ void put_child(PackColumns& to, std::size_t k, Form form, const double* chord,
     return put({x, y, child[LineSlot::dx], child[LineSlot::dy],
                 1 / std::max(child[LineSlot::dx] * child[LineSlot::dx] +
                                  child[LineSlot::dy] * child[LineSlot::dy],
-                             1e-30),
+                             kLeastSquare),
                 0, 0});
   const double slope = child[BallSlot::slope];
   put({x, y, child[BallSlot::z] - chord[BallSlot::z], child[BallSlot::ux], child[BallSlot::uy],
@@ -183,8 +183,8 @@ class SweepPacks::Builder {
   std::optional<Spread> spread_of(std::span<const Item> items) const {
     const Vec3 &a = items.front().start, d = items.back().end - a;
     if (d.x * d.x + d.y * d.y < kShortest * kShortest) return std::nullopt;
-    return items[0].form == Form::piece ? spread_of_pieces(items, a, d)
-                                        : spread_in_space(items, a, d);
+    return items[0].form == Form::segment ? spread_of_segments(items, a, d)
+                                          : spread_in_space(items, a, d);
   }
   static std::optional<Spread> spread_in_space(std::span<const Item> items, const Vec3& a,
                                                const Vec3& d) {
@@ -201,8 +201,8 @@ class SweepPacks::Builder {
     return Spread{spread};
   }
   // In plan and upwards at the same place along the chord, which no joint leaves at an end.
-  std::optional<Spread> spread_of_pieces(std::span<const Item> items, const Vec3& a,
-                                         const Vec3& d) const {
+  std::optional<Spread> spread_of_segments(std::span<const Item> items, const Vec3& a,
+                                           const Vec3& d) const {
     const double n = std::sqrt(d.x * d.x + d.y * d.y), ux = d.x / n, uy = d.y / n, m = d.z / n;
     if (std::fabs(m) > kSteepChord) return std::nullopt;
     Spread joints, own;
@@ -220,7 +220,7 @@ class SweepPacks::Builder {
   }
   // What it may change in the height of a tool, about.
   double in_height(const Item& item, const Spread& spread) const {
-    if (item.form != Form::piece) return spread.plan;
+    if (item.form != Form::segment) return spread.plan;
     return spread.up + slopes_[static_cast<std::size_t>(item.shape)] * spread.plan;
   }
 
@@ -255,7 +255,7 @@ class SweepPacks::Builder {
 
   const double* record_of(const Item& item) const {
     if (item.number >= kFirstPack) return packs_.chord(item.number).c;
-    if (item.form == Form::piece) return columns_.pieces[columns_.first_piece[item.number]].c;
+    if (item.form == Form::segment) return columns_.segments[columns_.first_segment[item.number]].c;
     const std::uint32_t row = columns_.tags[item.number] & kTagRow;
     return item.form == Form::strip ? columns_.ball_lines[row].c : columns_.plane_lines[row].c;
   }

@@ -18,6 +18,9 @@ namespace mrsim {
 /// Numbers of packs in lists of sweeps: this and above.
 inline constexpr std::uint32_t kFirstPack = 1u << 31;
 
+/// mm^2: in place of the squared length in plan of an upright move, as a divisor.
+inline constexpr double kLeastSquare = 1e-30;
+
 struct SweepPack {
   std::uint32_t first = 0, last = 0;   ///< its sweeps, all between them included
   std::uint32_t child = 0, count = 0;  ///< its packs; none: its children are the sweeps
@@ -33,7 +36,7 @@ struct SweepPack {
 };
 
 /// The children of a pack as a list has them (candidate_kernels.h), less what they have in common:
-/// strip and piece about the start of the chord; line the same, tip and height number 0. Unused
+/// strip and segment about the start of the chord; line the same, tip and height number 0. Unused
 /// lanes hold nothing of use.
 struct PackColumns {
   static constexpr std::size_t kColumns = 8, kLanes = 8;
@@ -46,8 +49,8 @@ struct SweepColumns;
 class SweepPacks {
  public:
   SweepPacks() = default;
-  /// Packs the sweeps of `columns` along lines that have a closed form or a piece; the same for any
-  /// number of threads. Their classes are not yet known.
+  /// Packs the sweeps of `columns` along lines that have a closed form or a segment; the same for
+  /// any number of threads. Their classes are not yet known.
   SweepPacks(const SweepColumns& columns, int threads);
 
   std::size_t size() const { return packs_.size(); }
@@ -57,7 +60,7 @@ class SweepPacks {
   }
   const SweepPack& operator[](std::uint32_t number) const { return packs_[number - kFirstPack]; }
   std::vector<SweepPack>& all() { return packs_; }
-  /// The sweep along the chord, in the form of the members; of paths, a piece with their spread.
+  /// The sweep along the chord, in the form of the members; of paths, a segment with their spread.
   const LineRecord& chord(std::uint32_t number) const { return chords_[number - kFirstPack]; }
   const PackColumns& children(std::uint32_t number) const { return children_[number - kFirstPack]; }
   /// Asks for the memory of chord() and children(), which is far from that of other packs.

@@ -26,8 +26,8 @@ void TurnTree::append_sweeps(std::uint32_t pack, std::vector<std::uint32_t>& out
 
 void TurnTree::measure(const Pack& pack, double x, double z, double* out) const {
   sweep_kernels().polygons(sides_.data() + pack.sides, pack.side_count, pack.round, x, z, out);
-  for (std::size_t k = 0; pack.pieces >> k != 0; ++k)
-    if ((pack.pieces >> k & 1u) != 0)
+  for (std::size_t k = 0; pack.curved >> k != 0; ++k)
+    if ((pack.curved >> k & 1u) != 0)
       out[k] = section_distance(turns_[items_[pack.first + k].row], {x, z});
 }
 
@@ -59,10 +59,10 @@ void TurnTree::nearest(std::uint32_t pack, double rho, double z, Nearest& best) 
           best = {d[k], item.sweep, item.row, behind};
         continue;
       }
-      std::size_t place = count++;
-      for (; place > from && waiting[place - 1].bound < d[k]; --place)
-        waiting[place] = waiting[place - 1];
-      waiting[place] = {d[k], p.first + k};
+      std::size_t slot = count++;
+      for (; slot > from && waiting[slot - 1].bound < d[k]; --slot)
+        waiting[slot] = waiting[slot - 1];
+      waiting[slot] = {d[k], p.first + k};
     }
   }
 }
@@ -136,7 +136,7 @@ class TurnTree::Narrowing {
 
   bool is_kept(const Pack& p, std::size_t lane, bool behind, double d) const {
     if (d > limit_) return false;
-    if (!beaten_ || d <= nearest_ || (p.pieces >> lane & 1u) != 0) return true;
+    if (!beaten_ || d <= nearest_ || (p.curved >> lane & 1u) != 0) return true;
     const Vec2 u = normal(p, lane, seen(region_.center, behind));
     double support = -kInfinity;
     for_each_side(p, lane,

@@ -81,7 +81,7 @@ class TurnTree {
     std::uint16_t side_count = 0;
     std::uint8_t lanes = 0;   // of the children
     std::uint8_t behind = 0;  // of those that also count beyond the axis
-    std::uint8_t pieces = 0;  // of sweeps that are not polygons
+    std::uint8_t curved = 0;  // of sweeps that are not polygons
     bool leaf = false;
   };
   class Builder;

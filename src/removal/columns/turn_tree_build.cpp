@@ -119,7 +119,7 @@ class TurnTree::Builder {
       pack.round[k] = s.round;
       if (!s.one_sided) pack.behind = static_cast<std::uint8_t>(pack.behind | 1u << k);
       if (s.arc || s.polygon.sides.empty())
-        pack.pieces = static_cast<std::uint8_t>(pack.pieces | 1u << k);
+        pack.curved = static_cast<std::uint8_t>(pack.curved | 1u << k);
       else
         made.polygons[k] = &s.polygon;
     }

@@ -107,7 +107,7 @@ Envelope line_envelope(const double* c, const Corners3& t) {
   e.is_known = true;
   for (int k = 0; k < 3; ++k) e.at[k] = e.high[k] = length(w[k] - foot(w[k]));
   e.low = e.at;
-  if (between && (left || right) && size > 0) return e;  // beside a straight piece: affine
+  if (between && (left || right) && size > 0) return e;  // beside a straight edge: affine
   const Vec2 m = weighted(smallest_circle(w), w), off = m - foot(m);
   const double n = length(off);
   const Vec2 u = n > 0 ? (1 / n) * off : Vec2{};

@@ -5,8 +5,8 @@
 namespace mrsim {
 
 /// A ball on any straight line: centre of the ball at the start, unit direction in plan, length in
-/// plan, rise for each mm of it, radius. Pieces of a path's heights are alike: lower end of the
-/// tip's path, slope >= 0, and how far the piece strays in place of the radius.
+/// plan, rise for each mm of it, radius. Segments of a path's heights are alike: lower end of the
+/// tip's path, slope >= 0, and how far the segment strays in place of the radius.
 struct BallSlot {
   enum : int { x, y, z, ux, uy, length, slope, radius, error = radius };
 };

@@ -14,7 +14,8 @@ bool is_half_turn(const ProfileEdge& e) {
   return e.radius > 0 && !(cross(e.a - e.center, e.b - e.center) > 0);
 }
 
-// [disc] [ball or nose], from pointing down.
+// The lower end of the profile, from its first edge on: a disc or none, then a ball, a rounded nose
+// or none.
 void set_tip(const std::vector<ProfileEdge>& edges, ChainTool& c) {
   std::size_t k = 0;
   c.tip = edges[0].a.y;
@@ -35,7 +36,7 @@ void set_tip(const std::vector<ProfileEdge>& edges, ChainTool& c) {
   }
 }
 
-// An edge at the position of the move that touches p with it.
+// Where on the move an edge of the tool touches p.
 struct EdgeContact {
   double t = 0, across = 0, up = 0, distance = 0;  // place, outward normal, signed distance
   bool fits = false;                               // p is seen from within the edge's ends

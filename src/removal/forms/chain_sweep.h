@@ -4,7 +4,7 @@
 
 #include "removal/field/field.h"
 #include "removal/forms/path_sweep.h"
-#include "removal/simd/chain_record.h"
+#include "removal/simd/form_records.h"
 
 #include <cstdint>
 #include <limits>

@@ -34,8 +34,8 @@ ConeHelix::ConeHelix(const ToolPath& path, const Vec3& p, double begin, double e
   if (d_ > 0) nearest_ = inner((1 / d_) * facing_);
 }
 
-// The least f of the cone with the outward normal (a, c), where it is above `wanted`: else some f
-// that is not.
+// The least f of the cone with the outward normal (a, c). Where that is not above `wanted`, any f
+// that is not above it either.
 ConeHelix::Least ConeHelix::least(double a, double c, double offset, double wanted) const {
   const auto f = [&](const Place& x) { return a * x.rho + c * x.z - offset; };
   Least best{f(ends_[0]), ends_[0]};

@@ -132,9 +132,10 @@ class FlankOnArc {
   struct Slope {
     double value = 0, slope = 0;
     double scale2 = 0;  // squared: of the change of the slope
-    // The next step would be the square of this one, in proportion to the scale.
+    // Newton's next step is the square of this one, in proportion to the scale: below rounding.
     bool is_last(double step) const {
-      return square(square(step)) < 1e-15 * scale2 * scale2 * scale2;
+      constexpr double kLastStep = 1e-15;  // fourth power of the step over the scale
+      return square(square(step)) < kLastStep * scale2 * scale2 * scale2;
     }
   };
   Slope slope_at(double u, double x, double beside2, double sign) const {

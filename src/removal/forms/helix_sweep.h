@@ -3,7 +3,7 @@
 #pragma once
 
 #include "removal/forms/path_sweep.h"
-#include "removal/simd/helix_record.h"
+#include "removal/simd/form_records.h"
 
 namespace mrsim {
 

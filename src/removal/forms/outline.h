@@ -1,7 +1,7 @@
 // Outlines of tools as the loops of outline_lanes.inl read them.
 #pragma once
 
-#include "removal/simd/outline_record.h"
+#include "removal/simd/form_records.h"
 #include "removal/tool/profile.h"
 
 #include <vector>

@@ -32,6 +32,8 @@
 namespace mrsim {
 namespace {
 
+constexpr double kValueError = 1e-12;  // mm: rounding of a distance at one position
+
 struct Interval {
   double lo, hi;
 };
@@ -273,7 +275,7 @@ PathSample search_lowest_turn(const Profile& tool, const ToolPath& path, const V
   while (depth > 0) {
     const Span in = stack[--depth];
     const double floor = F.at_rest(in.near, F.height(in.hi));
-    if (floor >= best.distance - (finest > 0 ? kPathError : 1e-12)) continue;
+    if (floor >= best.distance - (finest > 0 ? kPathError : kValueError)) continue;
     const double half = 0.5 * (in.hi - in.lo), mid = 0.5 * (in.lo + in.hi);
     const PathValue m = F(mid);
     finest = finest > 0 ? finest : half;

@@ -4,8 +4,8 @@
 #pragma once
 
 #include "core/vec.h"
-#include "removal/forms/tool_at_rest.h"
 #include "removal/simd/sweep_kernels.h"
+#include "removal/tool/tool.h"
 
 #include <cstdint>
 #include <utility>
@@ -63,13 +63,21 @@ inline bool has_stretches(const Profile& tool, const ToolPath& path) {
 /// The distance alone, the same bits: beside the wall of a bore at the cost of a line.
 double path_value(const Profile& tool, const ToolPath& path, const Vec3& p);
 
-/// Pieces of an arc, counted from its start: quarter turns, or the quarters of an upright circle.
-/// The same least distance over one of them.
+/// Branches of an arc, counted from its start: quarter turns, or the quarters of an upright circle.
+/// The branch that holds t, its ends, and the least distance over one branch.
 int path_branch(const ToolPath& path, double t);
 std::pair<double, double> branch_ends(const ToolPath& path, int branch);  ///< not of upright arcs
 PathSample branch_distance(const Profile& tool, const ToolPath& path, const Vec3& p, int branch);
 
 /// The same of one of a tool's convex_pieces() alone, over a branch of an arc or over a line.
 PathSample piece_distance(const Profile& piece, const ToolPath& path, const Vec3& p, int branch);
+
+/// Distance of a revolved tool at rest from (rho, z), z above its tip.
+ProfileSample tool_sample(const Profile& tool, double rho, double z);
+double tool_distance(const Profile& tool, double rho, double z);
+/// Gradient of one face of a tool with is_rounded(), that face continued beyond its edges.
+Vec2 slab_face_gradient(const Profile& tool, double rho, double z, std::int32_t patch);
+/// Signed distance to that face: what slab_face_gradient is the gradient of.
+double slab_face_distance(const Profile& tool, double rho, double z, std::int32_t patch);
 
 }  // namespace mrsim

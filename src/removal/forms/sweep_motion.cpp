@@ -93,10 +93,12 @@ Box3 sweep_bounds(const Profile& tool, Box3 b, const ToolFrame* frame) {
   for (int k = 0; k < 8; ++k)
     extend(world,
            frame->out({k & 1 ? b.hi.x : b.lo.x, k & 2 ? b.hi.y : b.lo.y, k & 4 ? b.hi.z : b.lo.z}));
+  // The tool's axis has a share of a world axis: there the open tool has no end.
+  constexpr double kNoShare = 1e-12;
   for (int i = 0; tool.open_top() && i < 3; ++i) {
     const double way = component(frame->z, i);
-    if (way > 1e-12) component(world.hi, i) = kInfinity;
-    if (way < -1e-12) component(world.lo, i) = -kInfinity;
+    if (way > kNoShare) component(world.hi, i) = kInfinity;
+    if (way < -kNoShare) component(world.lo, i) = -kInfinity;
   }
   return world;
 }

@@ -3,8 +3,8 @@
 // Line: the Minkowski sum of the core polygon and the path is a convex polygon; the nose radius is
 // subtracted from its distance. Arc: the sum's boundary consists of arcs drawn by corners, where
 // the path's normal lies in the corner's normal cone, and of sides at the ends of the path and
-// where the path is parallel to them. Outside, the distance to those pieces is exact. Inside, two
-// lower bounds of the depth are known, the distance to the pieces and the depth in the deepest
+// where the path is parallel to them. Outside, the distance to those curves is exact. Inside, two
+// lower bounds of the depth are known, the distance to the curves and the depth in the deepest
 // single position; the larger one counts.
 #include "removal/forms/turn_sweep.h"
 
@@ -23,21 +23,22 @@ namespace {
 
 using Side = ConvexPolygon::Side;
 
+constexpr double kSquareSine = 1e-12;   // between unit vectors that are square to each other
 constexpr double kNoLength = 1e-12;     // mm
 constexpr std::size_t kMostSides = 16;  // of an insert
 
-double arc_distance(const ArcPiece& a, Vec2 q) {
+double arc_distance(const CircularArc& a, Vec2 q) {
   const double c[] = {a.center.x, a.center.y, a.radius,  a.middle.x,
                       a.middle.y, a.cos_half, a.sin_half};
   return lane::arc_rho(c, q.x, q.y);
 }
 
-bool in_sector(const ArcPiece& a, Vec2 w) {
+bool in_sector(const CircularArc& a, Vec2 w) {
   const double along = dot(w, a.middle), off = cross(a.middle, w);
   return a.cos_half * (off < 0 ? -off : off) - a.sin_half * along <= 0;
 }
 
-Vec2 path_end(const ArcPiece& a, double side) {
+Vec2 path_end(const CircularArc& a, double side) {
   return a.radius * (a.cos_half * a.middle + side * a.sin_half * Vec2{-a.middle.y, a.middle.x});
 }
 
@@ -78,13 +79,13 @@ double deepest(const TurnSweep& s, Vec2 q) {
   return best;
 }
 
-struct Piece {
+struct NearestCurve {
   double distance = kInfinity;
   std::int32_t index = 0;  // arcs first, then sides
 };
 
-Piece nearest_piece(const TurnSweep& s, Vec2 q) {
-  Piece best;
+NearestCurve nearest_curve(const TurnSweep& s, Vec2 q) {
+  NearestCurve best;
   for (std::size_t i = 0; i < s.arcs.size(); ++i) {
     const double d = arc_distance(s.arcs[i], q);
     if (d < best.distance) best = {d, static_cast<std::int32_t>(i)};
@@ -96,15 +97,15 @@ Piece nearest_piece(const TurnSweep& s, Vec2 q) {
   return best;
 }
 
-// Signed distance from arc + polygon given the distance to its pieces.
-double signed_by_depth(const TurnSweep& s, Vec2 q, double to_pieces) {
-  if (s.polygon.sides.empty()) return to_pieces;
+// Signed distance from arc + polygon given the distance to its boundary curves.
+double signed_by_depth(const TurnSweep& s, Vec2 q, double to_curves) {
+  if (s.polygon.sides.empty()) return to_curves;
   // Outside of one side at every position: outside, at the cost of a few products.
   const Vec2 at = q - s.path.center;
   for (std::size_t i = 0; i < s.reach.size(); ++i)
-    if (side_of(s.polygon.sides[i], at) > s.reach[i]) return to_pieces;
+    if (side_of(s.polygon.sides[i], at) > s.reach[i]) return to_curves;
   const double inner = deepest(s, q);
-  return inner < 0 ? -std::max(to_pieces, -inner) : to_pieces;
+  return inner < 0 ? -std::max(to_curves, -inner) : to_curves;
 }
 
 // A thick side is round at its ends, where the nose stood.
@@ -113,8 +114,8 @@ bool is_round(const TurnSweep& s, const Side& e, Vec2 q) {
   return s.round > 0 && (along < 0 || along > e.length);
 }
 
-// Unit gradient of the distance to one piece, out of the swept area.
-Vec2 piece_gradient(const TurnSweep& s, std::int32_t index, Vec2 q) {
+// Unit gradient of the distance to one curve, out of the swept area.
+Vec2 curve_gradient(const TurnSweep& s, std::int32_t index, Vec2 q) {
   const auto arcs = static_cast<std::int32_t>(s.arcs.size());
   if (index >= arcs) {
     const Side& e = s.sides[index - arcs];
@@ -122,7 +123,7 @@ Vec2 piece_gradient(const TurnSweep& s, std::int32_t index, Vec2 q) {
     const double n = length(off);
     return is_round(s, e, q) && n > kNoLength ? (1 / n) * off : right_of(e.direction);
   }
-  const ArcPiece& a = s.arcs[index];
+  const CircularArc& a = s.arcs[index];
   const Vec2 w = q - a.center;
   const double n = length(w);
   const Vec2 radial = n > 0 ? (1 / n) * w : Vec2{1, 0};
@@ -137,8 +138,8 @@ Vec2 piece_gradient(const TurnSweep& s, std::int32_t index, Vec2 q) {
 // The distance and the face that decides it.
 SweepSample section_sample(const TurnSweep& s, Vec2 q) {
   if (s.arc) {
-    const Piece piece = nearest_piece(s, q);
-    return {signed_by_depth(s, q, piece.distance) - s.round, piece.index};
+    const NearestCurve curve = nearest_curve(s, q);
+    return {signed_by_depth(s, q, curve.distance) - s.round, curve.index};
   }
   return {polygon_distance(s.polygon, q) - s.round, s.round > 0 ? 0 : polygon_side(s.polygon, q)};
 }
@@ -149,8 +150,8 @@ double wrap(double angle) {
   return angle;
 }
 
-ArcPiece make_arc(Vec2 center, double radius, double from, double turn) {
-  ArcPiece a{center, {}, radius, -1, 0, 0};
+CircularArc make_arc(Vec2 center, double radius, double from, double turn) {
+  CircularArc a{center, {}, radius, -1, 0, 0};
   const SinCos m = sincos(from + turn / 2);
   a.middle = {m.cos, m.sin};
   if (turn < kTwoPi) {
@@ -172,7 +173,7 @@ void add_corner(TurnSweep& s, Vec2 corner, double from, double turn, double cone
   }
 }
 
-void add_pieces(TurnSweep& s, double from, double turn) {
+void add_curves(TurnSweep& s, double from, double turn) {
   const std::vector<Side>& sides = s.polygon.sides;
   if (sides.empty()) {
     s.arcs.push_back(make_arc(s.path.center + s.polygon.point, s.path.radius, from, turn));
@@ -194,8 +195,8 @@ void add_pieces(TurnSweep& s, double from, double turn) {
     add_corner(s, side.a, wrap(from), turn, outer, opening, 1);
     add_corner(s, side.a, wrap(from), turn, inner, opening, -1);
     // Leaving the low end counter-clockwise, the path moves along (-y, x) of its radius.
-    if (open && dot(n, Vec2{-low.y, low.x}) <= 1e-12) rest(side, s.path.radius * low);
-    if (open && dot(n, Vec2{-high.y, high.x}) >= -1e-12) rest(side, s.path.radius * high);
+    if (open && dot(n, Vec2{-low.y, low.x}) <= kSquareSine) rest(side, s.path.radius * low);
+    if (open && dot(n, Vec2{-high.y, high.x}) >= -kSquareSine) rest(side, s.path.radius * high);
     for (double sign : {1.0, -1.0})
       if (in_sector(s.path, sign * n)) rest(side, (sign * s.path.radius) * n);
   }
@@ -251,7 +252,7 @@ TurnSweep turn_arc(const InsertOutline& insert, Vec2 start, Vec2 center, double 
   const double from = mrsim::atan2(v.y, v.x) - (turn < 0 ? size : 0);
   s.path = make_arc(center, length(v), from, size);
   prepare_depth(s);
-  add_pieces(s, wrap(from), size);
+  add_curves(s, wrap(from), size);
   s.lo = {kInfinity, kInfinity}, s.hi = {-kInfinity, -kInfinity};
   const auto reach = [&](Vec2 w) {
     for (Vec2 c : insert.core) {
@@ -276,7 +277,7 @@ TurnSweep turn_arc(const InsertOutline& insert, Vec2 start, Vec2 center, double 
 
 double section_distance(const TurnSweep& s, Vec2 q) {
   if (!s.arc) return polygon_distance(s.polygon, q) - s.round;
-  return signed_by_depth(s, q, nearest_piece(s, q).distance) - s.round;
+  return signed_by_depth(s, q, nearest_curve(s, q).distance) - s.round;
 }
 
 double turn_distance(const TurnSweep& s, const Vec3& p) {
@@ -303,7 +304,7 @@ Vec3 turn_gradient(const TurnSweep& s, const Vec3& p, std::int32_t patch) {
   const Vec2 q = {mirrored ? -rho : rho, p.z};
   Vec2 g;
   if (s.arc) {
-    g = piece_gradient(s, index, q);
+    g = curve_gradient(s, index, q);
   } else if (s.round == 0 && static_cast<std::size_t>(index) < s.polygon.sides.size()) {
     g = right_of(s.polygon.sides[index].direction);
   } else {
@@ -327,7 +328,7 @@ double turn_face_distance(const TurnSweep& s, const Vec3& p, std::int32_t patch)
     const Side& e = s.sides[index - s.arcs.size()];
     return (is_round(s, e, q) ? side_distance(e, q) : side_of(e, q)) - s.round;
   }
-  const ArcPiece& a = s.arcs[index];
+  const CircularArc& a = s.arcs[index];
   const Vec2 w = q - a.center;
   if (s.round > 0 && !in_sector(a, w)) return arc_distance(a, q) - s.round;
   const double beyond = length(w) - a.radius;

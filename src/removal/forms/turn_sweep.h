@@ -15,7 +15,7 @@
 namespace mrsim {
 
 /// Part of a circle, folded about its middle as in sweep_lanes.inl.
-struct ArcPiece {
+struct CircularArc {
   Vec2 center, middle;
   double radius = 0, cos_half = -1, sin_half = 0;
   int way = 0;  ///< 1: the swept area lies towards the centre, -1: away from it, 0: on both sides
@@ -28,13 +28,13 @@ struct SidePair {
   double inverse = 0;
 };
 
-/// One sweep of an insert. A line makes a polygon; an arc the boundary pieces of arc + polygon:
+/// One sweep of an insert. A line makes a polygon; an arc the boundary curves of arc + polygon:
 /// arcs drawn by corners, sides at the ends and where the path runs along them.
 struct TurnSweep {
   ConvexPolygon polygon;  ///< line: the swept polygon; arc: the insert's core
   bool arc = false;
-  ArcPiece path;                           ///< arc
-  std::vector<ArcPiece> arcs;              ///< arc: by corners
+  CircularArc path;                        ///< arc
+  std::vector<CircularArc> arcs;           ///< arc: by corners
   std::vector<ConvexPolygon::Side> sides;  ///< arc: sides at rest
   std::vector<double> reach;    ///< arc: farthest point of the path along each side's normal, mm
   std::vector<SidePair> pairs;  ///< arc: sides of the core that can be equally far
@@ -61,7 +61,7 @@ SweepSample turn_sample(const TurnSweep& s, const Vec3& p);
 Vec3 turn_gradient(const TurnSweep& s, const Vec3& p, std::int32_t patch);
 /// Encloses turn_face_distance() on a triangle.
 FaceRange turn_face_range(const TurnSweep& s, const Corners3& t, std::int32_t patch);
-/// Signed distance to one piece, continued beyond its ends: what turn_gradient is the gradient of.
+/// Signed distance to one curve, continued beyond its ends: what turn_gradient is the gradient of.
 double turn_face_distance(const TurnSweep& s, const Vec3& p, std::int32_t patch);
 
 }  // namespace mrsim

@@ -78,7 +78,7 @@ FaceRange bent_range(const Section& s, const std::array<double, 3>& values, doub
 }
 
 // The arc that a corner draws, which ends in the nose's circle about its end.
-FaceRange arc_range(const ArcPiece& a, const Section& s, double round) {
+FaceRange arc_range(const CircularArc& a, const Section& s, double round) {
   const double c[] = {a.center.x, a.center.y, a.radius,  a.middle.x,
                       a.middle.y, a.cos_half, a.sin_half};
   const double nearest = least_distance(a.center, s);

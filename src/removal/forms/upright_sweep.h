@@ -4,7 +4,7 @@
 #pragma once
 
 #include "removal/forms/path_sweep.h"
-#include "removal/simd/upright_record.h"
+#include "removal/simd/form_records.h"
 
 #include <vector>
 
@@ -16,8 +16,8 @@ void set_upright_plane(ToolPath& path);
 /// The quarters alone, after begin, end or sweep has changed.
 void set_quarters(ToolPath& path);
 
-/// Appends the pieces of an arc for the loops of upright_lanes.inl. Requires: path.upright, a tool
-/// that reaches up with is_rounded().
+/// Appends the quarters of an arc for the loops of upright_lanes.inl. Requires: path.upright, a
+/// tool that reaches up with is_rounded().
 void append_quarters(const Profile& tool, const ToolPath& path, std::vector<UprightRecord>& out);
 
 /// Direction, from the centre in the arc's plane, of the position at which a mill of any `core` and
@@ -30,8 +30,8 @@ double upright_value(const Profile& tool, const ToolPath& path, const Vec3& p);
 /// The same with its place.
 PathSample upright_minimum(const Profile& tool, const ToolPath& path, const Vec3& p);
 
-/// Pieces of the arc between its ends, its extremes and its lowest and highest place, counted from
-/// the start: which one holds t, and the least distance over one of them.
+/// Branches of the arc between its ends, its extremes and its lowest and highest place, counted
+/// from the start: which one holds t, and the least distance over one of them.
 int upright_branch(const ToolPath& path, double t);
 PathSample upright_branch_minimum(const Profile& tool, const ToolPath& path, const Vec3& p,
                                   int branch);

@@ -79,16 +79,16 @@ void ColumnWalker::visit(const Part& part, int size, std::size_t depth) {
 
 void ColumnWalker::distribute(const List& list, double radius, std::array<Part, 4>& parts) {
   const double reach = radius + band_;
-  for (const std::uint32_t place : list) {
+  for (const std::uint32_t index : list) {
     bool closed = true;
     for (const Part& part : parts) closed = closed && part.closed;
     if (closed) return;
-    measure(place, points_);
+    measure(index, points_);
     for (std::size_t k = 0; k < parts.size(); ++k) {
       Part& part = parts[k];
       const Vec3 center{points_.x[k], points_.y[k], points_.z[k]};
-      if (part.closed || !reaches(place, points_.least[k], reach, center, part)) continue;
-      part.list.push_back(place);
+      if (part.closed || !reaches(index, points_.least[k], reach, center, part)) continue;
+      part.list.push_back(index);
       points_.z[k] = part.clear;
       part.closed = part.clear < bottom_;
     }
@@ -97,11 +97,11 @@ void ColumnWalker::distribute(const List& list, double radius, std::array<Part, 
 
 // Whether a sweep, at distance d from the centre of a part, can remove anything of it that is left;
 // and what is left after it. Distances are 1-Lipschitz and do not grow upwards.
-bool ColumnWalker::reaches(std::uint32_t place, double d, double reach, const Vec3& center,
+bool ColumnWalker::reaches(std::uint32_t index, double d, double reach, const Vec3& center,
                            Part& part) const {
-  if (d > reach || lowest_[place] >= part.floor) return false;
+  if (d > reach || lowest_[index] >= part.floor) return false;
   if (d < -reach) part.clear -= -reach - d;
-  if (const auto flat = field_.sweeps().flat_floor(sweeps_[place], center))
+  if (const auto flat = field_.sweeps().flat_floor(sweeps_[index], center))
     if (flat->inside > reach) part.floor = std::min(part.floor, flat->z - slack_);
   return true;
 }
@@ -109,9 +109,9 @@ bool ColumnWalker::reaches(std::uint32_t place, double d, double reach, const Ve
 void ColumnWalker::carve(const std::array<std::int32_t, 3>& origin, const List& list) {
   if (list.empty() && sink_ == nullptr) return;
   fill_from_stock(origin);
-  place_lanes(origin);
-  for (const std::uint32_t place : list)
-    if (!take(place)) break;
+  set_lanes(origin);
+  for (const std::uint32_t index : list)
+    if (!take(index)) break;
   if (sink_ != nullptr) hand_on(origin);
 }
 
@@ -150,7 +150,7 @@ void ColumnWalker::fill_cell(const std::array<std::int32_t, 3>& origin, int low)
   }
 }
 
-void ColumnWalker::place_lanes(const std::array<std::int32_t, 3>& origin) {
+void ColumnWalker::set_lanes(const std::array<std::int32_t, 3>& origin) {
   open_ = 0;
   for (std::size_t lane = 0; lane < kLanes; ++lane) {
     const auto i = static_cast<std::int32_t>(lane);
@@ -171,22 +171,22 @@ void ColumnWalker::lower_top(std::size_t lane) {
 
 // What one sweep removes at the tops of the columns, and below them where it reaches further. False
 // where nothing is left.
-bool ColumnWalker::take(std::uint32_t place) {
+bool ColumnWalker::take(std::uint32_t index) {
   if (open_ == 0) return false;
-  measure(place, points_);
+  measure(index, points_);
   const double half = 0.5 * voxel_;
   if (*std::min_element(points_.least, points_.least + open_) >= half) return true;
   falling_count_ = 0;
   for (std::size_t k = 0; k < open_; ++k) {
     const std::size_t lane = lanes_[k];
     const double d = points_.least[k];
-    if (d >= half || (top_[lane] <= floor_at_[lane] && lowest_[place] >= floor_[lane])) continue;
+    if (d >= half || (top_[lane] <= floor_at_[lane] && lowest_[index] >= floor_[lane])) continue;
     falling_[falling_count_++] = {static_cast<std::uint8_t>(lane), top_[lane], 1, d};
     below_.x[falling_count_ - 1] = points_.x[k], below_.y[falling_count_ - 1] = points_.y[k];
   }
   if (falling_count_ == 0) return true;
-  motion_ = field_.sweeps().motion(sweeps_[place]);
-  removed_[place] += cut_down(place) * voxel_ * voxel_ * voxel_;
+  motion_ = field_.sweeps().motion(sweeps_[index]);
+  removed_[index] += cut_down(index) * voxel_ * voxel_ * voxel_;
   std::size_t kept = 0;
   for (std::size_t k = 0; k < open_; ++k) {
     const std::size_t lane = lanes_[k];
@@ -203,7 +203,7 @@ bool ColumnWalker::take(std::uint32_t place) {
 
 // Down the columns of falling_, as far as the sweep reaches. Shares do not fall downwards: where
 // two voxels have the same, those between them have it too, so steps grow while they do.
-double ColumnWalker::cut_down(std::uint32_t place) {
+double ColumnWalker::cut_down(std::uint32_t index) {
   double gone = 0;
   for (std::size_t k = 0; k < falling_count_; ++k)
     gone += remove(falling_[k].lane, falling_[k].at, falling_[k].at, falling_[k].distance);
@@ -219,7 +219,7 @@ double ColumnWalker::cut_down(std::uint32_t place) {
     below_.count = kept;
     if (kept == 0) return gone;
     pad(below_);
-    measure(place, below_);
+    measure(index, below_);
     falling_count_ = 0;
     for (std::size_t k = 0; k < kept; ++k) {
       if (!step_down(falling_[k], below_.least[k], gone)) continue;
@@ -267,9 +267,9 @@ double ColumnWalker::remove(std::size_t lane, int low, int high, double d) {
 }
 
 // Distances of the points from one sweep.
-void ColumnWalker::measure(std::uint32_t place, PointColumns& points) {
+void ColumnWalker::measure(std::uint32_t index, PointColumns& points) {
   std::fill_n(points.least, padded(points.count), kInfinity);
-  field_.sweeps().least(sweeps_.subspan(place, 1), points);
+  field_.sweeps().least(sweeps_.subspan(index, 1), points);
 }
 
 void ColumnWalker::hand_on(const std::array<std::int32_t, 3>& origin) {

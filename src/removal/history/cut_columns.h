@@ -50,18 +50,18 @@ class ColumnWalker {
 
   void visit(const Part& part, int size, std::size_t depth);
   void distribute(const List& list, double radius, std::array<Part, 4>& parts);
-  bool reaches(std::uint32_t place, double d, double reach, const Vec3& center, Part& part) const;
+  bool reaches(std::uint32_t index, double d, double reach, const Vec3& center, Part& part) const;
   void carve(const std::array<std::int32_t, 3>& origin, const List& list);
   void fill_from_stock(const std::array<std::int32_t, 3>& origin);
   void fill_cell(const std::array<std::int32_t, 3>& origin, int low);
-  void place_lanes(const std::array<std::int32_t, 3>& origin);
-  bool take(std::uint32_t place);
-  double cut_down(std::uint32_t place);
+  void set_lanes(const std::array<std::int32_t, 3>& origin);
+  bool take(std::uint32_t index);
+  double cut_down(std::uint32_t index);
   bool step_down(Falling& f, double d, double& gone);
   double share_of(double d) const;
   double remove(std::size_t lane, int low, int high, double d);
   void lower_top(std::size_t lane);
-  void measure(std::uint32_t place, PointColumns& points);
+  void measure(std::uint32_t index, PointColumns& points);
   void hand_on(const std::array<std::int32_t, 3>& origin);
   double height(int z) const { return bottom_ + voxel_ * z; }
 

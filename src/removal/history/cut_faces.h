@@ -1,7 +1,7 @@
-// The surfaces of a stock's history: a face between two neighbouring voxels that go at different
-// moments is seen from when the first of them goes until the second does. The sweep that takes the
-// first gives the face its place and normal, so that the faces of one moment can be joined to the
-// part as it is then (docs/report.md).
+// The surfaces of a stock's history: a face between two neighbouring voxels that are removed at
+// different moments is visible from the first removal to the second. The sweep that removes the
+// first voxel gives the face its place and normal, so that the faces of one moment can be joined to
+// the part of that moment (docs/report.md).
 #pragma once
 
 #include "removal/history/cut_volume.h"
@@ -13,7 +13,7 @@
 
 namespace mrsim {
 
-/// When a voxel with this cut goes. Motions before `inherited` are over when the play begins.
+/// When a voxel with this cut is removed. Motions before `inherited` are over when the play begins.
 inline std::int32_t moment_of(std::int32_t cut, std::int32_t inherited) {
   if (cut == kStillThere) return kNeverGoes;
   return cut < inherited ? 0 : cut - inherited + 1;

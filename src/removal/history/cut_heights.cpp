@@ -13,8 +13,8 @@
 namespace mrsim {
 namespace {
 
-constexpr int kCell = 8;   // voxels of a cell that is handed on, each way
-constexpr int kBlock = 4;  // columns of a block that is cut at once, each way
+constexpr int kCell = 8;          // voxels of a cell that is handed on, each way
+constexpr int kPartsEachWay = 4;  // parts of a square that are cut at once
 // Of the depth of cut: where heights differ by more, columns halve; in a file sooner, as the middle
 // of a column says little of the sharp valleys of V tools. Balls leave none.
 constexpr double kSteepTip = 0.5, kSteepInFile = 0.125;
@@ -31,12 +31,12 @@ void for_each_bit(std::uint32_t bits, const Visit& visit) {
 // A square in four rows of four.
 struct HeightWalker::Parts {
   Vec2 side;
-  PlanPlaces places;
+  PlanPoints points;
   std::uint32_t open = 0;  // within the stock, a bit each
 
-  Vec2 center(std::size_t k) const { return {places.x[k], places.y[k]}; }
-  void set_low(PlanPlaces& of, double low) const {
-    for (std::size_t k = 0; k < PlanPlaces::kCount; ++k)
+  Vec2 center(std::size_t k) const { return {points.x[k], points.y[k]}; }
+  void set_low(PlanPoints& of, double low) const {
+    for (std::size_t k = 0; k < PlanPoints::kCount; ++k)
       of.low[k] = (open >> k & 1) != 0 ? low : -std::numeric_limits<double>::infinity();
   }
 };
@@ -149,8 +149,8 @@ void HeightWalker::visit(const Square& square, std::size_t level, bool even) {
   if (is_column && (even || square.finer == finest_)) return cut(square, lists_[level]);
   if (!narrow(square, level, even)) return;
   if (is_column && even) return cut(square, lists_[level + 1]);
-  if (square.columns == kBlock * kBlock && !heights_.balls().empty())
-    return cut_blocks(square, level + 1);
+  if (square.columns == kPartsEachWay * kPartsEachWay && !heights_.balls().empty())
+    return cut_parts(square, level + 1);
   Square part{.side = 0.5 * square.side,
               .columns = square.columns / 2,
               .finer = square.finer + (is_column ? 1 : 0)};
@@ -172,23 +172,23 @@ bool HeightWalker::narrow(const Square& square, std::size_t level, bool& is_even
   List& left = lists_[level + 1];
   left.clear();
   const List& list = lists_[level];
-  std::uint32_t asked = 0;  // place behind the last run that was asked
+  std::uint32_t asked = 0;  // index behind the last run that was asked
   for (std::size_t i = 0; i < list.size(); ++i) {
-    const std::uint32_t place = list[i];
+    const std::uint32_t index = list[i];
     if (most <= low_) break;
-    if (place >= asked) {
-      asked = heights_.run_end(place);
+    if (index >= asked) {
+      asked = heights_.run_end(index);
       const std::size_t last = i + kWorthRun - 1;
       if (last < list.size() && list[last] < asked &&
-          !(heights_.run_lower(place, square.center.x, square.center.y, r, most) < most)) {
+          !(heights_.run_lower(index, square.center.x, square.center.y, r, most) < most)) {
         while (i + 1 < list.size() && list[i + 1] < asked) ++i;
         continue;
       }
     }
     const Underside::Bounds bottom =
-        heights_.bounds(place, square.center.x, square.center.y, r, most);
+        heights_.bounds(index, square.center.x, square.center.y, r, most);
     if (!(bottom.lower < most)) continue;
-    left.push_back(place);
+    left.push_back(index);
     const double step = std::min(kSteepTip * (high_ - bottom.lower), 2 * r);
     if (!frames_.empty() && std::min(bottom.upper, most) - bottom.lower > step) has_wall = true;
     least = std::min(least, bottom.lower), most = std::min(most, bottom.upper);
@@ -208,110 +208,111 @@ bool HeightWalker::is_even(double least, double most) const {
 
 void HeightWalker::cut(const Square& square, const List& list) {
   double low = high_;
-  for (const std::uint32_t place : list) {
+  for (const std::uint32_t index : list) {
     if (low <= low_) return;
     const double bottom =
-        std::max(heights_.bottom(place, square.center.x, square.center.y, low), low_);
+        std::max(heights_.bottom(index, square.center.x, square.center.y, low), low_);
     if (!(bottom < low)) continue;
-    step(square, place, bottom, low);
+    step(square, index, bottom, low);
     low = bottom;
   }
 }
 
 // A column sinks from `low` to `bottom`.
-void HeightWalker::step(const Square& column, std::uint32_t place, double bottom, double low) {
-  if (steps_ != nullptr) return (*steps_)(column.center - 0.5 * column.side, place, bottom);
+void HeightWalker::step(const Square& column, std::uint32_t index, double bottom, double low) {
+  if (steps_ != nullptr) return (*steps_)(column.center - 0.5 * column.side, index, bottom);
   const double area = column.side.x * column.side.y * stock_share(column);
-  removed_[place] += area * (low - bottom);
-  if (!frames_.empty() && area > 0) extend(place, column, bottom, low);
+  removed_[index] += area * (low - bottom);
+  if (!frames_.empty() && area > 0) extend(index, column, bottom, low);
 }
 
 HeightWalker::Parts HeightWalker::parts_of(const Square& square) const {
-  Parts parts{.side = 1.0 / kBlock * square.side, .places = {}};
-  const bool are_columns = square.columns <= kBlock;
-  for (std::size_t k = 0; k < PlanPlaces::kCount; ++k) {
+  Parts parts{.side = 1.0 / kPartsEachWay * square.side, .points = {}};
+  const bool are_columns = square.columns <= kPartsEachWay;
+  for (std::size_t k = 0; k < PlanPoints::kCount; ++k) {
     const auto at = [&](std::size_t i, double center, double side, double part) {
       return center - 0.5 * side + (double(i) + 0.5) * part;
     };
-    const double x = at(k % kBlock, square.center.x, square.side.x, parts.side.x);
-    const double y = at(k / kBlock, square.center.y, square.side.y, parts.side.y);
-    parts.places.x[k] = x, parts.places.y[k] = y;
-    // A column belongs to the stock by its middle, a block by its corner.
+    const double x = at(k % kPartsEachWay, square.center.x, square.side.x, parts.side.x);
+    const double y = at(k / kPartsEachWay, square.center.y, square.side.y, parts.side.y);
+    parts.points.x[k] = x, parts.points.y[k] = y;
+    // A column belongs to the stock by its middle, a larger part by its corner.
     const Vec2 first = are_columns ? Vec2{x, y} : Vec2{x, y} - 0.5 * parts.side;
     if (first.x < end_.x && first.y < end_.y) parts.open |= 1u << k;
   }
   return parts;
 }
 
-// Balls alone: a sweep is asked at 16 places together, first blocks of columns, then columns.
-void HeightWalker::cut_blocks(const Square& square, std::size_t level) {
+// Balls alone: a sweep is asked at 16 points in plan together, first for squares of columns, then
+// for columns.
+void HeightWalker::cut_parts(const Square& square, std::size_t level) {
   const Parts parts = parts_of(square);
-  PlanPlaces places = parts.places;
-  alignas(64) double least[PlanPlaces::kCount];
-  parts.set_low(places, high_), std::fill_n(least, PlanPlaces::kCount, high_);
-  for (List& list : block_lists_) list.clear();
+  PlanPoints points = parts.points;
+  alignas(64) double least[PlanPoints::kCount];
+  parts.set_low(points, high_), std::fill_n(least, PlanPoints::kCount, high_);
+  for (List& list : part_lists_) list.clear();
   const double r = 0.5 * length(parts.side);
-  for (const std::uint32_t place : lists_[level])
-    for_each_bit(sweep_kernels().ball_bounds(heights_.balls()[place], r, places, least),
-                 [&](std::size_t k) { block_lists_[k].push_back(place); });
+  for (const std::uint32_t index : lists_[level])
+    for_each_bit(sweep_kernels().ball_bounds(heights_.balls()[index], r, points, least),
+                 [&](std::size_t k) { part_lists_[k].push_back(index); });
   for_each_bit(parts.open, [&](std::size_t k) {
-    if (block_lists_[k].empty()) return;
-    const Square block{.center = parts.center(k), .side = parts.side, .columns = kBlock};
-    cut_block(block, block_lists_[k], level + 1, is_even(least[k], places.low[k]));
+    if (part_lists_[k].empty()) return;
+    const Square part{.center = parts.center(k), .side = parts.side, .columns = kPartsEachWay};
+    cut_part(part, part_lists_[k], level + 1, is_even(least[k], points.low[k]));
   });
 }
 
 // Columns in which heights differ are cut in parts. Where extents are wanted they are halved, each
 // as often as it needs.
-void HeightWalker::cut_block(const Square& block, const List& list, std::size_t level,
-                             bool is_even_block) {
+void HeightWalker::cut_part(const Square& part, const List& list, std::size_t level,
+                            bool is_even_part) {
   const SweepKernels& kernels = sweep_kernels();
   const std::span<const LineRecord> balls = heights_.balls();
-  Parts parts = parts_of(block);
-  PlanPlaces places = parts.places;
+  Parts parts = parts_of(part);
+  PlanPoints points = parts.points;
   Square column{.side = parts.side, .columns = 1};
   const List* some = &list;
-  if (!is_even_block && finest_ > 0) {
+  if (!is_even_part && finest_ > 0) {
     List& left = lists_[level];
     left.clear();
-    alignas(64) double least[PlanPlaces::kCount];
-    parts.set_low(places, high_), std::fill_n(least, PlanPlaces::kCount, high_);
+    alignas(64) double least[PlanPoints::kCount];
+    parts.set_low(points, high_), std::fill_n(least, PlanPoints::kCount, high_);
     const double r = 0.5 * length(parts.side);
-    for (const std::uint32_t place : list)
-      if (kernels.ball_bounds(balls[place], r, places, least) != 0) left.push_back(place);
+    for (const std::uint32_t index : list)
+      if (kernels.ball_bounds(balls[index], r, points, least) != 0) left.push_back(index);
     some = &left;
     for_each_bit(parts.open, [&](std::size_t k) {
-      if (is_even(least[k], places.low[k])) return;
+      if (is_even(least[k], points.low[k])) return;
       parts.open &= ~(1u << k);
       column.center = parts.center(k);
       if (frames_.empty())
-        cut_block(column, left, level + 1, true);
+        cut_part(column, left, level + 1, true);
       else
         visit(column, level, false);
     });
   }
-  parts.set_low(places, high_);
-  alignas(64) double bottom[PlanPlaces::kCount];
-  for (const std::uint32_t place : *some)
-    for_each_bit(kernels.ball_heights(balls[place], places, bottom), [&](std::size_t k) {
+  parts.set_low(points, high_);
+  alignas(64) double bottom[PlanPoints::kCount];
+  for (const std::uint32_t index : *some)
+    for_each_bit(kernels.ball_heights(balls[index], points, bottom), [&](std::size_t k) {
       const double to = std::max(bottom[k], low_);
-      if (!(to < places.low[k])) return;
+      if (!(to < points.low[k])) return;
       column.center = parts.center(k);
-      step(column, place, to, places.low[k]);
-      places.low[k] = to;
+      step(column, index, to, points.low[k]);
+      points.low[k] = to;
     });
 }
 
 // The cutter's own edge lies between the last column that it removes and the next one.
-void HeightWalker::extend(std::uint32_t place, const Square& square, double bottom, double top) {
-  const CutFrame& frame = frames_[std::size_t(field_.sweeps().motion(sweeps_[place]))];
-  // Of all places of the column: the tip of a V tool seldom passes its middle.
+void HeightWalker::extend(std::uint32_t index, const Square& square, double bottom, double top) {
+  const CutFrame& frame = frames_[std::size_t(field_.sweeps().motion(sweeps_[index]))];
+  // Over all of the column: the tip of a V tool seldom passes its middle.
   const double r = 0.5 * length(square.side);
-  const double lowest = heights_.bounds(place, square.center.x, square.center.y, r, bottom).lower;
+  const double lowest = heights_.bounds(index, square.center.x, square.center.y, r, bottom).lower;
   const Vec3 p{square.center.x, square.center.y, std::max(std::min(lowest, bottom), low_)};
   const double at = frame.across(p), half = frame.half_across(p, square.side);
   const double edge = frame.reach();
-  extents_[place].add({frame.along(p), frame.along({p.x, p.y, top}),
+  extents_[index].add({frame.along(p), frame.along({p.x, p.y, top}),
                        at - 2 * half < -edge ? -edge : at - half,
                        at + 2 * half > edge ? edge : at + half,
                        square.side.x * square.side.y * stock_share(square)});
@@ -360,13 +361,13 @@ void StaircaseWalker::walk(std::size_t tile, CutSink& sink) const {
   const Vec2 corner = grid_.corner(tile);
   const double h = lattice_.voxel;
   // Steps fall, so what a step removes ends where something has gone before.
-  const auto remove = [&](const Vec2& at, std::uint32_t place, double bottom) {
+  const auto remove = [&](const Vec2& at, std::uint32_t index, double bottom) {
     const auto x = std::size_t(std::lround((at.x - corner.x) / h)),
                y = std::size_t(std::lround((at.y - corner.y) / h));
     std::int32_t* column = cut.data() + (x * HeightGrid::kTile + y) * deep;
     auto k = std::max(static_cast<std::int32_t>(std::floor((bottom - z(0)) / h)), first);
     while (k < end && z(k) < bottom) ++k;
-    const std::int32_t motion = field_.sweeps().motion(sweeps[place]);
+    const std::int32_t motion = field_.sweeps().motion(sweeps[index]);
     for (; k < end && column[k] == kStillThere; ++k) column[k] = motion;
   };
   if (!sweeps.empty()) HeightWalker(field_, tools_).walk_steps(grid_, tile, sweeps, remove);

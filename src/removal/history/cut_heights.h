@@ -57,7 +57,7 @@ class HeightWalker {
   void walk(const HeightGrid& grid, std::size_t tile, std::span<const std::uint32_t> sweeps,
             std::span<double> removed);
   /// Takes the staircase of a column, from its top, with the column's lower corner.
-  using Steps = std::function<void(const Vec2& corner, std::uint32_t place, double bottom)>;
+  using Steps = std::function<void(const Vec2& corner, std::uint32_t index, double bottom)>;
   /// Hands on the staircase of each column of a tile, by its middle alone.
   void walk_steps(const HeightGrid& grid, std::size_t tile, std::span<const std::uint32_t> sweeps,
                   const Steps& steps);
@@ -68,7 +68,7 @@ class HeightWalker {
   static constexpr int kFiner = 3;  // halvings of a column where a wall passes
   static constexpr std::size_t kLevels = 6 + kFiner;
 
-  using List = std::vector<std::uint32_t>;  // places in the list of sweeps
+  using List = std::vector<std::uint32_t>;  // indices into the list of sweeps
   struct Square {
     Vec2 center, side;
     int columns = 1;  // on a side; 0 within a column
@@ -80,11 +80,11 @@ class HeightWalker {
   struct Parts;
   Parts parts_of(const Square& square) const;
   bool is_even(double least, double most) const;
-  void cut_blocks(const Square& square, std::size_t level);
-  void cut_block(const Square& block, const List& list, std::size_t level, bool is_even_block);
-  void step(const Square& column, std::uint32_t place, double bottom, double low);
+  void cut_parts(const Square& square, std::size_t level);
+  void cut_part(const Square& part, const List& list, std::size_t level, bool is_even_part);
+  void step(const Square& column, std::uint32_t index, double bottom, double low);
   void begin(const HeightGrid& grid, std::size_t tile, std::span<const std::uint32_t> sweeps);
-  void extend(std::uint32_t place, const Square& square, double bottom, double top);
+  void extend(std::uint32_t index, const Square& square, double bottom, double top);
   double stock_share(const Square& square) const;
 
   const PartField& field_;
@@ -98,7 +98,7 @@ class HeightWalker {
   std::span<const std::uint32_t> sweeps_;
   std::vector<CutExtent> extents_;
   std::array<List, kLevels + 1> lists_;
-  std::array<List, PlanPlaces::kCount> block_lists_;
+  std::array<List, PlanPoints::kCount> part_lists_;
 };
 
 /// What a motion first removes, voxel by voxel, from staircases: where has_height_history() holds,

@@ -35,13 +35,13 @@ RingPlanes::RingPlanes(const PartField& field, double voxel, std::int32_t first,
 
 void RingPlanes::divide(const Part& whole, std::size_t depth) {
   Parts& parts = levels_[depth];
-  place(whole, parts);
+  split(whole, parts);
   distribute(whole, parts);
   for (const Part& part : parts) settle(part, depth);
 }
 
 // Eight parts, about as wide as deep, in the order of their rings, and what the stock says of each.
-void RingPlanes::place(const Part& whole, Parts& parts) {
+void RingPlanes::split(const Part& whole, Parts& parts) {
   const double h = lattice_.voxel;
   const int deeper = whole.deep == 1                                              ? 1
                      : whole.deep == 2 || whole.high - whole.low > whole.deep * h ? 2

@@ -55,7 +55,7 @@ class RingPlanes {
   using Parts = std::array<Part, PointColumns::kPad>;
 
   void divide(const Part& whole, std::size_t depth);
-  void place(const Part& whole, Parts& parts);
+  void split(const Part& whole, Parts& parts);
   void distribute(const Part& whole, Parts& parts);
   void settle(const Part& part, std::size_t depth);
   void append(const Part& part, std::int32_t value);

@@ -43,7 +43,7 @@ class ArraySink final : public CutSink {
 };
 
 // The voxels about the stock, with one layer of air at least.
-void place(const Box3& stock, CutVolume& volume) {
+void set_extent(const Box3& stock, CutVolume& volume) {
   const CutLattice& lattice = volume.lattice;
   const double shift[3] = {lattice.half_plane ? 0.5 : kLatticeShift.x, kLatticeShift.y,
                            kLatticeShift.z};
@@ -68,7 +68,7 @@ CutVolume make_cut_volume(const PartField& field, const CutLattice& lattice, std
                           int threads, const Progress& progress) {
   CutVolume out;
   out.lattice = lattice;
-  place(field.bounds(), out);
+  set_extent(field.bounds(), out);
   out.cut.assign(std::size_t(out.size[0]) * std::size_t(out.size[1]) * std::size_t(out.size[2]),
                  kNeverThere);
   ArraySink sink(out);

@@ -86,14 +86,14 @@ void CutWalker::distribute(const List& list, double radius, std::span<Child> chi
   const double reach = radius + band_, lost = 2 * radius + field_.slack();
   bool open = std::any_of(children.begin(), children.end(),
                           [](const Child& child) { return !child.closed; });
-  for (auto place = list.begin(); place != list.end() && open; ++place) {
-    measure(*place);
+  for (auto entry = list.begin(); entry != list.end() && open; ++entry) {
+    measure(*entry);
     open = false;
     for (std::size_t c = 0; c < children.size(); ++c) {
       Child& child = children[c];
       const double d = points_.least[c];
       if (!child.closed && d <= reach && d <= child.least + lost) {
-        child.list.push_back(*place);
+        child.list.push_back(*entry);
         child.least = std::min(child.least, d);
         child.closed = d < -reach;
       }
@@ -115,15 +115,15 @@ void CutWalker::settle(Child& child, std::size_t depth) {
   }
 }
 
-void CutWalker::fill_tile(const CutCell& cell, std::uint32_t place) {
+void CutWalker::fill_tile(const CutCell& cell, std::uint32_t index) {
   const double size = cell.size, middle = 0.5 * (size - 1) * lattice_.voxel;
-  removed_[place] += ring(lattice_.position(cell.origin).x + middle) * size * size *
+  removed_[index] += ring(lattice_.position(cell.origin).x + middle) * size * size *
                      (lattice_.half_plane ? 1 : size);
-  if (sink_ != nullptr) sink_->tile(cell, field_.sweeps().motion(sweeps_[place]));
+  if (sink_ != nullptr) sink_->tile(cell, field_.sweeps().motion(sweeps_[index]));
   if (frames_.empty()) return;
   const std::int32_t last = cell.size - 1;
   for (int k = 0; k < 8; ++k)
-    extend(place,
+    extend(index,
            lattice_.position({cell.origin[0] + (k & 1 ? last : 0),
                               cell.origin[1] + (k & 2 && !lattice_.half_plane ? last : 0),
                               cell.origin[2] + (k & 4 ? last : 0)}),
@@ -131,14 +131,14 @@ void CutWalker::fill_tile(const CutCell& cell, std::uint32_t place) {
 }
 
 // What goes of the outermost voxel lies on its inner side.
-void CutWalker::extend(std::uint32_t place, const Vec3& p, double gone) {
-  const CutFrame& frame = frames_[std::size_t(field_.sweeps().motion(sweeps_[place]))];
+void CutWalker::extend(std::uint32_t index, const Vec3& p, double gone) {
+  const CutFrame& frame = frames_[std::size_t(field_.sweeps().motion(sweeps_[index]))];
   const double out = (gone - 0.5) * lattice_.voxel;
   const double along = frame.along(p), across = frame.across(p);
-  extents_[place].add({along - out, along + out, across - out, across + out});
+  extents_[index].add({along - out, along + out, across - out, across + out});
 }
 
-void CutWalker::place_points(const CutCell& cell) {
+void CutWalker::set_points(const CutCell& cell) {
   const int size = cell.size, deep = lattice_.half_plane ? 1 : size;
   std::size_t k = 0;
   for (int x = 0; x < size; ++x)
@@ -153,7 +153,7 @@ void CutWalker::place_points(const CutCell& cell) {
 }
 
 void CutWalker::evaluate(const CutCell& cell, const List& list, bool in_stock) {
-  place_points(cell);
+  set_points(cell);
   std::fill_n(left_, points_.count, 1.0);
   std::fill_n(cut_, points_.count, kStillThere);
   if (!in_stock) {
@@ -164,37 +164,37 @@ void CutWalker::evaluate(const CutCell& cell, const List& list, bool in_stock) {
       if (stock[k] >= 0) cut_[k] = kNeverThere;
     }
   }
-  for (const std::uint32_t place : list)
-    if (!take(place)) break;
+  for (const std::uint32_t index : list)
+    if (!take(index)) break;
   if (sink_ != nullptr) sink_->leaf(cell, cut_);
 }
 
 // The share of a voxel that is left after some sweeps is the least of their shares. False where
 // nothing is left.
-bool CutWalker::take(std::uint32_t place) {
-  measure(place);
-  const std::int32_t motion = field_.sweeps().motion(sweeps_[place]);
+bool CutWalker::take(std::uint32_t index) {
+  measure(index);
+  const std::int32_t motion = field_.sweeps().motion(sweeps_[index]);
   double gone = 0, rest = 0;
   for (std::size_t k = 0; k < points_.count; ++k) {
     const double d = points_.least[k];
     const double left = std::min(left_[k], std::clamp(0.5 + share_ * d, 0.0, 1.0));
     gone += (left_[k] - left) * volume_[k];
     if (!frames_.empty() && left_[k] - left > kLeastGone)
-      extend(place, {points_.x[k], points_.y[k], points_.z[k]}, left_[k] - left);
+      extend(index, {points_.x[k], points_.y[k], points_.z[k]}, left_[k] - left);
     rest += left;
     left_[k] = left;
     cut_[k] = d <= 0 && cut_[k] == kStillThere ? motion : cut_[k];
   }
-  removed_[place] += gone;
+  removed_[index] += gone;
   return rest > 0;
 }
 
 // Distances of the points from one sweep.
-void CutWalker::measure(std::uint32_t place) {
+void CutWalker::measure(std::uint32_t index) {
   const std::size_t padded =
       (points_.count + PointColumns::kPad - 1) / PointColumns::kPad * PointColumns::kPad;
   std::fill_n(points_.least, padded, kInfinity);
-  field_.sweeps().least(sweeps_.subspan(place, 1), points_);
+  field_.sweeps().least(sweeps_.subspan(index, 1), points_);
 }
 
 }  // namespace mrsim

@@ -37,7 +37,7 @@ class CutWalker {
   const std::vector<CutExtent>& extents() const { return extents_; }
 
  private:
-  using List = std::vector<std::uint32_t>;  // places in sweeps_, ascending
+  using List = std::vector<std::uint32_t>;  // indices into sweeps_, ascending
   struct Child {
     CutCell cell;
     List list;
@@ -52,12 +52,12 @@ class CutWalker {
   std::size_t divide(const CutCell& cell, bool in_stock, Children& children);
   void distribute(const List& list, double radius, std::span<Child> children);
   void settle(Child& child, std::size_t depth);
-  void fill_tile(const CutCell& cell, std::uint32_t place);
+  void fill_tile(const CutCell& cell, std::uint32_t index);
   void evaluate(const CutCell& cell, const List& list, bool in_stock);
-  void place_points(const CutCell& cell);
-  bool take(std::uint32_t place);
-  void measure(std::uint32_t place);
-  void extend(std::uint32_t place, const Vec3& p, double gone);
+  void set_points(const CutCell& cell);
+  bool take(std::uint32_t index);
+  void measure(std::uint32_t index);
+  void extend(std::uint32_t index, const Vec3& p, double gone);
   double radius_of(int size) const;
   double ring(double x) const;
 

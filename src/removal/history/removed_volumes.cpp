@@ -42,8 +42,8 @@ struct Task {
 };
 
 // Blocks, tiles or rows in parallel, asking after each whether to go on.
-void for_each_place(std::size_t count, int threads, const Progress& progress,
-                    const std::function<void(std::size_t)>& body) {
+void for_each_task(std::size_t count, int threads, const Progress& progress,
+                   const std::function<void(std::size_t)>& body) {
   std::mutex mutex;
   std::size_t done = 0;
   parallel_for(count, threads, [&](std::size_t i) {
@@ -71,7 +71,7 @@ std::vector<BlockSums> sums_in_space(const Task& task) {
   const BlockIndex index(field, lattice.voxel, near, std::numeric_limits<std::size_t>::max(),
                          task.threads);
   std::vector<BlockSums> blocks(index.size());
-  for_each_place(index.size(), task.threads, task.progress, [&](std::size_t b) {
+  for_each_task(index.size(), task.threads, task.progress, [&](std::size_t b) {
     const Candidates sweeps =
         field.sweeps().expanded(index.sweeps(b), inflated(index.box(b), near));
     if (sweeps.empty() && task.sink == nullptr) return;
@@ -95,7 +95,7 @@ std::vector<BlockSums> sums_of_heights(const Task& task) {
   const double height = field.bounds().hi.z - field.bounds().lo.z;
   const double close = task.frames.empty() ? std::min(kClose, kCloseShare * height) : 0;
   std::vector<BlockSums> tiles(sweeps.size());
-  for_each_place(tiles.size(), task.threads, task.progress, [&](std::size_t t) {
+  for_each_task(tiles.size(), task.threads, task.progress, [&](std::size_t t) {
     if (sweeps[t].empty()) return;
     std::vector<double> removed(sweeps[t].size(), 0.0);
     HeightWalker walker(field, tools, task.frames, close);
@@ -117,7 +117,7 @@ std::vector<BlockSums> sums_in_half_plane(const Task& task) {
   const auto wide = static_cast<std::int32_t>(std::ceil(stock.hi.x / h)) + 1;
   const Candidates all = field.all();
   std::vector<BlockSums> rows(static_cast<std::size_t>((last - first) / kSize + 1));
-  for_each_place(rows.size(), task.threads, task.progress, [&](std::size_t r) {
+  for_each_task(rows.size(), task.threads, task.progress, [&](std::size_t r) {
     const std::int32_t z = first + static_cast<std::int32_t>(r) * kSize;
     const double low = lattice.position({0, 0, z}).z, high = low + kSize * h;
     const Box3 box{{-kInfinity, -kInfinity, low - h}, {kInfinity, kInfinity, high + h}};

@@ -85,7 +85,7 @@ void BlockIndex::fill(const SweepTable& sweeps, std::span<const std::uint32_t> i
   std::vector<Range> ranges;
   reserve_large(ranges, ids.size());
   ranges.resize(ids.size());
-  std::vector<std::size_t> next(parts * blocks, 0);  // by part and block: count, then place
+  std::vector<std::size_t> next(parts * blocks, 0);  // by part and block: count, then next index
   parallel_for(parts, threads, [&](std::size_t part) {
     std::size_t* count = next.data() + part * blocks;
     for (std::size_t i = first_of(part); i < first_of(part + 1); ++i)
@@ -102,9 +102,9 @@ void BlockIndex::fill(const SweepTable& sweeps, std::span<const std::uint32_t> i
   reserve_large(ids_, total);
   ids_.resize(total);
   parallel_for(parts, threads, [&](std::size_t part) {
-    std::size_t* place = next.data() + part * blocks;
+    std::size_t* next_of = next.data() + part * blocks;
     for (std::size_t i = first_of(part); i < first_of(part + 1); ++i)
-      for_each_block(ranges[i], [&](std::size_t b) { ids_[place[b]++] = ids[i]; });
+      for_each_block(ranges[i], [&](std::size_t b) { ids_[next_of[b]++] = ids[i]; });
   });
 }
 

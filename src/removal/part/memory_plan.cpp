@@ -19,11 +19,11 @@ namespace {
 // active voxels, in leaves that are about half full. A mesh on the voxels has two triangles for
 // each voxel that the cuts' surface passes; flat sides that a box keeps have few.
 constexpr double kProgram = 10e6, kMotion = 320;
-constexpr double kSweep = 200, kPiece = 250;  ///< in lists of candidates
-constexpr double kStockTriangle = 230;        ///< of a mesh: its tree, and what its check left
-constexpr double kTool = 9000;                ///< as it is looked for by motions
-constexpr double kOpenVdb = 30e6;             ///< its library
-constexpr double kRecipe = 400;               ///< a motion once more, for the file
+constexpr double kSweep = 200, kSegment = 250;  ///< in lists of candidates
+constexpr double kStockTriangle = 230;          ///< of a mesh: its tree, and what its check left
+constexpr double kTool = 9000;                  ///< as it is looked for by motions
+constexpr double kOpenVdb = 30e6;               ///< its library
+constexpr double kRecipe = 400;                 ///< a motion once more, for the file
 constexpr double kGridColumn = 130;
 constexpr double kCutVoxel = 10;  ///< of the grid "cut", should all of the stock be removed
 constexpr double kThread = 13e6;
@@ -36,7 +36,7 @@ constexpr double kTileVoxels = 60;
 constexpr double kTile = 400;          ///< what is kept of each, by the sizes of its records
 constexpr double kMostColumns = 1e9;   ///< surface voxels; a mesh has twice as many triangles
 constexpr double kMoreCells = 1.4;     ///< factor on the expected cells, where tiles are full
-constexpr double kMoreMesh = 1.2;      ///< and on what a mesh in one piece takes beside the table
+constexpr double kMoreMesh = 1.2;      ///< and on what a mesh without slabs takes beside the table
 constexpr std::size_t kSample = 4096;  ///< motions from which the memory of all sweeps is estimated
 
 std::size_t free_memory() {
@@ -74,7 +74,7 @@ double section_tiles(const StockSolid& stock, double voxel) {
 // The table, and the lists of those that threads work on.
 double memory_of(const SweepTable& sweeps) {
   return static_cast<double>(sweeps.memory()) + kSweep * static_cast<double>(sweeps.size()) +
-         kPiece * static_cast<double>(sweeps.pieces());
+         kSegment * static_cast<double>(sweeps.segments());
 }
 
 struct Need {

@@ -1,4 +1,4 @@
-// How much memory a run takes, told before it, and whether it is done in one piece or in slabs.
+// How much memory a run takes, told before it, and whether it is done as a whole or in slabs.
 // What a mesh with a tolerance takes besides is told by its first cells
 // (mesh/cells/mesh_memory.h).
 #pragma once
@@ -14,8 +14,8 @@ namespace mrsim {
 struct MemoryPlan {
   std::size_t limit = 0;  ///< bytes
   double expected = 0;    ///< bytes at the peak, as planned; without a mesh that has a tolerance
-  double whole = 0;       ///< the same in one piece
-  double mesh_room = 0;   ///< bytes, of the limit, that a mesh on the voxels may take in one piece
+  double whole = 0;       ///< the same as a whole
+  double mesh_room = 0;   ///< bytes, of the limit, that a mesh on the voxels may take as a whole
   bool in_slabs = false;
 };
 

@@ -43,14 +43,14 @@ void append_ids(const CandidateList& list, Candidates& out) {
   for (const CandidateList::Slice& slice : list.slices())
     for (std::size_t k = 0; k < slice.count; ++k) out.push_back(list.number(slice, k));
   sort_if_needed(out);
-  out.erase(std::unique(out.begin(), out.end()), out.end());  // one for each piece of a path
+  out.erase(std::unique(out.begin(), out.end()), out.end());  // one for each segment of a path
 }
 
 // A cube about it bounds a box that is nearly one more sharply than its ball.
 PruneRegion region_of(const Box3& box) {
   const Vec3 half = 0.5 * (box.hi - box.lo), center = box.lo + half;
   const double most = std::max({half.x, half.y, half.z}), radius = length(half);
-  const PruneRegion cube = PruneRegion::block(center, most);
+  const PruneRegion cube = PruneRegion::cube(center, most);
   return cube.radius <= kNearlyCube * radius ? cube : PruneRegion::ball(center, radius);
 }
 

@@ -30,7 +30,7 @@ class Stock {
   std::size_t active_voxels() const;  ///< 0 where none were sampled
   std::size_t memory() const;         ///< bytes of the grids and their lists
   double memory_expected() const;     ///< bytes of the run, as MemoryPlan tells them
-  double memory_whole() const;        ///< the same, were it done in one piece
+  double memory_whole() const;        ///< the same, were it done as a whole
   std::size_t memory_limit() const;
   bool in_slabs() const;  ///< so that memory suffices, the mesh may not be held as a whole
   const StockGrid& grid() const { return *grid_; }
@@ -39,7 +39,7 @@ class Stock {
   /// `cut_cells` of them: plans memory and slabs for it. `no_slabs` as in CarvePlan. Throws Error
   /// "memory" where it does not fit.
   void plan_grid_mesh(double voxel, double cut_cells, const std::string& no_slabs);
-  /// Bytes that this mesh may take in one piece.
+  /// Bytes that this mesh may take as a whole.
   double mesh_room() const;
   /// It takes more: plans the same in slabs. Throws as plan_grid_mesh().
   void plan_slabs();

@@ -61,12 +61,12 @@ class SinkBuffer : public std::streambuf {
 
  private:
   std::streamsize hand_on(const char* data, std::streamsize size) {
-    std::string piece(data, static_cast<std::size_t>(size));
-    for (std::size_t i = 0; i < piece.size() && position_ + i < kUuidOffset + kUuidSize; ++i)
-      if (position_ + i >= kUuidOffset) piece[i] = uuid_[position_ + i - kUuidOffset];
-    hash_.update(piece.data(), piece.size());
-    out_(piece.data(), piece.size());
-    position_ += piece.size();
+    std::string chunk(data, static_cast<std::size_t>(size));
+    for (std::size_t i = 0; i < chunk.size() && position_ + i < kUuidOffset + kUuidSize; ++i)
+      if (position_ + i >= kUuidOffset) chunk[i] = uuid_[position_ + i - kUuidOffset];
+    hash_.update(chunk.data(), chunk.size());
+    out_(chunk.data(), chunk.size());
+    position_ += chunk.size();
     return size;
   }
 

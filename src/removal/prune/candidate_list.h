@@ -1,7 +1,7 @@
-// The sweeps that can matter in a block, by columns and in single precision about the block: what
-// pruning works on. Packs of sweeps stand for their sweeps in large blocks. A list of a large block
-// is made once; the lists of its parts are what is left of it (prune.h), copied, so that
-// every loop runs over whole registers.
+// The sweeps that can matter in a region, by columns and in single precision about the region: what
+// pruning works on. Packs of sweeps stand for their sweeps in large regions. A list of a large
+// region is made once; the lists of its parts are what is left of it (prune.h), copied, so that
+// every loop works on whole registers.
 //
 // Single precision decides nothing but what may be dropped, with a proven slack (docs/removal.md):
 // distances that reach the grid are always those of SweepTable::distance.
@@ -21,6 +21,8 @@ namespace mrsim {
 
 /// Where a list is to hold: a box, square in plan, or a ball.
 struct PruneRegion {
+  static constexpr double kRoundedUp = 1 + 1e-15;  ///< above the rounding of a root
+
   Vec3 center;
   double half = 0;    ///< of the edges of a box in plan; of a ball, its radius; mm
   double tall = 0;    ///< half of a box's height, the same
@@ -31,11 +33,11 @@ struct PruneRegion {
   static PruneRegion ball(const Vec3& center, double radius) {
     return {center, radius, radius, radius, false};
   }
-  static PruneRegion block(const Vec3& center, double half) {
+  static PruneRegion cube(const Vec3& center, double half) {
     return {center, half, half, half * 1.7320508075688774, true};
   }
   static PruneRegion column(const Vec3& center, double half, double tall) {
-    return {center, half, tall, std::sqrt(2 * half * half + tall * tall) * (1 + 1e-15), true};
+    return {center, half, tall, std::sqrt(2 * half * half + tall * tall) * kRoundedUp, true};
   }
 };
 

@@ -87,7 +87,7 @@ class PackExpander {
   }
   // Packs of paths have heights, but no distances.
   bool is_measured(const SweepClass& type) const {
-    return by_heights_ || type.form != SweepClass::Form::piece;
+    return by_heights_ || type.form != SweepClass::Form::segment;
   }
 
   // The children of a large pack, or theirs.

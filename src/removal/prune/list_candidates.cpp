@@ -20,8 +20,8 @@ void list_candidates(const SweepTable& table, std::span<const std::uint32_t> ids
     entries.push_back({c.packs[pack].of, pack, c.packs[pack].first});
   sort_by_class(entries, c.classes.size());
   std::size_t slots = ids.size();
-  for (std::size_t k = 0; !c.first_piece.empty() && k < sweeps.size(); ++k)
-    slots += c.piece_count(sweeps[k]);
+  for (std::size_t k = 0; !c.first_segment.empty() && k < sweeps.size(); ++k)
+    slots += c.segment_count(sweeps[k]);
   std::size_t slices = 2;
   for (std::size_t k = 1; k < entries.size(); ++k) slices += entries[k].of != entries[k - 1].of;
   out.reset(CandidateList::room(slots, slices), origin);

@@ -9,7 +9,7 @@
 
 namespace mrsim {
 
-/// The list of some sweeps and packs of a table, ascending. `origin` is a point of the block that
+/// The list of some sweeps and packs of a table, ascending. `origin` is a point of the region that
 /// the list is for: single precision is good near it.
 void list_candidates(const SweepTable& table, std::span<const std::uint32_t> ids,
                      const Vec3& origin, CandidateList& out);

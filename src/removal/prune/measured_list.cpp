@@ -44,7 +44,7 @@ MeasuredList::MeasuredList(const SweepTable& table, const PruneRegion& region, d
       undercuts_(undercuts) {
   const auto& slices = in.slices();
   for (std::size_t i = 0; band > 0 && i < slices.size(); ++i)
-    by_heights_ = by_heights_ || type(i).form == SweepClass::Form::piece;
+    by_heights_ = by_heights_ || type(i).form == SweepClass::Form::segment;
   measure(table);
 }
 
@@ -167,7 +167,7 @@ void MeasuredList::measure_slice(std::size_t i) {
   if (is_other(i)) {
     const CandidateRows r = rows(i);
     for (std::size_t k = 0; k < slice.count; ++k)
-      r.rest[k] += at_.fixed + at_.per_root * std::sqrt(r.squared[k]) + 1e-9f * r.squared[k];
+      r.rest[k] += at_.fixed + at_.per_root * std::sqrt(r.squared[k]) + kTieMargin * r.squared[k];
     least_ = std::min(least_, least.distance);
     return;
   }
@@ -194,8 +194,8 @@ void MeasuredList::measure_heights() {
     const CandidateList::Slice& slice = in_.slices()[i];
     float* lower = scratch_.lower.data() + slice.first;
     if (is_bounded(i))
-      heights_.add(kernels_.piece_heights(in_.columns(slice.first), slice.count,
-                                          heights_.args(type(i)), lower));
+      heights_.add(kernels_.segment_heights(in_.columns(slice.first), slice.count,
+                                            heights_.args(type(i)), lower));
     else if (is_measured_horizontal(i))
       heights_.add(
           kernels_.horizontal_heights(rows(i), slice.count, heights_.args(type(i)), lower));

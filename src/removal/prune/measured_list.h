@@ -14,9 +14,9 @@
 
 namespace mrsim {
 
-/// Pieces of a mill that narrows upwards: their heights never tell that a region is swept.
+/// Segments of a mill that narrows upwards: their heights never tell that a region is swept.
 inline bool is_undercutting(const SweepClass& type) {
-  return type.form == SweepClass::Form::piece && !type.packs && type.heights.lift > 0;
+  return type.form == SweepClass::Form::segment && !type.packs && type.heights.lift > 0;
 }
 
 /// One thread has one of these at a time: its memory is kept for the next.
@@ -56,7 +56,7 @@ class MeasuredList {
 
   /// The slice is kept or dropped by heights alone: lower bounds of them, and the largest to keep.
   bool is_bounded(std::size_t slice) const {
-    return type(slice).form == SweepClass::Form::piece && by_heights_ &&
+    return type(slice).form == SweepClass::Form::segment && by_heights_ &&
            !(undercuts_ && is_undercutting(type(slice)));
   }
   const float* lower(std::size_t slice) const {
@@ -104,7 +104,7 @@ class MeasuredList {
 
   bool is_other(std::size_t slice) const {
     return type(slice).form == SweepClass::Form::other ||
-           (type(slice).form == SweepClass::Form::piece && !is_bounded(slice));
+           (type(slice).form == SweepClass::Form::segment && !is_bounded(slice));
   }
   // Its rows tell heights.
   bool is_measured_horizontal(std::size_t slice) const {
@@ -127,7 +127,7 @@ class MeasuredList {
   double deep_;  // mm: a region whose distances are below this is of no interest
   RegionArgs at_;
   HeightBounds heights_;
-  bool by_heights_ = false;  // the list has pieces, and no more than the band is asked
+  bool by_heights_ = false;  // the list has segments, and no more than the band is asked
   bool undercuts_;
   float least_ = std::numeric_limits<float>::infinity();
   double spread_ = 0;

@@ -61,7 +61,7 @@ class Keeper {
       if (type(from).form == SweepClass::Form::turn)
         keep_packs(slices[from].of, out);
       else if (measured_.is_bounded(from))
-        keep_pieces(from, to, out);
+        keep_segments(from, to, out);
       else if (!keep_group(from, to, limit, band, out))
         return false;
       from = to;
@@ -90,7 +90,7 @@ class Keeper {
     return {r.squared[k], r.x[k], r.y[k], r.z[k], r.height_number[k], id};
   }
 
-  void keep_pieces(std::size_t from, std::size_t to, CandidateList& out) {
+  void keep_segments(std::size_t from, std::size_t to, CandidateList& out) {
     for (std::size_t i = from; i < to; ++i) {
       const CandidateList::Slice& slice = in_.slices()[i];
       const std::size_t first = out.begin_slice(slice.of, slice.numbers);

@@ -37,7 +37,7 @@ inline void set_delta(RegionArgs& a, double extent, double radius) {
 /// together: so do the distances of a point from them, and their squares by that times twice the
 /// larger one.
 inline void set_margin(RegionArgs& a, float spread) {
-  a.fixed = a.delta * (4 * a.radius + 16 * a.delta) + 1e-9f + 2 * spread * a.radius;
+  a.fixed = a.delta * (4 * a.radius + 16 * a.delta) + kTieMargin + 2 * spread * a.radius;
   a.per_root = 4 * a.delta + 2 * spread;
 }
 

@@ -11,7 +11,7 @@ bool is_less(const SliceEntry& a, const SliceEntry& b) {
 
 }  // namespace
 
-// Two by two.
+// Merge sort: stretches that are sorted already are merged two by two.
 void sort_by_class(SliceEntries& entries) {
   static thread_local SliceEntries merged;
   static thread_local std::vector<std::size_t> ends;
@@ -36,12 +36,12 @@ void sort_by_class(SliceEntries& entries) {
 
 void sort_by_class(SliceEntries& entries, std::size_t classes) {
   static thread_local SliceEntries sorted;
-  static thread_local std::vector<std::size_t> places;
-  places.assign(classes + 1, 0);
-  for (const SliceEntry& e : entries) ++places[e.of + 1];
-  for (std::size_t of = 1; of < places.size(); ++of) places[of] += places[of - 1];
+  static thread_local std::vector<std::size_t> begins;
+  begins.assign(classes + 1, 0);
+  for (const SliceEntry& e : entries) ++begins[e.of + 1];
+  for (std::size_t of = 1; of < begins.size(); ++of) begins[of] += begins[of - 1];
   sorted.resize(entries.size());
-  for (const SliceEntry& e : entries) sorted[places[e.of]++] = e;
+  for (const SliceEntry& e : entries) sorted[begins[e.of]++] = e;
   entries.swap(sorted);
 }
 

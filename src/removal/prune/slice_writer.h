@@ -41,20 +41,20 @@ class SliceWriter {
     form_ = type.form;
     first_ = slot_ = list_.begin_slice(of, type.packs ? kPackColumn : kIdColumn);
     to_ = list_.column(0);
-    const bool piece = form_ == SweepClass::Form::piece;
-    list_.closed = list_.closed && form_ != SweepClass::Form::other && !piece;
+    const bool segment = form_ == SweepClass::Form::segment;
+    list_.closed = list_.closed && form_ != SweepClass::Form::other && !segment;
     const ToolColumns& t = type.tool;
     for (const float size : {t.core + t.round, std::isinf(t.height) ? 0 : t.height})
       extent_ = std::max<double>(extent_, size);
     for (const float size : {type.heights.radius, type.heights.lift, type.heights.top})
-      if (piece && !std::isinf(size)) extent_ = std::max<double>(extent_, size);
+      if (segment && !std::isinf(size)) extent_ = std::max<double>(extent_, size);
   }
   void close() { list_.close_slice(slot_ - first_); }
 
   // A sweep, or a pack.
   void add(std::uint32_t number) {
     if (number >= kFirstPack) return add_pack(number);
-    if (form_ == SweepClass::Form::piece) return add_pieces(number);
+    if (form_ == SweepClass::Form::segment) return add_segments(number);
     const std::uint32_t row = columns_.row_of(number);
     if (form_ == SweepClass::Form::strip) widen_strip(columns_.ball_lines[row].c);
     if (form_ == SweepClass::Form::line) widen_line(columns_.plane_lines[row].c);
@@ -76,7 +76,7 @@ class SliceWriter {
       common[LineColumn::height_number] = static_cast<float>(height_number_of(pack.first));
     }
     spread_ = std::max<double>(spread_, pack.spread);
-    if (form_ == SweepClass::Form::piece)
+    if (form_ == SweepClass::Form::segment)
       spread_ = std::max(spread_, pack.spread + chord[BallSlot::error]);
     for (std::size_t i = 0; i < PackColumns::kColumns; ++i) {
       float sums[kLanes];  // in registers
@@ -107,9 +107,9 @@ class SliceWriter {
     put(kIdColumn, id);
     ++slot_;
   }
-  void add_pieces(std::uint32_t id) {
-    for (std::uint32_t k = columns_.first_piece[id]; k < columns_.first_piece[id + 1]; ++k) {
-      piece(columns_.pieces[k].c);
+  void add_segments(std::uint32_t id) {
+    for (std::uint32_t k = columns_.first_segment[id]; k < columns_.first_segment[id + 1]; ++k) {
+      segment(columns_.segments[k].c);
       put(kIdColumn, id);
       ++slot_;
     }
@@ -117,8 +117,8 @@ class SliceWriter {
   void add_pack(std::uint32_t number) {
     const std::uint32_t first = columns_.packs[number].first;
     const double* chord = columns_.packs.chord(number).c;
-    if (form_ == SweepClass::Form::piece)
-      piece(chord);
+    if (form_ == SweepClass::Form::segment)
+      segment(chord);
     else if (form_ == SweepClass::Form::strip)
       widen_strip(chord), strip(chord);
     else
@@ -128,7 +128,7 @@ class SliceWriter {
     ++slot_;
   }
 
-  void piece(const double* c) {
+  void segment(const double* c) {
     put({c[BallSlot::x] - origin_.x, c[BallSlot::y] - origin_.y, c[BallSlot::z] - origin_.z,
          c[BallSlot::ux], c[BallSlot::uy], c[BallSlot::length], c[BallSlot::slope],
          c[BallSlot::error]});
@@ -148,7 +148,8 @@ class SliceWriter {
   }
   void line(const double* c, std::uint32_t id) {
     put({c[LineSlot::x] - origin_.x, c[LineSlot::y] - origin_.y, c[LineSlot::dx], c[LineSlot::dy],
-         1 / std::max(c[LineSlot::dx] * c[LineSlot::dx] + c[LineSlot::dy] * c[LineSlot::dy], 1e-30),
+         1 / std::max(c[LineSlot::dx] * c[LineSlot::dx] + c[LineSlot::dy] * c[LineSlot::dy],
+                      kLeastSquare),
          c[LineSlot::low] - c[LineSlot::round] - origin_.z, height_number_of(id)});
   }
   void widen_line(const double* c) {

@@ -10,7 +10,7 @@ static void ball_line_least_at(std::size_t first, double radius, const LineRecor
   const V r = splat(radius);
   for (std::size_t g = 0; g < kGroups; ++g) {
     const std::size_t k = first + g * kLanes;
-    x[g] = read(points.x + k), y[g] = read(points.y + k), z[g] = read(points.z + k);
+    x[g] = load(points.x + k), y[g] = load(points.y + k), z[g] = load(points.z + k);
     lowest[g] = splat(std::numeric_limits<double>::infinity());
   }
   for (std::size_t i = 0; i < n; ++i) {
@@ -25,9 +25,9 @@ static void ball_line_least_at(std::size_t first, double radius, const LineRecor
   }
   for (std::size_t g = 0; g < kGroups; ++g) {
     const std::size_t k = first + g * kLanes;
-    V least = read(points.least + k), nearest = read(points.nearest + k);
-    const V root = vsqrt(lowest[g]), reach = root + splat(1e-15) * (root + r);
-    const V most = reach * reach * splat(1 + 1e-14);
+    V least = load(points.least + k), nearest = load(points.nearest + k);
+    const V root = vsqrt(lowest[g]), reach = root + splat(kNineHalfUlps) * (root + r);
+    const V most = reach * reach * splat(1 + kNinetyHalfUlps);
     for (std::size_t i = 0; i < n; ++i)
       if (bits(less_equal(squares[i][g], most)) != 0)
         take_closer(vsqrt(squares[i][g]) - r, splat(static_cast<double>(ids[i])), least, nearest);
@@ -52,8 +52,8 @@ static void ball_line_least_of(double radius, const LineRecord* records, const s
 static void ball_line_least_mixed(const LineRecord* records, const std::uint32_t* rows,
                                   const std::uint32_t* ids, std::size_t n, PointColumns& points) {
   for (std::size_t k = 0; k < points.count; k += kLanes) {
-    const V x = read(points.x + k), y = read(points.y + k), z = read(points.z + k);
-    V least = read(points.least + k), nearest = read(points.nearest + k);
+    const V x = load(points.x + k), y = load(points.y + k), z = load(points.z + k);
+    V least = load(points.least + k), nearest = load(points.nearest + k);
     for (std::size_t i = 0; i < n; ++i) {
       const double* r = records[rows[i]].c;
       V c[8];
@@ -61,7 +61,7 @@ static void ball_line_least_mixed(const LineRecord* records, const std::uint32_t
       const V scale = splat(1.0 / (1.0 + r[BallSlot::slope] * r[BallSlot::slope]));
       const V squared = strip_foot(c, scale, x, y, z).squared;
       const V reach = vmax(least + c[BallSlot::radius], splat(0.0));
-      if (bits(less_equal(squared, reach * reach * splat(1 + 1e-14))) == 0) continue;
+      if (bits(less_equal(squared, reach * reach * splat(1 + kNinetyHalfUlps))) == 0) continue;
       take_closer(vsqrt(squared) - c[BallSlot::radius], splat(static_cast<double>(ids[i])), least,
                   nearest);
     }

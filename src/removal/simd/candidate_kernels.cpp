@@ -45,7 +45,7 @@ MRSIM_LANE M splat_mask(bool b) { return b; }
 MRSIM_LANE M first_lanes(std::size_t) { return true; }
 MRSIM_LANE M both(M a, M b) { return a && b; }
 MRSIM_LANE M either(M a, M b) { return a || b; }
-MRSIM_LANE M without(M a, M b) { return a && !b; }
+MRSIM_LANE M except(M a, M b) { return a && !b; }
 MRSIM_LANE bool any(M m) { return m; }
 MRSIM_LANE std::size_t first_set(M m) { return m ? 0 : kLanes; }
 MRSIM_LANE float least_lane(V v) { return v; }
@@ -105,7 +105,7 @@ MRSIM_LANE M first_lanes(std::size_t n) {
 }
 MRSIM_LANE M both(M a, M b) { return _mm256_and_ps(a, b); }
 MRSIM_LANE M either(M a, M b) { return _mm256_or_ps(a, b); }
-MRSIM_LANE M without(M a, M b) { return _mm256_andnot_ps(b, a); }
+MRSIM_LANE M except(M a, M b) { return _mm256_andnot_ps(b, a); }
 MRSIM_LANE unsigned bits(M m) { return static_cast<unsigned>(_mm256_movemask_ps(m)); }
 MRSIM_LANE bool any(M m) { return bits(m) != 0; }
 MRSIM_LANE std::size_t first_set(M m) {
@@ -157,7 +157,7 @@ MRSIM_LANE M first_lanes(std::size_t n) {
 }
 MRSIM_LANE M both(M a, M b) { return static_cast<M>(a & b); }
 MRSIM_LANE M either(M a, M b) { return static_cast<M>(a | b); }
-MRSIM_LANE M without(M a, M b) { return static_cast<M>(a & ~b); }
+MRSIM_LANE M except(M a, M b) { return static_cast<M>(a & ~b); }
 MRSIM_LANE bool any(M m) { return m != 0; }
 MRSIM_LANE std::size_t first_set(M m) {
   return static_cast<std::size_t>(std::countr_zero(static_cast<unsigned>(m) | 0x10000u));

@@ -1,7 +1,7 @@
 // The loops of pruning over columns of sweeps, for the best instruction set of this machine.
 //
 // Columns by form, lengths in mm about the list's origin: StripColumn, LineColumn, ArcColumn; of a
-// straight piece of a slanted path, BallSlot (removal/field/record_slots.h).
+// straight segment of a slanted path, BallSlot (removal/field/record_slots.h).
 // A height number is equal for two sweeps just when their tips are equally high in double; NaN
 // equals nothing. The last column holds the bits of the sweep's index, which compare as they do;
 // for a pack that of its first sweep, and the column before it the pack's number.
@@ -17,6 +17,9 @@ enum class InstructionSet;
 
 inline constexpr std::size_t kCandidateColumns = 10, kIdColumn = 9, kPackColumn = 8;
 inline constexpr float kFloatInfinity = std::numeric_limits<float>::infinity();
+/// mm^2, and a share of squared distances: exact distances, in doubles, are rounded by less, so of
+/// sweeps that are equally near none is dropped.
+inline constexpr float kTieMargin = 1e-9f;
 
 struct CandidateColumns {
   const float* base = nullptr;
@@ -51,7 +54,7 @@ struct HeightArgs {
   float wide = 0;      ///< radius in plan of what the bounds are for
   float top = 0;       ///< height above which a bound need not hold
   float error = 0;     ///< of a bound
-  float stray = 1;     ///< share of a path's deviation from its piece that may lie in plan
+  float stray = 1;     ///< share of a path's deviation from its segment that may lie in plan
   HeightTool tool;
 };
 
@@ -77,7 +80,7 @@ struct LeastDistance {
   float distance, squared, z;
 };
 
-/// A sweep that may beat others, and the limits of one run.
+/// A sweep that may beat others, and the limits of one call.
 struct Beater {
   float squared, x, y, z, height_number, id;
 };
@@ -124,9 +127,9 @@ struct CandidateKernels {
                       bool& reaches);
 
   /// Heights over a square: writes what each is at least to `lower`, infinite where the tool does
-  /// not come, and returns what the least one is at most (height_lanes.inl). Of pieces of paths:
-  float (*piece_heights)(const CandidateColumns& c, std::size_t n, const HeightArgs& a,
-                         float* lower);
+  /// not come, and returns what the least one is at most (height_lanes.inl). Of segments of paths:
+  float (*segment_heights)(const CandidateColumns& c, std::size_t n, const HeightArgs& a,
+                           float* lower);
   /// Of horizontal moves, by rows that line() or arc() has filled:
   float (*horizontal_heights)(const CandidateRows& rows, std::size_t n, const HeightArgs& a,
                               float* lower);

@@ -5,6 +5,8 @@ struct Row {
   V distance, squared, x, y, z, rest, height_number;
 };
 
+constexpr float kNoDivisor = 1e-20f;  // mm: in place of a divisor that is 0
+
 MRSIM_LANE V clamped(V x, V low, V high) { return vmin(vmax(x, low), high); }
 
 // The largest product of the vector with any offset from the region's centre.
@@ -27,7 +29,7 @@ MRSIM_LANE M comes_within(const RegionArgs& a, float within, V squared, V x, V y
 }
 
 MRSIM_LANE V margin(const RegionArgs& a, V squared, V root) {
-  return splat(a.fixed) + splat(a.per_root) * root + splat(1e-9f) * squared;
+  return splat(a.fixed) + splat(a.per_root) * root + splat(kTieMargin) * squared;
 }
 // On a segment of direction d (|d|^2 = size) and length `end` d, whose nearest point lies at `t`
 // and would at `raw` on the whole line: the most that a step from there on the segment gains,
@@ -109,7 +111,7 @@ MRSIM_LANE Row arc_row(const CandidateColumns& c, std::size_t k, const RegionArg
   const V along = dx * mx + dy * my, off = dy * mx - dx * my, side = vabs(off);
   const V n = vsqrt(dx * dx + dy * dy);
   const M facing = less_equal(cosine * side - sine * along, zero);
-  const V scale = radius / vmax(n, splat(1e-20f)) - splat(1);
+  const V scale = radius / vmax(n, splat(kNoDivisor)) - splat(1);
   const V ea = radius * cosine, eb = radius * sine;
   const V signed_eb = select(less_equal(off, zero), zero - eb, eb);
   const V ex = ea * mx - signed_eb * my - dx, ey = ea * my + signed_eb * mx - dy;
@@ -123,8 +125,8 @@ MRSIM_LANE Row arc_row(const CandidateColumns& c, std::size_t k, const RegionArg
   // point is not known well enough.
   const V wide = splat(a.box ? 2 * a.half * a.half : a.radius * a.radius);
   const M clear = less_equal(radius, splat(4) * n);
-  const V round =
-      (wide + splat(8 * a.delta * a.radius)) * radius / vmax(n - splat(2 * a.delta), splat(1e-20f));
+  const V round = (wide + splat(8 * a.delta * a.radius)) * radius /
+                  vmax(n - splat(2 * a.delta), splat(kNoDivisor));
   const M end = both(less_equal(zero, cosine), less_equal(eb + splat(2 * a.delta), side));
   r.squared = select(facing, select(clear, root * root, infinite), root * root);
   r.rest = above(select(facing, select(clear, round, infinite), select(end, wide, infinite))) +
@@ -214,10 +216,10 @@ static std::size_t keep(const KeepArgs& a, const CandidateRows& rows, const Cand
         const M first = either(less(splat(j.id), id), less(splat(a.beyond), squared));
         beaten = both(beaten, tip_allows(a, j, z, number, first));
       }
-      stay = without(stay, beaten);
+      stay = except(stay, beaten);
     }
     if (a.has_cover)
-      stay = without(stay, tip_allows(a, a.cover, z, number, less(splat(a.cover.id), id)));
+      stay = except(stay, tip_allows(a, a.cover, z, number, less(splat(a.cover.id), id)));
     if (!reaches)
       reaches = any(both(stay, a.plan ? less_equal(z, splat(a.within))
                                       : comes_within(a.at, a.within, squared, x, y, z)));
@@ -270,7 +272,7 @@ static std::size_t strip_ids(const CandidateColumns& c, std::size_t n, const Reg
     if (!any(near)) continue;
     const V far = reach_of(a, r.x - splat(j.x), r.y - splat(j.y), r.z - splat(j.z));
     const M beaten = less(above(far + far), r.squared - r.rest - splat(j.squared));
-    const M stay = without(near, beaten);
+    const M stay = except(near, beaten);
     if (!reaches) reaches = any(both(stay, comes_within(a, within, r.squared, r.x, r.y, r.z)));
     kept += compress(ids + kept, load(c[kIdColumn] + k), stay);
   }
@@ -280,5 +282,5 @@ static std::size_t strip_ids(const CandidateColumns& c, std::size_t n, const Reg
 #include "removal/simd/height_lanes.inl"
 
 static const CandidateKernels kKernels = {
-    near_strip,    near_line,          near_arc, find,           plan_beaters, keep,
-    piece_heights, horizontal_heights, keep_low, strip_quarters, strip_beater, strip_ids};
+    near_strip,      near_line,          near_arc, find,           plan_beaters, keep,
+    segment_heights, horizontal_heights, keep_low, strip_quarters, strip_beater, strip_ids};

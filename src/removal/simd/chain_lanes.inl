@@ -1,4 +1,4 @@
-// A straight move of a convex tool (chain_record.h), for one point (V = double) or several;
+// A straight move of a convex tool (form_records.h), for one point (V = double) or several;
 // included once per instruction set after falling_lanes.inl.
 //
 // Seen from the tool, p moves on a line, and the tool's distance F(t) from it is convex on the
@@ -23,16 +23,16 @@ struct OneChain {
 /// A move in each lane: its record by columns.
 struct EachChain {
   V c[16];
-  V x() const { return c[0]; }
-  V y() const { return c[1]; }
-  V z() const { return c[2]; }
-  V ux() const { return c[3]; }
-  V uy() const { return c[4]; }
-  V plan() const { return c[5]; }
-  V rise() const { return c[6]; }
-  V per_plan() const { return c[7]; }
-  V per_way() const { return c[8]; }
-  V tilt(std::size_t i) const { return c[9 + i]; }
+  V x() const { return c[ChainColumn::x]; }
+  V y() const { return c[ChainColumn::y]; }
+  V z() const { return c[ChainColumn::z]; }
+  V ux() const { return c[ChainColumn::ux]; }
+  V uy() const { return c[ChainColumn::uy]; }
+  V plan() const { return c[ChainColumn::plan]; }
+  V rise() const { return c[ChainColumn::rise]; }
+  V per_plan() const { return c[ChainColumn::per_plan]; }
+  V per_way() const { return c[ChainColumn::per_way]; }
+  V tilt(std::size_t i) const { return c[ChainColumn::tilt + i]; }
 };
 
 struct ChainView {
@@ -169,6 +169,9 @@ MRSIM_LANE ChainValue chain_value(const ChainTool& tool, V rho, V z) {
   return {f, foot.r * inverse, foot.z * inverse};
 }
 
+/// Values of F this near to each other are equal: F is rounded by less.
+MRSIM_LANE V chain_tolerance(V f) { return splat(1e-13) * (splat(1.0) + vabs(f)); }
+
 /// F at t, and its slope there.
 struct ChainPlace {
   V t, f, slope;
@@ -219,9 +222,10 @@ struct ChainObjective {
     const SlantStretch stretch(record, at.u, at.v, at.w);
     const Place x = best_place(stretch, wanted);
     const V f = value_of(x, splat(tool.ball)), zero = splat(0.0);
-    // The end itself, not a place beside it by rounding: faces are others there.
+    // A place that differs from the end by rounding only is the end: other faces are nearest there.
+    constexpr double kNearlyAll = 1 - 1e-14;
     const V one = splat(1.0), way = stretch.height_way(x.t);
-    const V share = select(less_equal(splat(record.length * (1 - 1e-14)), way), one,
+    const V share = select(less_equal(splat(record.length * kNearlyAll), way), one,
                            vmin(vmax(way / splat(record.length), zero), one));
     const M tip = less_equal((zero - x.dz) * splat(tool.last.x), x.dr * splat(tool.last.y));
     const M clear = less(splat(kRounding), f + splat(tool.ball));
@@ -249,7 +253,7 @@ struct ChainObjective {
     const V t = select(between(low, first, high), first,
                        select(between(low, second, high), second, lowest));
     const V f = (*this)(t).f, floor = t * rise - h;
-    return {t, f, less_equal(f - floor, splat(1e-13) * (splat(1.0) + vabs(f)))};
+    return {t, f, less_equal(f - floor, chain_tolerance(f))};
   }
 
  private:
@@ -275,8 +279,6 @@ struct ChainObjective {
     x.holds = either(both(fits, less_equal(zero, f)), except(x.holds, fits));
   }
 };
-
-MRSIM_LANE V chain_tolerance(V f) { return splat(1e-13) * (splat(1.0) + vabs(f)); }
 
 // Between a with a falling F and b with a rising one. Tangents find kinks at once, the secant of
 // the slopes smooth minima; halving bounds both.

@@ -63,8 +63,8 @@ static inline Place crossing(const Stretch& s, const Place& a, const Place& b, M
     if (!any(active)) break;
     const V step = t - x.t;
     x = choose(active, s.at(t, x, active), x);
-    active =
-        except(active, both(newton, less(step * step, splat(1e-16))));  // the next: below rounding
+    // Newton's next step is about the square of this one: below rounding.
+    active = except(active, both(newton, less(step * step, splat(1e-16))));
   }
   return x;
 }

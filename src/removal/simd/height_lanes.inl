@@ -1,8 +1,8 @@
 // Heights of slanted moves over a region's square in plan (docs/removal.md, Heights); included by
 // candidate_kernels.inl.
 //
-// Columns of a piece: start of the tip ax ay az (the lower end), unit direction ux uy and length L
-// in plan, slope m >= 0, and how far the path may be from the piece (eps).
+// Columns of a segment: start of the tip ax ay az (the lower end), unit direction ux uy and length
+// L in plan, slope m >= 0, and how far the path may be from the segment (eps).
 //
 // The tool is a disc of radius C with a fillet of radius r, a cone above it and a wall at R. Over
 // (u, v), seen from the start along and across the move, its height is the least of
@@ -16,8 +16,12 @@ MRSIM_LANE V profile_height(const HeightTool& t, V rho) {
          splat(t.slope) * beyond;
 }
 
-// Where the height is least: the sine of the surface's slope there, when no end of the move comes
-// first. Along the fillet D = C + r sine, and slope (u - s) = m D. Cone where that is not met.
+constexpr float kUprightSquare = 1e-12f;  // cosine squared: no slope is steeper than a million
+constexpr float kFarAlong = 1e6f;         // mm: beyond the ends of every move
+
+// The contact: where on the tool's surface the height is least, unless an end of the move comes
+// first. On the fillet D = C + r sine and slope (u - s) = m D; where no point of the fillet meets
+// that, the contact is on the cone.
 struct HeightContact {
   V slope;  // of the surface at the contact
   V along;  // u - s
@@ -37,9 +41,10 @@ MRSIM_LANE HeightContact height_contact(const HeightTool& t, V m, V v) {
   const V sine = splat(0.5f) * (low + high), d = splat(t.core) + splat(t.round) * sine;
   const V steepest = splat(t.steepest);
   const V on_fillet = vsqrt(vmax(d * d - vv, zero));
-  const V on_cone = select(
-      less(m, steepest), v * m / vsqrt(vmax(steepest * steepest - mm, splat(1e-12f))), splat(1e6f));
-  return {select(cone, steepest, sine / vsqrt(vmax(one - sine * sine, splat(1e-12f)))),
+  const V on_cone = select(less(m, steepest),
+                           v * m / vsqrt(vmax(steepest * steepest - mm, splat(kUprightSquare))),
+                           splat(kFarAlong));
+  return {select(cone, steepest, sine / vsqrt(vmax(one - sine * sine, splat(kUprightSquare)))),
           select(cone, on_cone, on_fillet)};
 }
 
@@ -54,10 +59,10 @@ MRSIM_LANE V tangent_height(const HeightTool& t, V wide, V slope, V gu, V gv, V 
   return m * s + gu * (u - s) + gv * v - below;
 }
 
-// Writes what the height of each piece is at least over the square to `lower`, and returns what the
-// least one is at most.
-static float piece_heights(const CandidateColumns& c, std::size_t n, const HeightArgs& a,
-                           float* lower) {
+// Writes what the height of each segment is at least over the square to `lower`, and returns what
+// the least one is at most.
+static float segment_heights(const CandidateColumns& c, std::size_t n, const HeightArgs& a,
+                             float* lower) {
   const HeightTool& t = a.tool;
   const V zero = splat(0), infinite = splat(kFloatInfinity);
   V least = infinite;
@@ -86,8 +91,8 @@ static float piece_heights(const CandidateColumns& c, std::size_t n, const Heigh
     const V e = u - clamped(at, s0, s1), d = vsqrt(e * e + vv);
     const V sine = clamped((d - splat(t.core)) * splat(t.per_round), zero, splat(t.sine));
     const V slope = select(less(splat(t.core + t.reach), d), splat(t.steepest),
-                           sine / vsqrt(vmax(splat(1) - sine * sine, splat(1e-12f))));
-    const V share = slope / vmax(d, splat(1e-20f));
+                           sine / vsqrt(vmax(splat(1) - sine * sine, splat(kUprightSquare))));
+    const V share = slope / vmax(d, splat(kNoDivisor));
     low = vmax(low, tangent_height(t, wide, slope, share * e, share * v, m, s0, s1, u, v));
     store(lower + k, select(near, az + low - error, infinite));
     // A position of the narrowed tool.

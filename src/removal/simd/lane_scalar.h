@@ -3,12 +3,7 @@
 
 #include "core/lane_scalar.h"
 #include "core/rounding.h"
-#include "removal/field/record_slots.h"
-#include "removal/simd/chain_record.h"
-#include "removal/simd/helix_record.h"
-#include "removal/simd/outline_record.h"
-#include "removal/simd/slant_record.h"
-#include "removal/simd/upright_record.h"
+#include "removal/simd/form_records.h"
 
 #include <cmath>
 #include <limits>

@@ -5,8 +5,8 @@
 // each other share rho, so it is found once for a column of points, and the least rho gives the
 // least distance.
 
-// The first columns of a record tell the distance in plan, the four after them
-// the tool's section at its height.
+// The columns of a record before `low` tell the distance in plan; `low`, `core`, `round` and `top`
+// are the tool's section at its height.
 MRSIM_LANE V plan_rho(const LineRecord& r, V x, V y) {
   V c[LineSlot::low];
   for (std::size_t j = 0; j < LineSlot::low; ++j) c[j] = splat(r.c[j]);
@@ -17,37 +17,54 @@ MRSIM_LANE V plan_rho(const ArcRecord& r, V x, V y) {
   for (std::size_t j = 0; j < ArcSlot::low; ++j) c[j] = splat(r.c[j]);
   return arc_rho(c, x, y);
 }
-static const double* section_of(const LineRecord& r) { return r.c + LineSlot::low; }
-static const double* section_of(const ArcRecord& r) { return r.c + ArcSlot::low; }
 
 // rounded_slab of one section at heights z.
 struct Section {
   V low, core, round, top;
 };
+template <class Slot>
+MRSIM_LANE Section section_in(const double* c) {
+  return {splat(c[Slot::low]), splat(c[Slot::core]), splat(c[Slot::round]), splat(c[Slot::top])};
+}
+MRSIM_LANE Section section_of(const LineRecord& r) { return section_in<LineSlot>(r.c); }
+MRSIM_LANE Section section_of(const ArcRecord& r) { return section_in<ArcSlot>(r.c); }
+
+template <class Slot>
+static bool same_section_in(const double* a, const double* b) {
+  return a[Slot::low] == b[Slot::low] && a[Slot::core] == b[Slot::core] &&
+         a[Slot::round] == b[Slot::round] && a[Slot::top] == b[Slot::top];
+}
+static bool same_section(const LineRecord& a, const LineRecord& b) {
+  return same_section_in<LineSlot>(a.c, b.c);
+}
+static bool same_section(const ArcRecord& a, const ArcRecord& b) {
+  return same_section_in<ArcSlot>(a.c, b.c);
+}
+
 // Distances in plan up to which all give the same distance at height z; less 90 half ulps of the
 // radius, where the sums below round by three.
 MRSIM_LANE V saturation(const Section& s, V z) {
   const SlabSide side = slab_side(z, s.low, s.core, s.round, s.top);
-  return side.core + vmin(side.dz, splat(0.0)) - splat(1e-14) * (s.core + s.round);
+  return side.core + vmin(side.dz, splat(0.0)) - splat(kNinetyHalfUlps) * (s.core + s.round);
 }
 
 MRSIM_LANE V section_distance(const Section& s, V rho, V z) {
   return rounded_slab(rho, z, s.low, s.core, s.round, s.top);
 }
 
-// Above every distance in plan that could, rounded, give the distance `rho` does at heights z: each
-// margin is nine half ulps or more of what is rounded there, by one or two.
+// An upper bound of the distances in plan that give, after rounding, the same distance as `rho` at
+// heights z: each margin is nine half ulps or more of a value that is rounded once or twice.
 MRSIM_LANE V farthest_equal(const Section& s, V rho, V z) {
-  const V zero = splat(0.0), unit = splat(1e-15);
+  const V zero = splat(0.0), unit = splat(kNineHalfUlps);
   const SlabSide side = slab_side(z, s.low, s.core, s.round, s.top);
   const V core = side.core, dr = rho - core, dz = side.dz;
   const V inner = vmax(dr, vmin(dz, zero));
   const V a = vmax(dr, zero), b = vmax(dz, zero);
   const V root = vsqrt(a * a + b * b), reach = root + unit * (root + s.round);
-  const V outer = vsqrt(vmax(reach * reach * splat(1 + 1e-14) - b * b, zero));
+  const V outer = vsqrt(vmax(reach * reach * splat(1 + kNinetyHalfUlps) - b * b, zero));
   const V flat = inner + unit * (vabs(inner) + s.round);
   const V most = select(less(zero, root), vmax(flat, outer), flat);
-  return most + core + splat(4e-15) * (most + core + core);
+  return most + core + splat(4 * kNineHalfUlps) * (most + core + core);
 }
 
 // The points of one height each in columns of equal x and y: the k-th of a column is `k` behind it.
@@ -74,13 +91,11 @@ template <class Record>
 static void plan_least_of_each(const Record* records, const std::uint32_t* rows,
                                const std::uint32_t* ids, std::size_t n, PointColumns& points) {
   for (std::size_t k = 0; k < points.count; k += kLanes) {
-    const V x = read(points.x + k), y = read(points.y + k), z = read(points.z + k);
-    V least = read(points.least + k), nearest = read(points.nearest + k);
+    const V x = load(points.x + k), y = load(points.y + k), z = load(points.z + k);
+    V least = load(points.least + k), nearest = load(points.nearest + k);
     for (std::size_t i = 0; i < n; ++i) {
       const Record& r = records[rows[i]];
-      const double* c = section_of(r);
-      const Section section{splat(c[0]), splat(c[1]), splat(c[2]), splat(c[3])};
-      take_closer(section_distance(section, plan_rho(r, x, y), z),
+      take_closer(section_distance(section_of(r), plan_rho(r, x, y), z),
                   splat(static_cast<double>(ids[i])), least, nearest);
     }
     store(points.least + k, least), store(points.nearest + k, nearest);
@@ -94,8 +109,7 @@ template <class Record>
 static void plan_least_of(const Record* records, const std::uint32_t* rows,
                           const std::uint32_t* ids, std::size_t n, const PlanColumns& columns,
                           PointColumns& points) {
-  const double* c = section_of(records[rows[0]]);
-  const Section section{splat(c[0]), splat(c[1]), splat(c[2]), splat(c[3])};
+  const Section section = section_of(records[rows[0]]);
   for (std::size_t first = 0; first < columns.count; first += kLanes) {
     alignas(64) double x[kLanes], y[kLanes], z[kLanes], least[kLanes], nearest[kLanes];
     std::size_t at[kLanes];
@@ -106,7 +120,7 @@ static void plan_least_of(const Record* records, const std::uint32_t* rows,
     const V own_first = splat(static_cast<double>(ids[0]));
     const auto heights = [&](std::size_t k) {
       for (std::size_t l = 0; l < kLanes; ++l) z[l] = points.z[at[l] + k];
-      return read(z);
+      return load(z);
     };
     V enough = splat(std::numeric_limits<double>::infinity());
     for (std::size_t k = 0; k < columns.depth; ++k)
@@ -114,14 +128,14 @@ static void plan_least_of(const Record* records, const std::uint32_t* rows,
     V rho[kSquares], lowest = splat(std::numeric_limits<double>::infinity());
     std::size_t count = 0;
     while (count < n && bits(less(enough, lowest)) != 0) {
-      rho[count] = plan_rho(records[rows[count]], read(x), read(y));
+      rho[count] = plan_rho(records[rows[count]], load(x), load(y));
       lowest = vmin(rho[count++], lowest);
     }
     for (std::size_t k = 0; k < columns.depth; ++k) {
       for (std::size_t l = 0; l < kLanes; ++l)
         least[l] = points.least[at[l] + k], nearest[l] = points.nearest[at[l] + k];
       const V height = heights(k), d = section_distance(section, lowest, height);
-      V own_least = read(least), own_nearest = read(nearest);
+      V own_least = load(least), own_nearest = load(nearest);
       M active =
           either(less(d, own_least), both(less_equal(d, own_least), less(own_first, own_nearest)));
       if (bits(active) == 0) continue;
@@ -151,12 +165,9 @@ static void plan_least(const Record* records, const std::uint32_t* rows, const s
     return plan_least_of_each(records, rows, ids, n, points);
   const PlanColumns columns = plan_columns(points);
   for (std::size_t from = 0, end = 0; from < n; from = end) {
-    const double* own = section_of(records[rows[from]]);
-    const auto alike = [&](const double* other) {
-      return own[0] == other[0] && own[1] == other[1] && own[2] == other[2] && own[3] == other[3];
-    };
+    const Record& own = records[rows[from]];
     for (end = from + 1; end < n && end < from + kSquares; ++end)
-      if (ids[end] < ids[end - 1] || !alike(section_of(records[rows[end]]))) break;
+      if (ids[end] < ids[end - 1] || !same_section(own, records[rows[end]])) break;
     plan_least_of(records, rows + from, ids + from, end - from, columns, points);
   }
 }

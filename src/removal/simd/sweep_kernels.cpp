@@ -45,7 +45,7 @@ namespace {
 constexpr std::size_t kLanes = 1;
 constexpr const char* kName = "scalar";
 #define MRSIM_LANE inline
-MRSIM_LANE V read(const double* p) { return *p; }
+MRSIM_LANE V load(const double* p) { return *p; }
 template <class Record>
 MRSIM_LANE void load_columns(const Record* r, std::size_t from, const std::uint32_t* rows, V* c) {
   const double* p = numbers_of(r, rows[0]) + from;
@@ -83,7 +83,7 @@ constexpr const char* kName = "AVX2";
 using V = __m256d;
 using M = __m256d;
 MRSIM_LANE V splat(double a) { return _mm256_set1_pd(a); }
-MRSIM_LANE V read(const double* p) { return _mm256_loadu_pd(p); }
+MRSIM_LANE V load(const double* p) { return _mm256_loadu_pd(p); }
 MRSIM_LANE M less(V a, V b) { return _mm256_cmp_pd(a, b, _CMP_LT_OQ); }
 MRSIM_LANE M both(M a, M b) { return _mm256_and_pd(a, b); }
 MRSIM_LANE M either(M a, M b) { return _mm256_or_pd(a, b); }
@@ -159,7 +159,7 @@ constexpr const char* kName = "AVX-512";
 using V = __m512d;
 using M = __mmask8;
 MRSIM_LANE V splat(double a) { return _mm512_set1_pd(a); }
-MRSIM_LANE V read(const double* p) { return _mm512_loadu_pd(p); }
+MRSIM_LANE V load(const double* p) { return _mm512_loadu_pd(p); }
 MRSIM_LANE M less(V a, V b) { return _mm512_cmp_pd_mask(a, b, _CMP_LT_OQ); }
 MRSIM_LANE M both(M a, M b) { return static_cast<M>(a & b); }
 MRSIM_LANE M either(M a, M b) { return static_cast<M>(a | b); }

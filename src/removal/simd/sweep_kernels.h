@@ -3,12 +3,7 @@
 #pragma once
 
 #include "core/rounding.h"
-#include "removal/field/record_slots.h"
-#include "removal/simd/chain_record.h"
-#include "removal/simd/helix_record.h"
-#include "removal/simd/outline_record.h"
-#include "removal/simd/slant_record.h"
-#include "removal/simd/upright_record.h"
+#include "removal/simd/form_records.h"
 #include "removal/tool/polygon.h"
 #include <mrsim/types.h>
 
@@ -16,14 +11,6 @@
 #include <cstdint>
 
 namespace mrsim {
-
-/// Coefficients of one sweep by BallSlot, LineSlot, BoreSlot or ArcSlot; whole cache lines.
-struct alignas(64) LineRecord {
-  double c[8] = {};
-};
-struct alignas(64) ArcRecord {
-  double c[16] = {};
-};
 
 /// Points by columns, with the nearest sweep so far and its distance.
 struct PointColumns {
@@ -34,8 +21,8 @@ struct PointColumns {
   alignas(64) double nearest[kMost];  ///< index of the sweep; of equally near ones the lower
 };
 
-/// Places in plan by columns, with the lowest height so far.
-struct PlanPlaces {
+/// Points in plan by columns, with the lowest height so far.
+struct PlanPoints {
   static constexpr std::size_t kCount = 16;
   alignas(64) double x[kCount], y[kCount];
   alignas(64) double low[kCount];
@@ -104,13 +91,13 @@ struct SweepKernels {
   /// Brings `points`, seen as (x, z) or (-x, z), up to date with a polygon less `round`.
   void (*polygon_least)(const ConvexPolygon::Side* sides, std::size_t count, double round,
                         bool mirrored, std::uint32_t id, PointColumns& points);
-  /// out[k]: the lowest height of a ball's straight move (ball_height_lanes.inl) above place k in
-  /// plan. Returns a bit for each place where that is below the place's lowest so far, which is not
+  /// out[k]: the lowest height of a ball's straight move (ball_height_lanes.inl) above point k in
+  /// plan. Returns a bit for each point where that is below its lowest so far, which is not
   /// changed.
-  std::uint32_t (*ball_heights)(const LineRecord& move, const PlanPlaces& places, double* out);
-  /// Bounds of these heights within r of each place: lowers `least` to the lower bound and `low` to
-  /// the upper one. Returns a bit for each place where the lower bound is below its `low` before.
-  std::uint32_t (*ball_bounds)(const LineRecord& move, double r, PlanPlaces& places, double* least);
+  std::uint32_t (*ball_heights)(const LineRecord& move, const PlanPoints& points, double* out);
+  /// Bounds of these heights within r of each point: lowers `least` to the lower bound and `low` to
+  /// the upper one. Returns a bit for each point where the lower bound is below its `low` before.
+  std::uint32_t (*ball_bounds)(const LineRecord& move, double r, PlanPoints& points, double* least);
 };
 
 enum class InstructionSet { scalar, avx2, avx512 };

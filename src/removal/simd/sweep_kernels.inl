@@ -1,5 +1,5 @@
 // Loops over the forms of sweep_lanes.inl; included once per instruction set by sweep_kernels.cpp,
-// with kLanes, V, read, load_line, load_arc, store and store_some in scope. The rest of a list that
+// with kLanes, V, load, load_line, load_arc, store and store_some in scope. The rest of a list that
 // does not fill a register repeats its last sweep and is not stored.
 
 // Rows k .. k + kLanes - 1, the last one repeated.
@@ -14,20 +14,23 @@ MRSIM_LANE void take_closer(V d, V id, V& least, V& nearest) {
 
 constexpr std::size_t kSquares = 64;  // kept at once
 
-#define MRSIM_LIST(form, Record, load, kColumns)                                           \
+// Relative margins around values that are rounded a few times: a half ulp is 1.11e-16.
+constexpr double kNineHalfUlps = 1e-15, kNinetyHalfUlps = 1e-14;
+
+#define MRSIM_LIST(form, Record, fetch, kColumns)                                          \
   static void form##_list(const Record* records, const std::uint32_t* rows, std::size_t n, \
                           const Vec3& p, double* out) {                                    \
     const V x = splat(p.x), y = splat(p.y), z = splat(p.z);                                \
     V c[kColumns];                                                                         \
     std::size_t k = 0;                                                                     \
     for (; k + kLanes <= n; k += kLanes) {                                                 \
-      load(records, rows + k, c);                                                          \
+      fetch(records, rows + k, c);                                                         \
       store(out + k, form(c, x, y, z));                                                    \
     }                                                                                      \
     if (k == n) return;                                                                    \
     std::uint32_t rest[kLanes];                                                            \
     pick(rows, k, n, rest);                                                                \
-    load(records, rest, c);                                                                \
+    fetch(records, rest, c);                                                               \
     store_some(out + k, form(c, x, y, z), n - k);                                          \
   }
 MRSIM_LIST(ball_line, LineRecord, load_line, 8)
@@ -45,8 +48,8 @@ static std::uint64_t bore_least(const LineRecord& record, std::uint32_t id, Poin
   const V own = splat(static_cast<double>(id));
   std::uint64_t active = 0;
   for (std::size_t k = 0; k < points.count; k += kLanes) {
-    const Bore b = bore(c, read(points.x + k), read(points.y + k), read(points.z + k));
-    const V least = read(points.least + k), nearest = read(points.nearest + k);
+    const Bore b = bore(c, load(points.x + k), load(points.y + k), load(points.z + k));
+    const V least = load(points.least + k), nearest = load(points.nearest + k);
     const M closer = both(
         b.decided,
         either(less(b.distance, least), both(less_equal(b.distance, least), less(own, nearest))));
@@ -70,7 +73,7 @@ static void helix_least_of(const HelixRecord& record, std::uint32_t id, std::uin
       const std::size_t i = at[k < n ? k : n - 1];
       x[k] = points.x[i], y[k] = points.y[i], z[k] = points.z[i];
     }
-    store(distance, helix_least(record, read(x), read(y), read(z), all).distance);
+    store(distance, helix_least(record, load(x), load(y), load(z), all).distance);
     for (std::size_t k = 0; k < n; ++k) {
       const double d = distance[k];
       double &least = points.least[at[k]], &nearest = points.nearest[at[k]];
@@ -116,8 +119,8 @@ static void upright_least_of(const UprightRecord* quarters, std::size_t count, s
     const double* numbers = numbers_of(quarters, quarter);
     for (std::size_t j = 0; j < UprightColumn::kCount; ++j) c[j] = splat(numbers[j]);
     for (std::size_t k = 0; k < points.count; k += kLanes) {
-      const V x = read(points.x + k), y = read(points.y + k), z = read(points.z + k);
-      V least = read(points.least + k), nearest = read(points.nearest + k);
+      const V x = load(points.x + k), y = load(points.y + k), z = load(points.z + k);
+      V least = load(points.least + k), nearest = load(points.nearest + k);
       take_closer(upright_least(c, x, y, z, least, all).distance, own, least, nearest);
       store(points.least + k, least);
       store(points.nearest + k, nearest);
@@ -142,16 +145,16 @@ static void chain_bounds(const ChainTool& tool, const ChainLine* lines, const st
 struct ChainsBeside {
   const ChainColumns& c;
   std::size_t k;
-  V x() const { return read(c[0] + k); }
-  V y() const { return read(c[1] + k); }
-  V z() const { return read(c[2] + k); }
-  V ux() const { return read(c[3] + k); }
-  V uy() const { return read(c[4] + k); }
-  V plan() const { return read(c[5] + k); }
-  V rise() const { return read(c[6] + k); }
-  V per_plan() const { return read(c[7] + k); }
-  V per_way() const { return read(c[8] + k); }
-  V tilt(std::size_t i) const { return read(c[9 + i] + k); }
+  V x() const { return load(c[ChainColumn::x] + k); }
+  V y() const { return load(c[ChainColumn::y] + k); }
+  V z() const { return load(c[ChainColumn::z] + k); }
+  V ux() const { return load(c[ChainColumn::ux] + k); }
+  V uy() const { return load(c[ChainColumn::uy] + k); }
+  V plan() const { return load(c[ChainColumn::plan] + k); }
+  V rise() const { return load(c[ChainColumn::rise] + k); }
+  V per_plan() const { return load(c[ChainColumn::per_plan] + k); }
+  V per_way() const { return load(c[ChainColumn::per_way] + k); }
+  V tilt(std::size_t i) const { return load(c[ChainColumn::tilt + i] + k); }
 };
 
 static void chain_bounds_beside(const ChainTool& tool, const ChainColumns& lines, std::size_t n,
@@ -170,8 +173,8 @@ static void slant_least_of(const SlantRecord& record, std::uint32_t id, PointCol
   V c[SlantColumn::kCount];
   for (std::size_t j = 0; j < SlantColumn::kCount; ++j) c[j] = splat(numbers[j]);
   for (std::size_t k = 0; k < points.count; k += kLanes) {
-    const V least = read(points.least + k), nearest = read(points.nearest + k);
-    const V x = read(points.x + k), y = read(points.y + k), z = read(points.z + k);
+    const V least = load(points.least + k), nearest = load(points.nearest + k);
+    const V x = load(points.x + k), y = load(points.y + k), z = load(points.z + k);
     const M wanted = less_equal(slant_bound(c, x, y, z), least + splat(kBoundError));
     if (!any(wanted)) continue;
     const V d = slant_least(SlantStretch(record, x, y, z), round, wanted).distance;
@@ -186,11 +189,11 @@ static void chain_least_of(const ChainTool& tool, const ChainLine& line, std::ui
                            PointColumns& points) {
   const V own = splat(static_cast<double>(id));
   for (std::size_t k = 0; k < points.count; k += kLanes) {
-    const V least = read(points.least + k), nearest = read(points.nearest + k);
+    const V least = load(points.least + k), nearest = load(points.nearest + k);
     const V limit = least + splat(kBoundError);
     const OneChain move{line};
     const ChainView at =
-        chain_view(move, read(points.x + k), read(points.y + k), read(points.z + k));
+        chain_view(move, load(points.x + k), load(points.y + k), load(points.z + k));
     const M wanted = less_equal(chain_bound(tool, move, at, limit), limit);
     if (!any(wanted)) continue;
     const V d = chain_least({tool, line, at}, limit, wanted).f;
@@ -225,8 +228,8 @@ static void outline_least(const OutlineTool& tool, const ProfileRow& row, std::u
   V c[ArcSlot::low];
   for (std::size_t j = 0; j < ArcSlot::low; ++j) c[j] = splat(row.c[j]);
   for (std::size_t k = 0; k < points.count; k += kLanes) {
-    const V x = read(points.x + k), y = read(points.y + k), z = read(points.z + k);
-    V least = read(points.least + k), nearest = read(points.nearest + k);
+    const V x = load(points.x + k), y = load(points.y + k), z = load(points.z + k);
+    V least = load(points.least + k), nearest = load(points.nearest + k);
     const V rho = row.arc ? arc_rho(c, x, y) : line_rho(c, x, y);
     const V bound = vmax(rho - radius, bottom - z);
     if (!any(less_equal(bound, least + splat(kBoundError)))) continue;
@@ -262,10 +265,10 @@ static void polygons(const PolygonSides* sides, std::size_t count, const double*
     SideSum sum = no_sides();
     for (std::size_t i = 0; i < count; ++i) {
       const PolygonSides& s = sides[i];
-      add_side(sum, x - read(s.ax + k), y - read(s.ay + k), read(s.dx + k), read(s.dy + k),
-               read(s.length + k));
+      add_side(sum, x - load(s.ax + k), y - load(s.ay + k), load(s.dx + k), load(s.dy + k),
+               load(s.length + k));
     }
-    store(out + k, distance_of(sum) - read(round + k));
+    store(out + k, distance_of(sum) - load(round + k));
   }
 }
 
@@ -273,7 +276,7 @@ static void polygon_least(const ConvexPolygon::Side* sides, std::size_t count, d
                           bool mirrored, std::uint32_t sweep, PointColumns& points) {
   const V sign = splat(mirrored ? -1.0 : 1.0), id = splat(static_cast<double>(sweep));
   for (std::size_t k = 0; k < points.count; k += kLanes) {
-    const V x = sign * read(points.x + k), y = read(points.z + k);
+    const V x = sign * load(points.x + k), y = load(points.z + k);
     SideSum sum = no_sides();
     for (std::size_t i = 0; i < count; ++i) {
       const ConvexPolygon::Side& s = sides[i];
@@ -281,34 +284,34 @@ static void polygon_least(const ConvexPolygon::Side* sides, std::size_t count, d
                splat(s.length));
     }
     const V d = distance_of(sum) - splat(round);
-    const V least = read(points.least + k), nearest = read(points.nearest + k);
+    const V least = load(points.least + k), nearest = load(points.nearest + k);
     const M closer = either(less(d, least), both(less_equal(d, least), less(id, nearest)));
     store(points.least + k, select(closer, d, least));
     store(points.nearest + k, select(closer, id, nearest));
   }
 }
 
-static std::uint32_t ball_heights(const LineRecord& move, const PlanPlaces& places, double* out) {
+static std::uint32_t ball_heights(const LineRecord& move, const PlanPoints& points, double* out) {
   std::uint32_t below = 0;
-  for (std::size_t k = 0; k < PlanPlaces::kCount; k += kLanes) {
-    const V z = ball_low(move.c, ball_view(move.c, read(places.x + k), read(places.y + k)));
+  for (std::size_t k = 0; k < PlanPoints::kCount; k += kLanes) {
+    const V z = ball_low(move.c, ball_view(move.c, load(points.x + k), load(points.y + k)));
     store(out + k, z);
-    below |= bits(less(z, read(places.low + k))) << k;
+    below |= bits(less(z, load(points.low + k))) << k;
   }
   return below;
 }
 
-static std::uint32_t ball_bounds(const LineRecord& move, double r, PlanPlaces& places,
+static std::uint32_t ball_bounds(const LineRecord& move, double r, PlanPoints& points,
                                  double* least) {
   std::uint32_t below = 0;
-  for (std::size_t k = 0; k < PlanPlaces::kCount; k += kLanes) {
-    const BallView at = ball_view(move.c, read(places.x + k), read(places.y + k));
-    const V low = read(places.low + k), lower = ball_least(move.c, at, r);
+  for (std::size_t k = 0; k < PlanPoints::kCount; k += kLanes) {
+    const BallView at = ball_view(move.c, load(points.x + k), load(points.y + k));
+    const V low = load(points.low + k), lower = ball_least(move.c, at, r);
     const std::uint32_t found = bits(less(lower, low));
     if (found == 0) continue;
     below |= found << k;
-    store(least + k, vmin(read(least + k), lower));
-    store(places.low + k, vmin(low, ball_most(move.c, at, r)));
+    store(least + k, vmin(load(least + k), lower));
+    store(points.low + k, vmin(low, ball_most(move.c, at, r)));
   }
   return below;
 }

@@ -51,6 +51,8 @@ MRSIM_LANE V ball_line(const V* c, V px, V py, V pz) {
          c[BallSlot::radius];
 }
 
+constexpr double kNoDivisor = 1e-300;  // in place of a divisor that is 0
+
 // Horizontal line: foot in plan on the segment, as a vector and the path's parameter in [0, 1].
 // c: LineSlot. An upright move has dx = dy = 0.
 struct PlanLineFoot {
@@ -61,7 +63,8 @@ MRSIM_LANE PlanLineFoot line_foot(const V* c, V px, V py) {
   const V dx = px - c[LineSlot::x], dy = py - c[LineSlot::y];
   const V size = c[LineSlot::dx] * c[LineSlot::dx] + c[LineSlot::dy] * c[LineSlot::dy];
   const V t = vmin(
-      vmax((dx * c[LineSlot::dx] + dy * c[LineSlot::dy]) / vmax(size, splat(1e-300)), zero), one);
+      vmax((dx * c[LineSlot::dx] + dy * c[LineSlot::dy]) / vmax(size, splat(kNoDivisor)), zero),
+      one);
   const V ex = dx - t * c[LineSlot::dx], ey = dy - t * c[LineSlot::dy];
   return {ex * ex + ey * ey, t};
 }

@@ -1,5 +1,6 @@
 #include "removal/stock/stock_shape.h"
 
+#include "core/rounding.h"
 #include "core/units.h"
 #include "core/vec.h"
 
@@ -30,7 +31,7 @@ double float_ulp(double x) {
   return double(std::nextafter(magnitude, std::numeric_limits<float>::infinity())) - magnitude;
 }
 
-// Every side of a triangle is the side of one other, the other way round.
+// Whether each side of a triangle is that of exactly one other triangle, in the other direction.
 bool is_closed(std::span<const Triangle> triangles) {
   std::vector<std::pair<std::uint32_t, std::uint32_t>> sides, reversed;
   for (const Triangle& t : triangles)
@@ -81,7 +82,7 @@ double shortest_decimal(double x, double slack) {
 }
 
 // Half an ulp of the numbers themselves: snapping undoes the rounding to float, no more.
-double rounding_of(double x) { return std::max(0.51 * float_ulp(x), 1e-9); }
+double rounding_of(double x) { return std::max(0.51 * float_ulp(x), kRounding); }
 
 bool near(double a, double b, double tolerance) { return std::fabs(a - b) <= tolerance; }
 
@@ -229,7 +230,8 @@ std::optional<StockShape> as_round(const Candidate& c) {
   if (!all_points_between(c, *outer, inner.radius)) return {};
   const double exact =
       kPi * (outer->radius * outer->radius - inner.radius * inner.radius) * (z1 - z0);
-  // Facets lose up to 0.2 % of a disc, of a thin tube's wall more or less; twice covered is 100 %.
+  // Facets change the volume by up to 0.2 % of a disc, of a thin tube by more; a surface that is
+  // covered twice by 100 %.
   if (!(std::fabs(c.volume - exact) < 0.25 * exact)) return {};
   StockShape shape;
   shape.kind = inner.radius > 0 ? StockShape::Kind::tube : StockShape::Kind::cylinder;

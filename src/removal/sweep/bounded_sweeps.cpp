@@ -87,7 +87,7 @@ class SingleBounds {
     part.n = 0;
   }
   void scatter(const ListPart& part) {
-    for (std::size_t k = 0; k < part.n; ++k) bounds_[part.places[k]] = found_[k];
+    for (std::size_t k = 0; k < part.n; ++k) bounds_[part.slots[k]] = found_[k];
   }
 
   const SweepColumns& c_;

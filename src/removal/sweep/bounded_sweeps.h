@@ -20,10 +20,10 @@ inline constexpr std::size_t kListChunk = 128;  ///< sweeps of a list that are a
 struct ListPart {
   std::size_t n = 0;
   std::uint32_t rows[kListChunk];
-  std::uint32_t places[kListChunk];
-  void add(std::uint32_t row, std::size_t place) {
+  std::uint32_t slots[kListChunk];
+  void add(std::uint32_t row, std::size_t slot) {
     rows[n] = row;
-    places[n++] = static_cast<std::uint32_t>(place);
+    slots[n++] = static_cast<std::uint32_t>(slot);
   }
 };
 

@@ -44,7 +44,7 @@ void MoveRuns::prepare(const SweepColumns& c, std::span<const std::uint32_t> lis
   // A register may reach beyond the last run.
   bounds_.resize(runs_.size() + PointColumns::kPad);
   stride_ = chords_.size() + PointColumns::kPad;
-  columns_.resize(ChainColumns::kCount * stride_);
+  columns_.resize(ChainColumn::kCount * stride_);
   for (std::size_t k = 0; k < chords_.size(); ++k) {
     const ChainLine& m = chords_[k];
     double* to = columns_.data() + k;

@@ -27,7 +27,7 @@ class MoveRuns {
 
  private:
   struct Run {
-    std::uint32_t first = 0, count = 0;  ///< places in the list
+    std::uint32_t first = 0, count = 0;  ///< indices into the list
     double spread = 0;                   ///< mm, with room for rounding
   };
   /// Runs of one tool, side by side; or, as one run without a chord, sweeps that have no such

@@ -4,7 +4,7 @@
 #include "core/trig.h"
 #include "core/units.h"
 #include "core/vec.h"
-#include "removal/columns/height_pieces.h"
+#include "removal/columns/height_segments.h"
 #include "removal/columns/sweep_columns.h"
 #include "removal/simd/lane_scalar.h"
 
@@ -24,10 +24,10 @@ Underside::Slant seen_from(double dx, double dy, double ux, double uy) {
   return {.u = dx * ux + dy * uy, .v = std::fabs(dx * uy - dy * ux)};
 }
 
-Underside::Slant seen_from(double x, double y, const double* piece) {
-  Underside::Slant at = seen_from(x - piece[BallSlot::x], y - piece[BallSlot::y],
-                                  piece[BallSlot::ux], piece[BallSlot::uy]);
-  at.length = piece[BallSlot::length], at.slope = piece[BallSlot::slope];
+Underside::Slant seen_from(double x, double y, const double* segment) {
+  Underside::Slant at = seen_from(x - segment[BallSlot::x], y - segment[BallSlot::y],
+                                  segment[BallSlot::ux], segment[BallSlot::uy]);
+  at.length = segment[BallSlot::length], at.slope = segment[BallSlot::slope];
   return at;
 }
 
@@ -67,7 +67,7 @@ SweepUndersides::SweepUndersides(const SweepTable& sweeps) {
 }
 
 void SweepHeights::assign(std::span<const std::uint32_t> sweeps) {
-  rows_.clear(), pieces_.clear();
+  rows_.clear(), segments_.clear();
   for (const std::uint32_t i : sweeps) rows_.push_back(row_of(i));
   find_runs();
   balls_.clear();
@@ -84,8 +84,8 @@ void SweepHeights::find_runs() {
   runs_.clear();
   run_of_.assign(rows_.size(), kNoRun);
   std::uint32_t last = 0;  // pack
-  for (std::uint32_t place = 0; place < rows_.size(); ++place) {
-    const Row& row = rows_[place];
+  for (std::uint32_t index = 0; index < rows_.size(); ++index) {
+    const Row& row = rows_[index];
     const std::uint32_t pack = c.packs.leaf_of(row.sweep);
     if (pack == 0 || row.form != Form::slant || c.refs[row.sweep].kind != SweepKind::path) {
       last = 0;
@@ -93,23 +93,23 @@ void SweepHeights::find_runs() {
     }
     if (pack != last) {
       Run& run = runs_.emplace_back();
-      const double* piece = c.packs.chord(pack).c;
+      const double* segment = c.packs.chord(pack).c;
       run.chord = row;
-      run.chord.x = piece[BallSlot::x], run.chord.y = piece[BallSlot::y],
-      run.chord.z = piece[BallSlot::z];
-      run.chord.ux = piece[BallSlot::ux], run.chord.uy = piece[BallSlot::uy];
-      run.chord.length = piece[BallSlot::length], run.chord.slope = piece[BallSlot::slope];
-      run.plan = c.packs[pack].spread + kSlack, run.up = piece[BallSlot::error] + kSlack;
+      run.chord.x = segment[BallSlot::x], run.chord.y = segment[BallSlot::y],
+      run.chord.z = segment[BallSlot::z];
+      run.chord.ux = segment[BallSlot::ux], run.chord.uy = segment[BallSlot::uy];
+      run.chord.length = segment[BallSlot::length], run.chord.slope = segment[BallSlot::slope];
+      run.plan = c.packs[pack].spread + kSlack, run.up = segment[BallSlot::error] + kSlack;
       last = pack;
     }
-    runs_.back().end = place + 1;
-    run_of_[place] = static_cast<std::uint32_t>(runs_.size() - 1);
+    runs_.back().end = index + 1;
+    run_of_[index] = static_cast<std::uint32_t>(runs_.size() - 1);
   }
 }
 
-double SweepHeights::run_lower(std::uint32_t place, double x, double y, double r,
+double SweepHeights::run_lower(std::uint32_t index, double x, double y, double r,
                                double below) const {
-  const Run& run = runs_[run_of_[place]];
+  const Run& run = runs_[run_of_[index]];
   const Row& row = run.chord;
   Underside::Slant at = seen_from(x - row.x, y - row.y, row.ux, row.uy);
   at.length = row.length, at.slope = row.slope;
@@ -134,7 +134,7 @@ SweepHeights::Row SweepHeights::row_of(std::uint32_t sweep) {
     const double* r = c.plane_arcs[ref.row].c;
     row.form = Form::horizontal, row.z = r[ArcSlot::low] - r[ArcSlot::round];
   } else if (ref.kind == SweepKind::ball_arc) {
-    set_pieces(row, path_of(c.ball_arcs[ref.row]));
+    set_segments(row, path_of(c.ball_arcs[ref.row]));
   } else if (ref.kind == SweepKind::profile) {
     row.form = Form::horizontal, row.z = c.profiles[ref.row].z;
   } else if (ref.kind == SweepKind::path) {
@@ -144,7 +144,7 @@ SweepHeights::Row SweepHeights::row_of(std::uint32_t sweep) {
     else if (!line && c.paths.arc(ref.row).lowest_turn && row.tool->is_flat())
       row.form = Form::helix;
     else if (!line && row.tool->is_convex())
-      set_pieces(row, c.paths.arc(ref.row));
+      set_segments(row, c.paths.arc(ref.row));
   }
   return row;
 }
@@ -159,10 +159,10 @@ void SweepHeights::set_slant(Row& row, const Vec3& start, const Vec3& end) const
   row.length = plan, row.slope = (high.z - low.z) / plan;
 }
 
-void SweepHeights::set_pieces(Row& row, const ToolPath& path) {
-  row.first = pieces_.size();
-  if (append_pieces(path, pieces_)) row.form = Form::pieces;
-  row.count = pieces_.size() - row.first;
+void SweepHeights::set_segments(Row& row, const ToolPath& path) {
+  row.first = segments_.size();
+  if (append_segments(path, segments_)) row.form = Form::segments;
+  row.count = segments_.size() - row.first;
 }
 
 // Distance in plan from the path of a horizontal move.
@@ -175,8 +175,8 @@ double SweepHeights::rho(const Row& row, double x, double y) const {
   return profile.arc ? lane::arc_rho(profile.c, x, y) : lane::line_rho(profile.c, x, y);
 }
 
-double SweepHeights::bottom(std::uint32_t place, double x, double y, double below) const {
-  const Row& row = rows_[place];
+double SweepHeights::bottom(std::uint32_t index, double x, double y, double below) const {
+  const Row& row = rows_[index];
   if (row.form == Form::horizontal) return row.z + row.tool->height(rho(row, x, y));
   if (row.form == Form::slant) {
     Underside::Slant at = seen_from(x - row.x, y - row.y, row.ux, row.uy);
@@ -184,15 +184,15 @@ double SweepHeights::bottom(std::uint32_t place, double x, double y, double belo
     return row.z + row.tool->bottom(at, below - row.z);
   }
   if (row.form == Form::helix) return helix_bottom(row, x, y, row.tool->radius());
-  const Underside::Bounds within = bounds(place, x, y, 0, below);
+  const Underside::Bounds within = bounds(index, x, y, 0, below);
   if (!(within.lower < below)) return kInfinity;
   if (within.upper - within.lower <= close_) return 0.5 * (within.lower + within.upper);
   return search(row.sweep, x, y, within);
 }
 
-Underside::Bounds SweepHeights::bounds(std::uint32_t place, double x, double y, double r,
+Underside::Bounds SweepHeights::bounds(std::uint32_t index, double x, double y, double r,
                                        double below) const {
-  const Row& row = rows_[place];
+  const Row& row = rows_[index];
   if (row.form == Form::horizontal) {
     const double from = rho(row, x, y);
     return {row.z + row.tool->height(std::max(from - r, 0.0)), row.z + row.tool->height(from + r)};
@@ -206,22 +206,22 @@ Underside::Bounds SweepHeights::bounds(std::uint32_t place, double x, double y, 
   if (row.form == Form::helix)
     return {helix_bottom(row, x, y, row.tool->radius() + r),
             helix_bottom(row, x, y, row.tool->radius() - r)};
-  if (row.form == Form::pieces) return piece_bounds(row, x, y, r, below);
+  if (row.form == Form::segments) return segment_bounds(row, x, y, r, below);
   const Box3 box = sweeps_.bounds(row.sweep);
   const bool meets =
       x + r >= box.lo.x && x - r <= box.hi.x && y + r >= box.lo.y && y - r <= box.hi.y;
   return {meets ? box.lo.z : kInfinity, kInfinity};
 }
 
-// The path is within a piece's eps of the piece.
-Underside::Bounds SweepHeights::piece_bounds(const Row& row, double x, double y, double r,
-                                             double below) const {
+// The path is within a segment's eps of the segment.
+Underside::Bounds SweepHeights::segment_bounds(const Row& row, double x, double y, double r,
+                                               double below) const {
   Underside::Bounds out;
   for (std::size_t k = row.first; k < row.first + row.count; ++k) {
-    const double* piece = pieces_[k].c;
-    const double z = piece[BallSlot::z], eps = piece[BallSlot::error] + kSlack;
+    const double* segment = segments_[k].c;
+    const double z = segment[BallSlot::z], eps = segment[BallSlot::error] + kSlack;
     const Underside::Bounds found =
-        row.tool->bounds(seen_from(x, y, piece), r + eps, std::min(below, out.upper) + eps - z);
+        row.tool->bounds(seen_from(x, y, segment), r + eps, std::min(below, out.upper) + eps - z);
     out.lower = std::min(out.lower, z + found.lower - eps);
     out.upper = std::min(out.upper, z + found.upper + eps);
   }

@@ -44,31 +44,31 @@ class SweepHeights {
   /// Requires: is_upward() of all.
   void assign(std::span<const std::uint32_t> sweeps);
 
-  /// The place behind the slanted moves that are of one pack with this one; the next place where it
+  /// The index behind the slanted moves that are of one pack with this one; the next index where it
   /// is of none.
-  std::uint32_t run_end(std::uint32_t place) const {
-    return run_of_[place] == kNoRun ? place + 1 : runs_[run_of_[place]].end;
+  std::uint32_t run_end(std::uint32_t index) const {
+    return run_of_[index] == kNoRun ? index + 1 : runs_[run_of_[index]].end;
   }
   /// No bottom() of them within r of (x, y) is less; may be infinite if the true one is at least
-  /// `below`. Requires: run_end() is not the next place.
-  double run_lower(std::uint32_t place, double x, double y, double r, double below) const;
+  /// `below`. Requires: run_end() is not the next index.
+  double run_lower(std::uint32_t index, double x, double y, double r, double below) const;
 
-  /// By place, as kernels take them, where all are straight moves of balls; else empty.
+  /// By index, as kernels take them, where all are straight moves of balls; else empty.
   std::span<const LineRecord> balls() const { return balls_; }
 
   /// The least height at (x, y) with distance(sweep, .) <= 0; infinite where there is none, or none
   /// below `high`, and perhaps where it is not below `below`; any height below `low` where it lies
   /// there. Up to 1e-9 mm; of sweeps that are asked by distances, up to their error, or half of
   /// `close`.
-  double bottom(std::uint32_t place, double x, double y,
+  double bottom(std::uint32_t index, double x, double y,
                 double below = std::numeric_limits<double>::infinity()) const;
   /// Bounds of bottom() over all places within r of (x, y); `upper` may be infinite where `lower`
   /// is not below `below`.
-  Underside::Bounds bounds(std::uint32_t place, double x, double y, double r,
+  Underside::Bounds bounds(std::uint32_t index, double x, double y, double r,
                            double below = std::numeric_limits<double>::infinity()) const;
 
  private:
-  enum class Form : std::uint8_t { horizontal, slant, helix, pieces, other };
+  enum class Form : std::uint8_t { horizontal, slant, helix, segments, other };
   struct Row {
     Form form = Form::other;
     std::uint32_t sweep = 0;
@@ -76,10 +76,10 @@ class SweepHeights {
     double x = 0, y = 0, z = 0;        // slant: lower end of the tip's path; horizontal: height
     double ux = 1, uy = 0;             // slant: direction in plan
     double length = 0, slope = 0;      // slant: in plan, mm
-    std::size_t first = 0, count = 0;  // pieces
+    std::size_t first = 0, count = 0;  // segments
   };
   struct Run {
-    std::uint32_t end = 0;    // place behind its last sweep
+    std::uint32_t end = 0;    // index behind its last sweep
     Row chord;                // what its moves are beside
     double plan = 0, up = 0;  // mm: how far they leave it
   };
@@ -87,9 +87,10 @@ class SweepHeights {
   void find_runs();
   Row row_of(std::uint32_t sweep);
   void set_slant(Row& row, const Vec3& start, const Vec3& end) const;
-  void set_pieces(Row& row, const ToolPath& path);
+  void set_segments(Row& row, const ToolPath& path);
   double rho(const Row& row, double x, double y) const;
-  Underside::Bounds piece_bounds(const Row& row, double x, double y, double r, double below) const;
+  Underside::Bounds segment_bounds(const Row& row, double x, double y, double r,
+                                   double below) const;
   double helix_bottom(const Row& row, double x, double y, double radius) const;
   double search(std::uint32_t sweep, double x, double y, const Underside::Bounds& within) const;
 
@@ -97,10 +98,10 @@ class SweepHeights {
   const SweepUndersides& tools_;
   double low_, high_, close_;
   std::vector<Row> rows_;
-  std::vector<LineRecord> pieces_;  // straight ones of arcs (height_pieces.h)
+  std::vector<LineRecord> segments_;  // straight ones of arcs (height_segments.h)
   std::vector<LineRecord> balls_;
   std::vector<Run> runs_;
-  std::vector<std::uint32_t> run_of_;  // by place
+  std::vector<std::uint32_t> run_of_;  // by index
 };
 
 }  // namespace mrsim

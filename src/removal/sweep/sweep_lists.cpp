@@ -14,26 +14,29 @@
 namespace mrsim {
 namespace {
 
+using Form = SweepClass::Form;
+
 struct Parts {
-  ListPart forms[3];  // ball_line, plane_line, plane_arc
+  ListPart forms[kOtherForm];
+  const ListPart& of(Form form) const { return forms[static_cast<std::size_t>(form)]; }
   /// False where the sweep has to be asked on its own.
-  bool add(std::uint32_t tag, std::size_t place) {
+  bool add(std::uint32_t tag, std::size_t slot) {
     const std::uint32_t form = tag >> kTagShift;
     if (form == kOtherForm) return false;
-    forms[form].add(tag & kTagRow, place);
+    forms[form].add(tag & kTagRow, slot);
     return true;
   }
 };
 
 // A chunk of one form needs no scattering: its results go where they belong at once.
 template <class Record>
-void run(const FormKernels<Record>& kernels, const Record* records, const ListPart& part,
-         std::size_t whole, const Vec3& p, double* out) {
+void evaluate(const FormKernels<Record>& kernels, const Record* records, const ListPart& part,
+              std::size_t whole, const Vec3& p, double* out) {
   if (part.n == 0) return;
   if (part.n == whole) return kernels.list(records, part.rows, part.n, p, out);
   double values[kListChunk];
   kernels.list(records, part.rows, part.n, p, values);
-  for (std::size_t k = 0; k < part.n; ++k) out[part.places[k]] = values[k];
+  for (std::size_t k = 0; k < part.n; ++k) out[part.slots[k]] = values[k];
 }
 
 bool is_upright(std::uint32_t tag) {
@@ -50,26 +53,26 @@ class UprightParts {
         limit_(least.value_or(std::numeric_limits<double>::infinity())),
         out_(out) {}
 
-  void add(std::uint32_t row, std::size_t place) {
-    out_[place] = std::numeric_limits<double>::infinity();
+  void add(std::uint32_t row, std::size_t slot) {
+    out_[slot] = std::numeric_limits<double>::infinity();
     for (const UprightRecord& quarter : c_.quarters_of(row)) {
       ListPart& part = halves_[quarter.half < 0 ? 1 : 0];
-      part.add(static_cast<std::uint32_t>(&quarter - c_.upright_quarters.data()), place);
-      if (part.n == kListChunk) run(part);
+      part.add(static_cast<std::uint32_t>(&quarter - c_.upright_quarters.data()), slot);
+      if (part.n == kListChunk) evaluate(part);
     }
   }
   void finish() {
     for (ListPart& part : halves_)
-      if (part.n > 0) run(part);
+      if (part.n > 0) evaluate(part);
   }
 
  private:
-  void run(ListPart& part) {
+  void evaluate(ListPart& part) {
     double found[kListChunk];
     sweep_kernels().upright_list(c_.upright_quarters.data(), part.rows, part.n, p_, limit_,
                                  nearest_only_, found);
     for (std::size_t k = 0; k < part.n; ++k) {
-      out_[part.places[k]] = std::min(out_[part.places[k]], found[k]);
+      out_[part.slots[k]] = std::min(out_[part.slots[k]], found[k]);
       if (nearest_only_) limit_ = std::min(limit_, found[k]);
     }
     part.n = 0;
@@ -306,9 +309,9 @@ void sweep_distances(const SweepColumns& c, std::span<const std::uint32_t> ids, 
       else
         out[from + k] = c.distance(ids[from + k], p);
     }
-    run(kernels.ball_line, c.ball_lines.data(), parts.forms[0], n, p, out + from);
-    run(kernels.plane_line, c.plane_lines.data(), parts.forms[1], n, p, out + from);
-    run(kernels.plane_arc, c.plane_arcs.data(), parts.forms[2], n, p, out + from);
+    evaluate(kernels.ball_line, c.ball_lines.data(), parts.of(Form::strip), n, p, out + from);
+    evaluate(kernels.plane_line, c.plane_lines.data(), parts.of(Form::line), n, p, out + from);
+    evaluate(kernels.plane_arc, c.plane_arcs.data(), parts.of(Form::arc), n, p, out + from);
     uprights.finish();
   }
 }
@@ -325,7 +328,7 @@ void least_distances(const SweepColumns& c, std::span<const std::uint32_t> ids,
   if (c.uniform && c.refs.front().kind == SweepKind::plane_line)
     return kernels.plane_line.least(c.plane_lines.data(), ids.data(), ids.data(), ids.size(),
                                     points);
-  const auto run = [&](const auto& form, const auto& records, const FormPart& part) {
+  const auto evaluate = [&](const auto& form, const auto& records, const FormPart& part) {
     in_chunks(part.ids.size(), [&](std::size_t from, std::size_t n) {
       form.least(records.data(), part.rows.data() + from, part.ids.data() + from, n, points);
       return true;
@@ -342,9 +345,9 @@ void least_distances(const SweepColumns& c, std::span<const std::uint32_t> ids,
     else
       least_of(c, id, points);
   }
-  run(kernels.ball_line, c.ball_lines, list.ball_lines());
-  run(kernels.plane_line, c.plane_lines, list.level_lines());
-  run(kernels.plane_arc, c.plane_arcs, list.level_arcs());
+  evaluate(kernels.ball_line, c.ball_lines, list.ball_lines());
+  evaluate(kernels.plane_line, c.plane_lines, list.level_lines());
+  evaluate(kernels.plane_arc, c.plane_arcs, list.level_arcs());
   if (!turns.empty()) least_of_turns(c, turns, points);
 }
 

@@ -32,7 +32,7 @@ double SweepTable::ball_radius(std::size_t i) const {
   const Profile& tool = columns_->cutter(ref);
   return std::min(tool.max_radius(), 0.5 * (tool.top() - tool.bottom()));
 }
-std::size_t SweepTable::pieces() const { return columns_->pieces.size(); }
+std::size_t SweepTable::segments() const { return columns_->segments.size(); }
 std::size_t SweepTable::memory() const {
   const SweepColumns& c = *columns_;
   std::size_t bytes = c.packs.memory() + c.turn_tree.memory();
@@ -42,8 +42,8 @@ std::size_t SweepTable::memory() const {
          bytes_of(c.ball_arcs) + bytes_of(c.profiles) + bytes_of(c.outline_edges) +
          bytes_of(c.outlines) + c.paths.memory() + bytes_of(c.chain_lines) + c.run_chords.memory() +
          bytes_of(c.slant_lines) + bytes_of(c.upright_quarters) + bytes_of(c.first_quarter) +
-         bytes_of(c.turns) + bytes_of(c.pieces) + bytes_of(c.first_piece) + bytes_of(c.class_of) +
-         bytes_of(c.height_numbers);
+         bytes_of(c.turns) + bytes_of(c.segments) + bytes_of(c.first_segment) +
+         bytes_of(c.class_of) + bytes_of(c.height_numbers);
 }
 Box3 SweepTable::bounds(std::size_t i) const { return columns_->bounds_of_number(i); }
 

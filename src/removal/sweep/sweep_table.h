@@ -108,8 +108,8 @@ class SweepTable {
 
   /// Bytes that the table holds.
   std::size_t memory() const;
-  /// Pieces of paths by which sweeps are pruned (removal/columns/height_pieces.h).
-  std::size_t pieces() const;
+  /// Segments of paths by which sweeps are pruned (removal/columns/height_segments.h).
+  std::size_t segments() const;
 
   /// Largest error of any distance in mm (rounding and minimisation), for the slack of pruning.
   double max_error() const;

@@ -10,7 +10,8 @@
 namespace mrsim {
 namespace {
 
-constexpr double kSmooth = 1e-9;  // sine of the turn below which two edges join smoothly
+constexpr double kSameCorner = 1e-12;  // of the radius: rounding of corners
+constexpr double kSmooth = 1e-9;       // sine of the turn below which two edges join smoothly
 
 Vec2 left_of(Vec2 d) { return {-d.y, d.x}; }
 
@@ -166,7 +167,7 @@ void Profile::find_slab() {
 // height.
 void Profile::find_disc() {
   if (open_top_ || bottom_ != 0) return;
-  const auto same = [this](Vec2 a, Vec2 b) { return length(a - b) <= 1e-12 * max_radius_; };
+  const auto same = [this](Vec2 a, Vec2 b) { return length(a - b) <= kSameCorner * max_radius_; };
   std::size_t k = 0;
   const auto is_line = [&](Vec2 across) {
     return k < edges_.size() && !edges_[k].is_arc() && dot(edges_[k].direction, across) == 0;

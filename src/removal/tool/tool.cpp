@@ -83,9 +83,11 @@ void require_shape(bool ok, const Tool& tool, const char* why) {
   if (!ok) invalid_tool(tool, why);
 }
 
+constexpr double kRoundedUp = 1 + 1e-12;  // sizes of inches, as mm
+
 Profile straight_mill(const Tool& tool, double round) {
   const double r = tool.diameter / 2;
-  require_shape(round >= 0 && round <= r * (1 + 1e-12), tool,
+  require_shape(round >= 0 && round <= r * kRoundedUp, tool,
                 "the corner radius is larger than half the diameter");
   return finish(rounded_tip(r, std::min(round, r), 0), tool.flute_length);
 }

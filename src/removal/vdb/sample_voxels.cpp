@@ -59,7 +59,7 @@ class BlockCarver : LeafWriter {
   // The list of the block is lists_[depth]; what is left of it goes to the next.
   void visit(const openvdb::Coord& origin, int size, std::size_t depth, bool in_stock) {
     CandidateList& left = lists_[depth + 1];
-    PruneRegion block = PruneRegion::block(center(origin, size, size), half(size));
+    PruneRegion block = PruneRegion::cube(center(origin, size, size), half(size));
     block.expand_packs = size == kLast;
     const auto region = field_.restrict_to(block, band_, lists_[depth], in_stock, left);
     if (size == kLeafVoxels && region != ExactField::Region::air) open_leaf(origin);

@@ -1,4 +1,4 @@
-#include "removal/columns/height_pieces.h"
+#include "removal/columns/height_segments.h"
 
 #include "core/trig.h"
 #include "removal/columns/sweep_columns.h"
@@ -10,12 +10,12 @@
 namespace mrsim {
 namespace {
 
-constexpr double kFlat = 1e-9;        // mm, and of slopes
-constexpr double kSteepest = 60;      // largest slope of a tangent
-constexpr double kSteepFillet = 7;    // the same where the fillet ends upright
-constexpr double kArcError = 0.01;    // mm: wanted distance of an arc from its pieces
-constexpr double kMostPieces = 256;   // of one path
-constexpr double kUprightSlope = 64;  // slope from which a move is cut at kShortInPlan mm in plan
+constexpr double kFlat = 1e-9;         // mm, and of slopes
+constexpr double kSteepest = 60;       // largest slope of a tangent
+constexpr double kSteepFillet = 7;     // the same where the fillet ends upright
+constexpr double kArcError = 0.01;     // mm: wanted distance of an arc from its segments
+constexpr double kMostSegments = 256;  // of one path
+constexpr double kUprightSlope = 64;   // slope from which a move is cut at kShortInPlan mm in plan
 constexpr double kShortInPlan = 0.02;
 
 bool is_horizontal(const ProfileEdge& e) { return e.radius == 0 && e.direction.y == 0; }
@@ -57,15 +57,16 @@ void add_all(std::vector<LineRecord>& out, int count, double eps, At at) {
   Vec3 from = at(0.0);
   for (int k = 1; k <= count; ++k) {
     const Vec3 to = at(static_cast<double>(k) / count);
-    out.push_back(piece_record(from, to, eps));
+    out.push_back(segment_record(from, to, eps));
     from = to;
   }
 }
 
-// Pieces of an arc of `sweep` radians that come within kArcError of it; 0 where they are too many.
-int arc_pieces(double radius, double sweep) {
+// Segments of an arc of `sweep` radians that come within kArcError of it; 0 where they are too
+// many.
+int arc_segments(double radius, double sweep) {
   const double count = std::ceil(sweep * std::sqrt(radius / (8 * kArcError)));
-  return count > kMostPieces ? 0 : std::max(2, static_cast<int>(count));
+  return count > kMostSegments ? 0 : std::max(2, static_cast<int>(count));
 }
 // A chord differs from its arc, at equal parameters, by at most a^2 R / 8 for an angle a.
 double arc_error(double radius, double sweep, int count) {
@@ -97,7 +98,7 @@ HeightTool height_tool(const Profile& tool) {
   return t;
 }
 
-LineRecord piece_record(const Vec3& a, const Vec3& b, double eps) {
+LineRecord segment_record(const Vec3& a, const Vec3& b, double eps) {
   const Vec3 &low = b.z < a.z ? b : a, &high = b.z < a.z ? a : b;
   const double dx = high.x - low.x, dy = high.y - low.y, length = std::sqrt(dx * dx + dy * dy);
   const bool point = length < kFlat || high.z - low.z > kUprightSlope * length;
@@ -111,7 +112,7 @@ LineRecord piece_record(const Vec3& a, const Vec3& b, double eps) {
   return record;
 }
 
-bool append_pieces(const ToolPath& path, std::vector<LineRecord>& out) {
+bool append_segments(const ToolPath& path, std::vector<LineRecord>& out) {
   if (!path.arc) {
     const double plan = std::sqrt(path.travel.x * path.travel.x + path.travel.y * path.travel.y);
     const bool steep = std::fabs(path.travel.z) > kUprightSlope * plan;
@@ -120,23 +121,23 @@ bool append_pieces(const ToolPath& path, std::vector<LineRecord>& out) {
             [&](double t) { return path.start + t * path.travel; });
     return true;
   }
-  const int count = arc_pieces(path.radius, path.sweep);
+  const int count = arc_segments(path.radius, path.sweep);
   if (count == 0) return false;
   add_all(out, count, arc_error(path.radius, path.sweep, count),
           [&](double t) { return path_point(path, t * path.sweep).position; });
   return true;
 }
 
-bool append_pieces(const ProfileRow& row, std::vector<LineRecord>& out) {
+bool append_segments(const ProfileRow& row, std::vector<LineRecord>& out) {
   const double* c = row.c;
   if (!row.arc) {
-    out.push_back(piece_record(
+    out.push_back(segment_record(
         {c[LineSlot::x], c[LineSlot::y], row.z},
         {c[LineSlot::x] + c[LineSlot::dx], c[LineSlot::y] + c[LineSlot::dy], row.z}, 0));
     return true;
   }
   const double sweep = c[ArcSlot::radius] > 0 ? row.length / c[ArcSlot::radius] : 0;
-  const int count = arc_pieces(c[ArcSlot::radius], sweep);
+  const int count = arc_segments(c[ArcSlot::radius], sweep);
   if (count == 0) return false;
   add_all(out, count, arc_error(c[ArcSlot::radius], sweep, count), [&](double t) {
     const SinCos at = sincos((t - 0.5) * sweep);
