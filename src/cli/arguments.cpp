@@ -6,7 +6,6 @@
 #include "cli/typed_options.h"
 #include "core/option_table.h"
 #include <mrsim/job_file.h>
-#include <mrsim/memory.h>
 
 #include <algorithm>
 #include <array>
@@ -71,8 +70,7 @@ std::vector<std::string> job_words(const std::string& path, int argc, const char
 }
 
 void read_program_options(Arguments& out, const TypedOptions& typed) {
-  typed.read("--max-memory", out.carve.max_memory, size_value);
-  set_memory_limit(out.carve.max_memory);  // of the tables of tools, too
+  out.carve.max_memory = limit_memory(typed);  // of the tables of tools, too
   typed.read("--dialect", out.interp.dialect, dialect_value);
   if (typed.has("--machine-file")) out.machine = load_machine(typed.text("--machine-file"));
   out.interp.places = out.machine.places;

@@ -12,7 +12,6 @@
 #include "core/publish.h"
 #include "core/suggest.h"
 #include "core/text_io.h"
-#include <mrsim/memory.h>
 
 #include <algorithm>
 #include <array>
@@ -221,9 +220,7 @@ CompareRequest typed_request(const TypedOptions& typed) {
   out.folders = existing_paths("--path", typed.texts("--path"));
   out.quiet = typed.flag("--quiet");
   typed.read("--threads", out.options.threads, threads_value);
-  std::size_t max_memory = 0;
-  typed.read("--max-memory", max_memory, size_value);
-  set_memory_limit(max_memory);
+  limit_memory(typed);
   return out;
 }
 

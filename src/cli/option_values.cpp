@@ -1,9 +1,11 @@
 #include "cli/option_values.h"
 
+#include "cli/typed_options.h"
 #include "core/error.h"
 #include "core/option_table.h"
 #include "core/suggest.h"
 #include "core/text_io.h"
+#include <mrsim/memory.h>
 
 #include <algorithm>
 #include <cmath>
@@ -111,6 +113,13 @@ std::size_t size_value(const std::string& option, const std::string& text) {
   if (!value || *value * factor < 1 || *value * factor > 1e18)
     fail_usage(fmt::format("{} \"{}\" must be a size such as 4G or 500M", option, text));
   return static_cast<std::size_t>(*value * factor);
+}
+
+std::size_t limit_memory(const TypedOptions& typed) {
+  std::size_t bytes = 0;
+  typed.read("--max-memory", bytes, size_value);
+  set_memory_limit(bytes);
+  return bytes;
 }
 
 bool on_off_value(const std::string& option, const std::string& text) {

@@ -11,6 +11,8 @@
 
 namespace mrsim::cli {
 
+class TypedOptions;
+
 /// Error "usage" of kind usage.
 [[noreturn]] void fail_usage(const std::string& text);
 
@@ -27,6 +29,9 @@ int frames_value(const std::string& option, const std::string& text);
 Vec3 point_value(const std::string& option, const std::string& text);
 /// Bytes: "4G", "500M", "1048576"; units K M G T are powers of 1024.
 std::size_t size_value(const std::string& option, const std::string& text);
+/// Bytes that --max-memory says, 0 where it was not typed; this thread keeps to them, or to what is
+/// free, from now on.
+std::size_t limit_memory(const TypedOptions& typed);
 bool on_off_value(const std::string& option, const std::string& text);
 // One of the words that the table of options has for the option.
 Dialect dialect_value(const std::string& option, const std::string& text);

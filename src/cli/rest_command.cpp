@@ -11,7 +11,6 @@
 #include "core/output_place.h"
 #include "core/publish.h"
 #include "core/text_io.h"
-#include <mrsim/memory.h>
 #include <mrsim/rest.h>
 #include <mrsim/solid_files.h>
 
@@ -54,9 +53,7 @@ int write_rest(const TypedOptions& typed) {
   typed.read("--voxel", options.voxel, positive_value);
   typed.read("--above", options.above, positive_value);
   typed.read("--threads", options.threads, threads_value);
-  std::size_t max_memory = 0;
-  typed.read("--max-memory", max_memory, size_value);
-  set_memory_limit(max_memory);
+  limit_memory(typed);
   double deflection = 0.001;
   typed.read("--deflection", deflection, positive_value);
   tell_idle_options(command_line(kUseRest), typed);

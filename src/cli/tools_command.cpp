@@ -72,6 +72,7 @@ int show_tools(const TypedOptions& typed) {
   const std::vector<std::string>& inputs = typed.inputs();
   if (inputs.size() != 1 || inputs[0].empty())
     fail_usage("one file is needed; usage: mrsim tools FILE [-o tools.svg]");
+  limit_memory(typed);
   check_places(typed);
   const bool quiet = typed.flag("--quiet");
   std::vector<std::string> notes;

@@ -20,6 +20,8 @@ class TypedOptions {
   /// Usage error for an option without its value, and for the first word that is no option, with
   /// the one that it may have meant.
   void refuse_unknown() const;
+  /// Whether refuse_unknown() finds nothing.
+  bool is_known() const { return fault_.empty() && unknown_.empty(); }
 
   const std::vector<std::string>& inputs() const { return inputs_; }
   /// Empty where the option was not typed, or is not one of the command.

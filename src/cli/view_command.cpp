@@ -78,7 +78,13 @@ int view_run(const std::vector<const char*>& words, bool opens) {
   return show(page.path(), opens, code);
 }
 
-int view_part(const std::string& part, bool opens) {
+// A part takes what bounds its memory, and no options of a run.
+int view_part(const std::vector<const char*>& words, bool opens) {
+  const std::string part = words[1];
+  const TypedOptions typed(command_line(kUseView), static_cast<int>(words.size()), words.data());
+  if (!typed.is_known() || typed.inputs().size() > 1 || typed.has("--report"))
+    fail_usage(fmt::format("view {}: a part takes no options of a run but --max-memory", part));
+  limit_memory(typed);
   TemporaryPlace page(TemporaryPlace::Kind::page);
   write_part_page(part, page.path());
   page.keep();
@@ -104,9 +110,7 @@ int run_view(int argc, const char* const* argv) {
   }
   if (words.size() < 2) fail_usage("view takes a program, a job or a part");
   if (!is_part(words[1])) return view_run(words, opens);
-  if (words.size() > 2)
-    fail_usage(fmt::format("view {}: a part takes no options of a run", words[1]));
-  return view_part(words[1], opens);
+  return view_part(words, opens);
 }
 
 }  // namespace mrsim::cli

@@ -15,6 +15,9 @@ constexpr unsigned kPictures = kUseRender | kUseFilm;
 constexpr unsigned kJudged = kUseRun | kUseCompare;
 constexpr unsigned kOfRun = kPrograms | kUseRender;
 
+constexpr std::string_view kRefuseMore =
+    "refuse what would need more, such as 4G; default: what is free";
+
 constexpr OptionRow kRows[] = {
     {"--stock", "", kRuns, stock, V::stock, "S",
      "mesh file, box:x0,y0,z0,x1,y1,z1, cylinder:d,z0,z1 or tube:d,bore,z0,z1; default: the "
@@ -125,8 +128,7 @@ constexpr OptionRow kRows[] = {
      "look for the programs here; may be repeated"},
     {"--threads", "", kUseCompare | kUseRest, comparison, V::whole, "N",
      "default: all cores; the result is the same for any number"},
-    {"--max-memory", "", kUseCompare | kUseRest, comparison, V::text, "SIZE",
-     "refuse what would need more; default: what is free"},
+    {"--max-memory", "", kUseCompare | kUseRest, comparison, V::text, "SIZE", kRefuseMore},
 
     {"--dialect", "", kPrograms, program, V::choice, "D",
      "sinumerik, iso, fanuc, codesys or ngc; default: recognised from the text", "dialect",
@@ -173,6 +175,7 @@ constexpr OptionRow kRows[] = {
      "Most jumps, passes of loops and calls; more is an error. Default: 10000000."},
     {"--path", "", kPrograms, program, V::folders, "DIR",
      "also look for subprograms here, or a .DEF file of SINUMERIK; may be repeated", "path"},
+    {"--max-memory", "", kUseTrace | kUseCheck, program, V::text, "SIZE", kRefuseMore},
 
     {"--size", "", kPictures, picture, V::text, "WxH", "pixels; default: 1600x1200"},
     {"--azimuth", "", kPictures, picture, V::text, "DEG",
@@ -185,6 +188,7 @@ constexpr OptionRow kRows[] = {
     {"--frames", "", kUseRender, picture, V::whole, "N",
      "pictures of a program's part at N moments"},
     {"--threads", "", kUseRender, picture, V::whole, "N", "default: all cores"},
+    {"--max-memory", "", kUseRender, picture, V::text, "SIZE", kRefuseMore},
 
     {"--output", "-o", kUseRun, output, V::paths, "FILE",
      "part to write, format by extension (.stl ...); may be repeated", "outputs", "",
@@ -221,6 +225,7 @@ constexpr OptionRow kRows[] = {
     {"--no-open", "", kUseView, output, V::flag, "", "print the file's name and open nothing", "",
      "", "view: print the file's name and open nothing."},
     {"--report", "", kUseView, output, V::path, "FILE", "of a run: write the page there instead"},
+    {"--max-memory", "", kUseTools | kUseView, output, V::text, "SIZE", kRefuseMore},
     {"--quiet", "-q", kOfRun | kUseCompare | kUseRest | kUseTools, output, V::flag, "",
      "print errors only"},
     {"--verbose", "-v", kOfRun, output, V::flag, "", "print more"},

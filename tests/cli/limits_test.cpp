@@ -92,6 +92,28 @@ TEST_F(Limits, MemoryOfToolsAndText) {
   expect_failure("many.nc --dialect fanuc --tools many.toml" + stock + "50M", 1, "4999 tools");
 }
 
+// Commands that read a file without running its program.
+TEST_F(Limits, MemoryOfEachCommand) {
+  if (!kIsPlain) GTEST_SKIP();
+  const Outcome large = run("render block.stl -o a.png --size 1600x1200 --max-memory 100M");
+  EXPECT_EQ(large.code, 1) << large.err;
+  EXPECT_TRUE(contains(large.err, "a smaller --size")) << large.err;
+  EXPECT_FALSE(exists("a.png"));
+  EXPECT_EQ(run("render block.stl -o a.png --size 320x240 --max-memory 100M").code, 0);
+  const Outcome page = run("view block.stl --no-open --max-memory 20M", "mkdir t; TMPDIR=$PWD/t");
+  EXPECT_EQ(page.code, 1) << page.err;
+  EXPECT_TRUE(contains(page.err, "[memory]")) << page.err;
+  write_raster(60000);
+  write("long.MPF", "G1 X" + std::string(20'000'000, '1') + "\n");
+  write("tools.toml", "# " + std::string(30'000'000, 'x') + "\n");
+  for (const char* command : {"trace raster.MPF --tool ballmill:d=6 -q -o a.svg",
+                              "check long.MPF --machine mill", "tools tools.toml"}) {
+    const Outcome outcome = run(std::string(command) + " --max-memory 20M");
+    EXPECT_EQ(outcome.code, 1) << command << outcome.err;
+    EXPECT_TRUE(contains(outcome.err, "[memory]")) << command << outcome.err;
+  }
+}
+
 TEST_F(Limits, MemoryOfReading) {
   write_raster(60000);
   expect_failure(

@@ -34,7 +34,7 @@ struct Rows {
 // Pictures are drawn in bands, so that memory does not grow with their height. Light is smoothed
 // over up to 12 rows and borrowed over one: a band is worked out with so many more on both sides
 // that it is the same as in one piece.
-constexpr int kBandRows = 768, kMarginRows = 16;
+constexpr int kMarginRows = 16, kBandRows = kMostHeldRows - 2 * kMarginRows;
 
 class RayImage {
  public:

@@ -24,6 +24,9 @@ struct RayImageInput {
   const RenderOptions& options;
 };
 
+/// Rows of the picture that are worked on at once.
+inline constexpr int kMostHeldRows = 800;
+
 /// Draws into all of `picture`.
 void draw_surface(const RayImageInput& input, Picture& picture);
 

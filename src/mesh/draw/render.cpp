@@ -1,5 +1,6 @@
 #include "mesh/draw/render.h"
 
+#include "core/memory_limit.h"
 #include "mesh/draw/edge_lines.h"
 #include "mesh/draw/palette.h"
 #include "mesh/draw/picture.h"
@@ -23,6 +24,11 @@ constexpr Rgb kText = {62, 70, 80};
 constexpr double kDefaultCrease = 25;  // degrees, for shading where no edges are drawn
 constexpr std::size_t kMostEntries = 14;
 
+// Bytes, as measured. Of a triangle: its shape for the light, Embree's tree; with the lines of its
+// edges. Of a pixel: its light; in the band that is drawn what its ray met, then lines.
+constexpr double kTriangle = 200, kLinedTriangle = 260;
+constexpr double kPixel = 12, kBandPixel = 112, kLinedPixel = 13;
+
 void require_valid(const TriMesh& mesh, const RenderOptions& options) {
   const auto fail = [](const std::string& what) {
     throw Error("render-options", what, Error::Kind::usage);
@@ -40,6 +46,18 @@ void require_valid(const TriMesh& mesh, const RenderOptions& options) {
       if (v >= mesh.vertices.size() || !std::isfinite(mesh.vertices[v][0]) ||
           !std::isfinite(mesh.vertices[v][1]) || !std::isfinite(mesh.vertices[v][2]))
         throw Error("mesh-invalid", "a triangle names a vertex that is not there, or no number");
+}
+
+void require_picture_memory(const TriMesh& mesh, const RenderOptions& options) {
+  const double triangles = double(mesh.triangles.size()), width = options.width,
+               pixels = width * options.height,
+               band = width * std::min(options.height, kMostHeldRows);
+  const double drawn = kTriangle * triangles + kBandPixel * band,
+               lined = kLinedTriangle * triangles + kLinedPixel * pixels;
+  require_memory(kPixel * pixels + std::max(drawn, lined),
+                 fmt::format("a picture of {} x {} pixels of {} triangles", options.width,
+                             options.height, mesh.triangles.size()),
+                 "a smaller --size or a coarser mesh takes less, --max-memory allows more");
 }
 
 std::vector<Color> face_paints(const FacePalette& palette) {
@@ -111,6 +129,7 @@ constexpr double kLeastWalls = 0.02;  // share of the area
 
 void render_mesh(const TriMesh& part, const RenderOptions& options, const ByteSink& out) {
   require_valid(part, options);
+  require_picture_memory(part, options);
   const bool lies = options.up == UpAxis::x || (options.up == UpAxis::automatic && is_turned(part));
   const TriMesh laid = lies ? laid_down(part) : TriMesh{};
   const TriMesh& mesh = lies ? laid : part;
