@@ -134,6 +134,49 @@ TEST_F(Memory, LimitsMeshesOfThinWalls) {
   EXPECT_LT(number_after(outcome.out, "  memory "), 315) << outcome.out;  // MB; 390 before
 }
 
+// A stock whose mesh has details finer than the voxel: nearly all of its cells are split.
+TEST_F(Memory, LimitsStocksOfFineDetail) {
+  if (!kIsPlain) GTEST_SKIP();
+  constexpr int kSide = 100;
+  std::string corners, faces;
+  const auto at = [](int i, int j) { return std::to_string(i * (kSide + 1) + j); };
+  for (int i = 0; i <= kSide; ++i)
+    for (int j = 0; j <= kSide; ++j) {
+      const bool is_rim = i % kSide == 0 || j % kSide == 0;
+      const int height = is_rim ? 0 : (7 * i * i + 5 * j * j + 3 * i * j) % 11;
+      corners += std::to_string(0.23 * i) + " " + std::to_string(0.23 * j) + " " +
+                 std::to_string(0.05 * height) + "\n";
+      if (i == kSide || j == kSide) continue;
+      faces += "3 " + at(i, j) + " " + at(i + 1, j) + " " + at(i + 1, j + 1) + "\n3 " + at(i, j) +
+               " " + at(i + 1, j + 1) + " " + at(i, j + 1) + "\n";
+    }
+  const int apex = (kSide + 1) * (kSide + 1);
+  const auto side = [&](const std::string& from, const std::string& to) {
+    faces += "3 " + to + " " + from + " " + std::to_string(apex) + "\n";
+  };
+  for (int k = 0; k < kSide; ++k) {
+    side(at(k, 0), at(k + 1, 0)), side(at(kSide, k), at(kSide, k + 1));
+    side(at(k + 1, kSide), at(k, kSide)), side(at(0, k + 1), at(0, k));
+  }
+  write("rough.off", "OFF\n" + std::to_string(apex + 1) + " " +
+                         std::to_string(2 * kSide * kSide + 4 * kSide) + " 0\n" + corners +
+                         "11.5 11.5 -8\n" + faces);
+  write("slot.nc", "G90 G21 G17\nT1 M6\nG0 X5 Y5 Z5\nG1 Z-1 F500\nX18\nG0 Z5\nM30\n");
+  const std::string cut =
+      "slot.nc --stock rough.off --tool 1=endmill:d=4 --voxel 0.5 --threads 2 -v -o part.stl";
+  const Outcome free = run(cut);
+  ASSERT_EQ(free.code, 0) << free.err;
+  const double peak = number_after(free.out, "  memory ");
+  EXPECT_NEAR(number_after(free.out, "at most  ("), peak, 0.3 * peak);
+  for (const double share : {0.9, 0.8, 0.7}) {
+    const Outcome outcome = run(cut + " --max-memory " + std::to_string(int(share * peak)) + "M");
+    if (outcome.code == 0)
+      EXPECT_LT(number_after(outcome.out, "  memory "), 1.1 * share * peak) << outcome.out;
+    else
+      EXPECT_FALSE(contains(outcome.err, "tolerance")) << outcome.err;
+  }
+}
+
 // Steps of a flat end mill whose mesh is given up: the grid in its place is planned, done in slabs
 // or refused like any other, and what the mesh took is told too.
 TEST_F(Memory, LimitsTheGridInThePlaceOfAMesh) {

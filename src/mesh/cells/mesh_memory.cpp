@@ -103,10 +103,14 @@ void require_cells(double nodes, std::size_t most) {
     throw Error("mesh-unresolved", fmt::format("it takes more than {} 000 cells", most / 1000));
 }
 
-void require_room(double bytes) {
-  require_memory(bytes, "a mesh within a tolerance",
-                 "a larger --tolerance takes less, and with --voxel and no --tolerance the "
-                 "run is done in slabs");
+void require_room(double bytes, bool has_tolerance) {
+  if (has_tolerance)
+    require_memory(bytes, "a mesh within a tolerance",
+                   "a larger --tolerance takes less, and with --voxel and no --tolerance the "
+                   "run is done in slabs");
+  else
+    require_memory(bytes, "a mesh with details finer than the voxel",
+                   "a larger --voxel or fewer --threads take less, --max-memory allows more");
 }
 
 }  // namespace mrsim::detail

@@ -50,6 +50,6 @@ void require_cells(double nodes, std::size_t most);
 
 /// As require_memory for what splitting cells takes beyond the estimate, where the thread has a
 /// limit.
-void require_room(double bytes);
+void require_room(double bytes, bool has_tolerance = true);
 
 }  // namespace mrsim::detail

@@ -93,7 +93,8 @@ std::size_t CellOctree::split(std::vector<std::int32_t> leaves) {
   std::sort(leaves.begin(), leaves.end());
   leaves.erase(std::unique(leaves.begin(), leaves.end()), leaves.end());
   require_room(8 * (kSplitMemory + kSurfaceMemory) * static_cast<double>(leaves.size()) +
-               kSurfaceMemory * static_cast<double>(undrawn()));
+                   kSurfaceMemory * static_cast<double>(undrawn()),
+               tolerance_ > 0);
   std::erase_if(leaves, [&](std::int32_t n) { return node(n).child >= 0 || !can_split(n); });
   make_room(leaves.size());
   std::vector<std::int32_t> pending;

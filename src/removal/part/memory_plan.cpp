@@ -28,7 +28,9 @@ constexpr double kGridColumn = 130;
 constexpr double kCutVoxel = 10;  ///< of the grid "cut", should all of the stock be removed
 constexpr double kThread = 13e6;
 constexpr double kMeshCell = 40, kMeshColumn = 70, kBoxMeshColumn = 8;
-constexpr double kTileCell = 600;      ///< of the tiles that are being made and joined
+constexpr double kTileCell = 600;                 ///< of the tiles that are being made and joined
+constexpr double kBentCell = 900;                 ///< of one in which faces of a stock's mesh meet
+constexpr double kBends = 0.6, kMostBends = 1.5;  ///< such cells for each triangle, at most
 constexpr double kCellSweep = 16;      ///< of its list: two nodes of a tile for four cells
 constexpr double kTilesAThread = 2;    ///< of them
 constexpr double kFrontTile = 0.45e6;  ///< a tile on the front of those that are done
@@ -82,19 +84,26 @@ struct Need {
   const SweepTable& sweeps;
   std::size_t motions;
   const CarvePlan& options;
+  bool is_most = false;  ///< rather too much: what at_most() tells
 
   /// With room for more cells where the user has set a limit: that must hold, an estimate may err.
   double at_most(double voxel, bool in_slabs) const {
     if (options.max_memory == 0) return (*this)(voxel, in_slabs);
     CarvePlan more = options;
     more.cut_cells *= kMoreCells;
-    const double most = Need{stock, sweeps, motions, more}(voxel, in_slabs);
+    const double most = Need{stock, sweeps, motions, more, true}(voxel, in_slabs);
     return in_slabs ? most : most + (kMoreMesh - 1) * (most - always());
   }
 
   double always() const {
     return kProgram + kMotion * static_cast<double>(motions) + memory_of(sweeps) +
            kStockTriangle * static_cast<double>(stock.triangles());
+  }
+  /// Cells in which faces of a stock's mesh meet: they are split, and remembered. Long straight
+  /// edges pass more of them, which take less.
+  double bent_cells(double voxel) const {
+    const double most = (is_most ? kMostBends : kBends) * static_cast<double>(stock.triangles());
+    return std::min(stock.bent_edges() / voxel, most);
   }
   double cut_voxels(double voxel) const { return stock.volume() / (voxel * voxel * voxel); }
   double operator()(double voxel, bool in_slabs) const {
@@ -112,9 +121,9 @@ struct Need {
     const double tiles = surface_tiles(stock, voxel);
     const double tile_cells = cells / whole_tiles(stock, voxel);
     const double working =
-        threads * (kThread +
-                   (kTilesAThread * kTileCell + kCellSweep * options.block_sweeps) * tile_cells) +
-        section_tiles(stock, voxel) * kFrontTile + tiles * kTile;
+        threads * (kTilesAThread * kTileCell + kCellSweep * options.block_sweeps) * tile_cells +
+        (is_most ? threads : std::min<double>(threads, std::ceil(tiles))) * kThread +
+        section_tiles(stock, voxel) * kFrontTile + tiles * kTile + kBentCell * bent_cells(voxel);
     return in_slabs ? working : working + whole_mesh(voxel);
   }
   double whole_mesh(double voxel) const {

@@ -27,6 +27,21 @@ StockSolid::StockSolid(StockShape shape) : shape_(std::move(shape)) {
   if (shape_.kind != StockShape::Kind::mesh) return;
   tree_ = std::make_shared<TriangleTree>(shape_.mesh);
   find_flat_faces();
+  bent_edges_ = find_bent_edges();
+}
+
+double StockSolid::find_bent_edges() const {
+  double sum = 0;
+  for (std::uint32_t t = 0; t < tree_->size(); ++t) {
+    const TriangleTree::Corners k = tree_->corners(t);
+    const Vec3 ends[4] = {k.a, k.b, k.c, k.a};
+    for (std::size_t i = 0; i < 3; ++i) {
+      const std::uint32_t next = tree_->neighbors(t)[i];
+      if (next < t && faces_[next] != faces_[t])
+        sum += length(ends[i + 1] - ends[i]) * length(tree_->normal(t) - tree_->normal(next)) / 2;
+    }
+  }
+  return sum;
 }
 
 void StockSolid::find_flat_faces() {

@@ -64,6 +64,8 @@ class StockSolid {
   double volume() const;
   /// mm^2.
   double area() const;
+  /// mm of edges of a mesh, by the sine of half the angle of their faces; 0 where it is no mesh.
+  double bent_edges() const { return bent_edges_; }
 
  private:
   Sample sample_box(const Vec3& p) const;
@@ -71,6 +73,7 @@ class StockSolid {
   Sample sample_mesh(const Vec3& p) const;
   double radius_at(const Vec3& p) const;
   void find_flat_faces();
+  double find_bent_edges() const;
 
   StockShape shape_;
   std::shared_ptr<const TriangleTree> tree_;  // mesh; shared so that a solid stays a value
@@ -80,6 +83,7 @@ class StockSolid {
     double offset;  // dot(normal, point of the plane)
   };
   std::vector<Plane> planes_;  // mesh: of each flat face
+  double bent_edges_ = 0;
 };
 
 }  // namespace mrsim
