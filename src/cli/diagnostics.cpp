@@ -33,7 +33,7 @@ std::string severity_word(Severity severity, bool colours) {
 }
 
 std::string place_of(const SourcePlace& place) {
-  std::string out = place.file;
+  std::string out = printable(place.file);
   if (place.line > 0) out += fmt::format(":{}", place.line);
   if (place.line > 0 && place.column > 0) out += fmt::format(":{}", place.column);
   return out;

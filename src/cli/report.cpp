@@ -20,7 +20,9 @@ constexpr int kLabel = 11;
 class Sheet {
  public:
   explicit Sheet(bool colours) : colours_(colours) {}
-  void title(const std::string& text) { out_ += styled(text, Style::bold, colours_) + "\n"; }
+  void title(const std::string& text) {
+    out_ += styled(printable(text), Style::bold, colours_) + "\n";
+  }
   // A label, a value, and why it is so.
   void row(const std::string& label, const std::string& value, const std::string& reason = "") {
     const std::string head = fmt::format("  {:<{}}", label, kLabel);

@@ -193,7 +193,8 @@ bool prepare(const Arguments& arguments, Job& job, JobResult& result) {
   Findings findings(arguments);
   findings.add(result.program.diagnostics);
   if (!result.ok)
-    say(fmt::format("{}: {}; nothing was cut or written\n", arguments.input, findings.summary()));
+    say(fmt::format("{}: {}; nothing was cut or written\n", printable(arguments.input),
+                    findings.summary()));
   return result.ok;
 }
 

@@ -85,8 +85,13 @@ TEST_F(Cli, DiagnosticShowsTheLineAndACaret) {
 
 TEST_F(Cli, NothingFromAFileReachesTheTerminalAsControl) {
   write("esc.MPF", "G54\nTRANS X0\nG1 \x1b[31mX1\nM30\n");
-  const Outcome outcome = run("check esc.MPF --machine mill");
-  EXPECT_FALSE(contains(outcome.out + outcome.err, "\x1b"));
+  write("\x1b[31m.MPF", "G54\nG1 X1 YY\nM30\n");
+  for (const char* command : {"check esc.MPF --machine mill", "check '\x1b[31m.MPF' --machine mill",
+                              "'\x1b[31m.MPF' --machine mill --stock block.stl -o part.stl",
+                              "trace '\x1b[31m.MPF' --machine mill"}) {
+    const Outcome outcome = run(command);
+    EXPECT_FALSE(contains(outcome.out + outcome.err, "\x1b")) << command;
+  }
 }
 
 TEST_F(Cli, CheckListsEverythingAndWritesNothing) {
