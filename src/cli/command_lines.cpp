@@ -40,7 +40,8 @@ const std::array<CommandLine, 9> kLines = {{
      "  mrsim pocket.nc --stock box:0,0,-20,80,60,0 --tool endmill:d=10 -o part.stl\n"
      "  mrsim shaft.mpf --stock cylinder:50,0,51 --tools tools.toml --voxel 0.1 -o shaft.stl\n\n"
      "Exit: 0 done; 1 the program or a file has errors; 2 wrong usage; 3 a fault of mrsim;\n"
-     "4 out of tolerance; 5 a collision under --strict; 130, 143 stopped by Ctrl-C, SIGTERM.\n"
+     "4 out of tolerance; 5 a collision under --strict; 130, 143, 129 stopped by Ctrl-C, SIGTERM,\n"
+     "SIGHUP.\n"
      "Each command has its own --help. Manual: man mrsim, and docs/."},
     {"trace",
      kUseTrace,

@@ -38,6 +38,9 @@ sigset_t stop_signals() {
   ::sigemptyset(&out);
   ::sigaddset(&out, SIGINT);
   ::sigaddset(&out, SIGTERM);
+  struct sigaction hangup {};
+  ::sigaction(SIGHUP, nullptr, &hangup);
+  if (hangup.sa_handler != SIG_IGN) ::sigaddset(&out, SIGHUP);  // ignored under nohup
   return out;
 }
 

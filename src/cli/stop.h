@@ -11,7 +11,7 @@ namespace mrsim::cli {
 /// before the process has other threads.
 void watch_signals();
 
-/// 130 (SIGINT) or 143 (SIGTERM) once the user has asked for the end, else 0.
+/// 130 (SIGINT), 143 (SIGTERM) or 129 (SIGHUP) once the user has asked for the end, else 0.
 int stop_code();
 
 /// `say` tells the user what is left of the run where the process is ended before its time; it is

@@ -40,6 +40,7 @@ TEST_F(Stop, EndsALongRunWithinASecond) {
     expect_stopped(arguments, "INT", 130);
     expect_stopped(arguments, "TERM", 143);
   }
+  expect_stopped("PRIMER_2F.MPF --stock block.stl -o part.stl --voxel 0.005", "HUP", 129);
 }
 
 // What takes more than ten seconds says so after its first ones, and is stopped then.
