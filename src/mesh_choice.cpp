@@ -40,8 +40,8 @@ constexpr double kFewSweeps = 20, kMostSweeps = 6.5e5, kMostSearched = 6e4;
 // and holes, whose cells take half the time.
 constexpr double kPlainSweeps = 1.5;
 // Nodes of the octree, made in some five seconds of two cores, after which the grid takes its
-// place.
-constexpr std::size_t kMostNodes = 250'000, kMostPlainNodes = 500'000;
+// place. Those about the crests of a winding helix take three times as long.
+constexpr std::size_t kMostNodes = 250'000, kMostPlainNodes = 500'000, kMostWindingNodes = 80'000;
 
 double longest_side(const Box3& box) {
   const Vec3 size = box.hi - box.lo;
@@ -240,7 +240,8 @@ void fit_mesh(const ExactField& field, int threads, MeshChoice& choice) {
   choice.cut_cells = survey.crossed_cells(choice.voxel);
   choice.block_sweeps = survey.sweeps;
   if (!choice.is_default) return;
-  if (!is_plain(survey) || choice.has_winding_helix) choice.most_nodes = kMostNodes;
+  if (!is_plain(survey)) choice.most_nodes = kMostNodes;
+  if (choice.has_winding_helix) choice.most_nodes = kMostWindingNodes;
   choice.fallback_cells = survey.crossed_cells(choice.fallback_voxel);
 }
 

@@ -252,6 +252,7 @@ class AdaptiveMesher {
                                 detail::memory_of_nodes(static_cast<double>(tree_.size()) + more));
     }
     first_nodes_ = 0;
+    require_fewer(cells.size());
     const std::size_t count = split(std::move(cells));
     timer_.step("tree");
     return count + refined > 0;
@@ -266,6 +267,7 @@ class AdaptiveMesher {
     const double later = goes_on ? 8 * (kLateSteps - 1) * nodes / kFew : 0;
     detail::require_room(detail::kSplitMemory * (8 * failed + later));
     few_failed_ = is_few(cells.size());
+    failed_before_ = std::exchange(failed_, cells.size());
     const std::size_t count = tree_.split(std::move(cells));
     for (int k = 1; goes_on && k < kLateSteps && is_few(tree_.new_leaves().size()); ++k)
       tree_.split(std::vector<std::int32_t>(tree_.new_leaves()));
@@ -281,6 +283,18 @@ class AdaptiveMesher {
     const auto nodes = static_cast<double>(tree_.size());
     const double growth = nodes / first_nodes_, slow = growth > kDense ? kSlow : 1;
     detail::require_cells(slow * growth * growth * (nodes + 8 * static_cast<double>(failed)),
+                          options_.most_nodes);
+  }
+
+  // Where more cells `failed` than in the round before, which had more than its own, each round
+  // shows creases that the next one misses: three more such rounds are to be expected, as the
+  // crests of a winding helix take.
+  void require_fewer(std::size_t failed) const {
+    if (is_few(failed) || failed <= failed_ || failed_ <= failed_before_ || failed_before_ == 0)
+      return;
+    const auto cells = static_cast<double>(failed);
+    const double growth = cells / static_cast<double>(failed_);
+    detail::require_cells(static_cast<double>(tree_.size()) + 8 * cells * growth * growth * growth,
                           options_.most_nodes);
   }
 
@@ -342,8 +356,9 @@ class AdaptiveMesher {
   StepTimer timer_;
   CellOctree tree_;
   detail::MeshCertifier certifier_;
-  std::size_t drawn_loops_ = 0;         ///< of the surface whose triangles were made last
-  bool few_failed_ = true;              ///< cells in the round before
+  std::size_t drawn_loops_ = 0;                 ///< of the surface whose triangles were made last
+  bool few_failed_ = true;                      ///< cells in the round before
+  std::size_t failed_ = 0, failed_before_ = 0;  ///< cells in the round before, and before that one
   double first_nodes_ = 0;              ///< of the tree as it was made, 0 after the first round
   std::optional<DualSurface> surface_;  ///< until its triangles are final
   detail::FlatMap passed_;              ///< by hashes of triangles within the tolerance
