@@ -19,15 +19,15 @@ namespace {
 // active voxels, in leaves that are about half full. A mesh on the voxels has two triangles for
 // each voxel that the cuts' surface passes; flat sides that a box keeps have few.
 constexpr double kProgram = 10e6, kMotion = 320;
-constexpr double kSweep = 200, kSegment = 250;  ///< in lists of candidates
-constexpr double kStockTriangle = 230;          ///< of a mesh: its tree, and what its check left
-constexpr double kTool = 9000;                  ///< as it is looked for by motions
-constexpr double kOpenVdb = 30e6;               ///< its library
-constexpr double kRecipe = 400;                 ///< a motion once more, for the file
+constexpr double kSweep = 20, kSegment = 20;  ///< in lists of candidates
+constexpr double kStockTriangle = 230;        ///< of a mesh: its tree, and what its check left
+constexpr double kTool = 9000;                ///< as it is looked for by motions
+constexpr double kOpenVdb = 30e6;             ///< its library
+constexpr double kRecipe = 1300;              ///< a motion once more, for the file
 constexpr double kGridColumn = 130;
 constexpr double kCutVoxel = 10;  ///< of the grid "cut", should all of the stock be removed
 constexpr double kThread = 13e6;
-constexpr double kMeshCell = 40, kMeshColumn = 70, kBoxMeshColumn = 8;
+constexpr double kMeshCell = 48, kMeshColumn = 70, kBoxMeshColumn = 8;
 constexpr double kTileCell = 600;                 ///< of the tiles that are being made and joined
 constexpr double kBentCell = 900;                 ///< of one in which faces of a stock's mesh meet
 constexpr double kBends = 0.6, kMostBends = 1.5;  ///< such cells for each triangle, at most
@@ -108,10 +108,9 @@ struct Need {
   double cut_voxels(double voxel) const { return stock.volume() / (voxel * voxel * voxel); }
   double operator()(double voxel, bool in_slabs) const {
     const double columns = stock.area() / (voxel * voxel);
-    double grid = options.keep_grid ? kOpenVdb : 0;
+    double grid = options.keep_grid ? kOpenVdb + kRecipe * static_cast<double>(motions) : 0;
     if (options.keep_grid && !in_slabs)
-      grid += columns * kGridColumn + cut_voxels(voxel) * kCutVoxel +
-              kRecipe * static_cast<double>(motions);
+      grid += columns * kGridColumn + cut_voxels(voxel) * kCutVoxel;
     return always() + grid + (options.grid_mesh ? mesh(voxel, in_slabs) : 0);
   }
 
