@@ -20,7 +20,7 @@ using testing::line;
 using testing::mill;
 using testing::Random;
 
-constexpr double kRounding = 2e-9;  // mm, and searches that stop at 1e-13 of a distance
+constexpr double kRoundingRoom = 2e-9;  // mm, and searches that stop at 1e-13 of a distance
 
 struct Count {
   int triangles = 0, known = 0;
@@ -49,7 +49,7 @@ FaceRange sampled(const ExactField& field, const Corners3& t, const FieldSample&
 }
 
 bool holds(const FaceRange& outer, const FaceRange& inner) {
-  const double slack = kRounding + kBorder * kBorder;
+  const double slack = kRoundingRoom + kBorder * kBorder;
   return inner.lo >= outer.lo - slack && inner.hi <= outer.hi + slack;
 }
 
