@@ -26,7 +26,7 @@ constexpr std::size_t kMostEntries = 14;
 
 // Bytes, as measured. Of a triangle: its shape for the light, Embree's tree; with the lines of its
 // edges. Of a pixel: its light; in the band that is drawn what its ray met, then lines.
-constexpr double kTriangle = 200, kLinedTriangle = 260;
+constexpr double kTriangleBytes = 200, kLinedTriangleBytes = 260;
 constexpr double kPixel = 12, kBandPixel = 112, kLinedPixel = 13;
 
 void require_valid(const TriMesh& mesh, const RenderOptions& options) {
@@ -52,8 +52,8 @@ void require_picture_memory(const TriMesh& mesh, const RenderOptions& options) {
   const double triangles = double(mesh.triangles.size()), width = options.width,
                pixels = width * options.height,
                band = width * std::min(options.height, kMostHeldRows);
-  const double drawn = kTriangle * triangles + kBandPixel * band,
-               lined = kLinedTriangle * triangles + kLinedPixel * pixels;
+  const double drawn = kTriangleBytes * triangles + kBandPixel * band,
+               lined = kLinedTriangleBytes * triangles + kLinedPixel * pixels;
   require_memory(kPixel * pixels + std::max(drawn, lined),
                  fmt::format("a picture of {} x {} pixels of {} triangles", options.width,
                              options.height, mesh.triangles.size()),

@@ -11,7 +11,7 @@ namespace mrsim {
 namespace {
 
 constexpr std::size_t kEdgesAThread = 4096;
-constexpr double kSliver = 1e-4;  // height of a sliver, of the part's diagonal
+constexpr double kSliverHeight = 1e-4;  // height of a sliver, of the part's diagonal
 constexpr int kSliverPasses = 16;
 constexpr float kUnset = 9;  // in place of a unit vector
 
@@ -68,7 +68,7 @@ double altitude(const TriMesh& mesh, std::size_t f, int& longest_side) {
 // side; otherwise it would be shaded, and its sides drawn, as an edge of the part.
 void straighten_slivers(const TriMesh& mesh, SurfaceShape& shape) {
   const Box3 box = mesh_bounds(mesh);
-  const double thin = kSliver * length(box.hi - box.lo);
+  const double thin = kSliverHeight * length(box.hi - box.lo);
   std::vector<std::uint32_t> slivers, left;  // by their longest sides
   std::vector<bool> is_open(mesh.triangles.size(), false);
   for (std::uint32_t f = 0; f < mesh.triangles.size(); ++f) {

@@ -12,7 +12,7 @@ namespace {
 constexpr double kLeastBend = 0.17;  ///< radians, nearly: what bends less is no corner
 constexpr double kChordAlong = 0.5;  ///< cosine between a chord and what it stands for, at least
 constexpr int kEvenSteps = 8;
-constexpr double kStraight = 1e-7;  ///< mm
+constexpr double kStraightWithin = 1e-7;  ///< mm
 
 double distance_to_segment(const Vec3& p, const Vec3& a, const Vec3& b) {
   const Vec3 along = b - a, off = p - a;
@@ -190,8 +190,8 @@ class Chooser {
 
 Outline straightened(const Outline& outline) {
   const auto is_amid = [](const OutlinePoint& a, const OutlinePoint& b, const OutlinePoint& c) {
-    return b.bend == 0 && same_face(a.face, b.face) && a.height <= kStraight &&
-           b.height <= kStraight && distance_to_segment(b.at, a.at, c.at) <= kStraight;
+    return b.bend == 0 && same_face(a.face, b.face) && a.height <= kStraightWithin &&
+           b.height <= kStraightWithin && distance_to_segment(b.at, a.at, c.at) <= kStraightWithin;
   };
   Outline out;
   out.closed = outline.closed;
