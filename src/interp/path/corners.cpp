@@ -15,7 +15,7 @@ namespace {
 constexpr double kHair = 1e-8;           // mm, leftovers that are rounding
 constexpr double kTangent = 1e-6;        // |t1 x t2| below which there is no corner
 constexpr double kSameAxis = 1e-12;      // between unit vectors: both moves have the same plane
-constexpr double kNoLength = 1e-300;     // in place of a length that is 0
+constexpr double kPointLength = 1e-300;     // in place of a length that is 0
 constexpr std::size_t kMostBetween = 3;  // blocks without plane travel inside a corner
 
 // Where a rounding or chamfer touches its two elements.
@@ -53,7 +53,7 @@ Vec2 foot_on(const PlanePiece& piece, Vec2 p) {
     return piece.start + dot(p - piece.start, t) * t;
   }
   const Vec2 d = p - piece.center;
-  return piece.center + (piece.radius / std::max(length(d), kNoLength)) * d;
+  return piece.center + (piece.radius / std::max(length(d), kPointLength)) * d;
 }
 
 bool on_piece(const PlanePiece& piece, Vec2 p) {
