@@ -125,6 +125,8 @@ TEST(HaasCycles, DepthBetweenWaysOutOfG73) {
             "r0,0,10 r5,0,10 r5,0,2 l5,0,-2 r5,0,10");
   EXPECT_EQ(haas_path(start + "K2 F9. X5.\nG80\n"), haas_path(start + "F9. X5.\nX5.\nG80\n"))
       << "FANUC's repeats have no point";
+  EXPECT_EQ(haas_path("#1=3\nG91 " + start + "K#1 F9. X5.\nG80\n").find("r5"), std::string::npos)
+      << "three holes, or one";
 }
 
 }  // namespace

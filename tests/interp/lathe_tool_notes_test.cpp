@@ -271,6 +271,14 @@ TEST(ToolNotes, NoseAndCornerOfAnInsertInLinesOfTheirOwn) {
   EXPECT_EQ(insert("(TOOL 1: CNMG 120408)\n(ANGLE: 93)\n"), "0.8 80");
   EXPECT_EQ(insert("(TOOL 1: CNMG 120408)\n(ANGLE: 55)\n"), "tool-unknown");
   EXPECT_EQ(insert("(TOOL 1: OD 80 DEG)\n(ANGLE: 35)\n"), "tool-unknown");
+  for (const char* const work : {"R2", "RADIUS 5", "FINISH R3", "NR. 3", "R0.4", "3 DEG TAPER",
+                                 "60 DEG", "ANGLE 30", "BALL", "BALL R10", "DIA 50.", "D50."})
+    EXPECT_EQ(insert(fmt::format("(T0101 CNMG 120408)\n({})\n", work)), "0.8 80") << work;
+  const std::string blade = insert("(T0101 GROOVE 3MM R0.2)\n");
+  EXPECT_EQ(blade.substr(0, 4), "0.2 ");
+  for (const char* const work : {"R2", "DIA 50.", "D50.", "ROUGH D40.", "BALL R10"})
+    EXPECT_EQ(insert(fmt::format("(T0101 GROOVE 3MM R0.2)\n({})\n", work)), blade) << work;
+  EXPECT_EQ(insert("(T0101 CNMG 120408)\n(TIP RADIUS: 0.4)\n"), "tool-unknown");
 }
 
 }  // namespace

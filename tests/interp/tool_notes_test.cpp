@@ -463,7 +463,8 @@ TEST(ToolNotes, SizesInALineOfTheirOwn) {
   EXPECT_EQ(below("10MM ENDMILL", "D10"), tool_like(ToolType::endmill, 10, 0, 0));
   EXPECT_EQ(below("10MM ENDMILL", "FLUTE LENGTH 20"), tool_like(ToolType::endmill, 10, 0, 0));
   EXPECT_NE(below("10MM ENDMILL", "BALL END").find("different"), std::string::npos);
-  EXPECT_EQ(below("10MM ENDMILL", "BALL"), tool_like(ToolType::ballmill, 10, 0, 0));
+  EXPECT_NE(below("10MM ENDMILL", "BALL").find("different"), std::string::npos);
+  EXPECT_EQ(below("D10.", "BALL"), tool_like(ToolType::ballmill, 10, 0, 0));
   EXPECT_EQ(below("10MM ENDMILL", "BULL R1"), bull);
   for (const char* const line : {"TAPERED", "3 DEG TAPER", "TAPER 3 DEG"})
     EXPECT_NE(below("10MM ENDMILL", line).find("tapered mill"), std::string::npos) << line;
@@ -478,6 +479,47 @@ TEST(ToolNotes, SizesInALineOfTheirOwn) {
   }());
   ASSERT_EQ(v.tools.size(), 1U);
   EXPECT_EQ(v.tools[0].tip_diameter, 0.2) << "it was sharp";
+}
+
+// Below a tool's comment, what the work is like: it was read as the tool's.
+TEST(ToolNotes, LinesAboutTheWork) {
+  const std::string call = "T1 M6\n" + std::string(kCut);
+  const auto below = [&](const char* tool, const char* line) {
+    return first_tool(fmt::format("(T1 {})\n({})\n{}", tool, line, call));
+  };
+  const auto asks = [&](const char* tool, const char* line, const char* about) {
+    EXPECT_NE(below(tool, line).find(about), std::string::npos) << tool << ", " << line;
+  };
+  using enum ToolType;
+  for (const char* const line : {"FINISH R3", "ROUGHING R2.5", "CENTER R5", "FOUR R3", "RIGHT R1",
+                                 "NR. 3", "NR 2", "RE 1", "RAYON 2", "CORNER 1.", "TOOL RADIUS 3"})
+    asks("10MM ENDMILL", line, "made for a radius");
+  asks("CHAMFER MILL D10 90 DEG", "FINISH R3", "made for a radius");
+  // At the change to a tool that the list describes they are about the work.
+  for (const char* const line : {"FINISH R3", "R3", "NR. 3", "45 DEG", "ANGLE 30", "3 DEG TAPER"})
+    EXPECT_EQ(first_tool(fmt::format("(T1 10MM ENDMILL)\nG90\nT1 M6\n({})\n{}", line, kCut)),
+              tool_like(endmill, 10, 0, 0))
+        << line;
+  EXPECT_EQ(below("10MM ENDMILL", "TOOL RADIUS 5"), tool_like(endmill, 10, 0, 0));
+  EXPECT_EQ(below("10MM ENDMILL", "TOOL RADIUS: 5."), tool_like(endmill, 10, 0, 0));
+  EXPECT_EQ(below("10MM ENDMILL", "TOOL RADIUS: 1."), tool_like(bullmill, 10, 0, 0));
+  EXPECT_EQ(below("10MM ENDMILL", "RC 45"), tool_like(endmill, 10, 0, 0));
+  EXPECT_EQ(below("10MM BULL NOSE R1", "FINISH R3"), tool_like(bullmill, 10, 0, 0));
+  asks("10MM BULL NOSE R1", "RADIUS: 3", "two sizes");
+  EXPECT_EQ(below("10MM BULL NOSE R1", "CORNER RADIUS: 1.0"), tool_like(bullmill, 10, 0, 0));
+  for (const char* const line : {"R3", "R0.5", "FINISH R3", "RADIUS 2"}) {
+    EXPECT_EQ(below("DRILL 8.5MM", line), tool_like(drill, 8.5, 0, 0)) << line;
+    EXPECT_EQ(below("REAMER 8MM", line), tool_like(endmill, 8, 0, 0)) << line;
+  }
+  for (const char* const line : {"45 DEG", "3 DEG TAPER", "TAPER 3 DEG", "ANGLE 30", "90 DEG"})
+    asks("DRILL 8.5MM", line, "such a slope");
+  EXPECT_EQ(below("DRILL 8.5MM", "140 DEG"), tool_like(drill, 8.5, 140, 0));
+  for (const char* const line :
+       {"SPOT DRILL HOLES", "CENTER DRILL", "CHAMFER MILL EDGE", "DOVETAIL 60 DEG"})
+    asks("DRILL 8.5MM", line, "kind");
+  asks("10MM ENDMILL", "BALL NOSE FINISHING", "different kinds");
+  asks("SPOT DRILL D10 90 DEG", "TAPER 3 DEG", "two angles");
+  asks("CHAMFER MILL D10 90 DEG", "TAPER 3 DEG", "two angles");
 }
 
 // What F-Engrave writes of its V-bit.

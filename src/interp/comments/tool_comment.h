@@ -69,6 +69,8 @@ struct ToolHint {
   bool size_line = false;      ///< "D10. R1.", "TIP DIA 0.2" and nothing else
   bool plain_radius = false;   ///< such a line, "R5": perhaps the work's
   bool settings = false;       ///< of the program that wrote it all
+  bool tool_radius = false;    ///< such a line, "TOOL RADIUS 5": perhaps half the diameter
+  bool own_angle = false;      ///< a line with the tool's angle: "TIP ANGLE 140", "ANGLE: 60"
   std::string doubt;  ///< why no tool can be made of it, after "the comment ... "; empty: it can
   std::string text;   ///< the comment, UTF-8, for the report
   explicit operator bool() const { return type || diameter > 0 || !doubt.empty(); }

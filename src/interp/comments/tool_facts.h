@@ -80,6 +80,8 @@ struct ToolFacts {
   bool round_insert = false;     ///< "BUTTON TOOL", "ROUND INSERT"
   std::vector<ToolLength> bare;  ///< numbers with a point that nothing names: "CNMG .8"
   bool holes = false;            ///< "4 DRILL HOLES"
+  bool tool_radius = false;      ///< such a line, "TOOL RADIUS 5": perhaps half the diameter
+  bool own_angle = false;        ///< a line with the tool's angle: "TIP ANGLE 140", "ANGLE: 60"
 
   const ToolKind* kind() const { return kinds.empty() ? nullptr : &kinds.front(); }
   bool trade_is(ToolTrade trade) const { return kind() && kind()->trade == trade; }

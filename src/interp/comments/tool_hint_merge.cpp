@@ -1,6 +1,11 @@
 // What several comments say of one tool, put together.
+#include "core/rounding.h"
+#include "core/units.h"
+#include "interp/comments/insert_code.h"
 #include "interp/comments/tool_hint.h"
+#include "interp/comments/tool_sizes.h"
 
+#include <cmath>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -20,10 +25,16 @@ void merge_kind(ToolHint& into, const ToolHint& more) {
   if (!into.type || kind_of_it || (plain && more.type == ToolType::bullmill)) {
     into.type = more.type;
   } else if (more.type && *more.type != *into.type && into.doubt.empty() &&
-             ((!more.diameters.empty() && !into.diameters.empty()) || (into.firm && more.firm)) &&
+             ((!more.diameters.empty() && !into.diameters.empty()) ||
+              (more.firm && (into.firm || !plain))) &&
              !(*into.type == ToolType::bullmill && *more.type == ToolType::endmill)) {
     into.doubt = "name different kinds of tool";
   }
+  // "DRILL 8.5MM", "SPOT DRILL HOLES": of 118 degrees, or of 90.
+  const bool angle_told = into.tip_angle > 0 && !into.assumed_angle;
+  if (into.type == ToolType::drill && more.type == into.type && more.assumed_angle && !angle_told &&
+      into.trade && more.trade != into.trade && into.doubt.empty())
+    into.doubt = "name different kinds of tool";
 }
 
 // The comments as one: 'A", "B' is "A, B".
@@ -34,6 +45,37 @@ std::string in_one_line(const ToolHint& hint, const ToolHint& line) {
   return text + " " + line.text;
 }
 
+double degrees(double angle) { return angle * (180 / kPi); }
+
+// Of the cone's side.
+double half_angle(const ToolHint& tool) {
+  return tool.taper_angle > 0 ? tool.taper_angle : tool.tip_angle / 2;
+}
+
+// A drill's, and no slope that it makes: "TIP ANGLE: 130", "118 DEG".
+bool may_be_point(const ToolHint& into, const ToolHint& line, const ToolHint& both) {
+  constexpr double kSharpest = 60;
+  const double angle = degrees(both.tip_angle), whole = std::round(angle);
+  return (std::abs(angle - whole) < kRounding &&
+          is_usual_angle(into.trade.value_or(*both.trade), whole)) ||
+         (line.own_angle && angle >= kSharpest);
+}
+
+std::string doubt_of_angle(const ToolHint& into, const ToolHint& line, const ToolHint& both) {
+  if (into.insert_angle > 0 && both.insert_angle != into.insert_angle)
+    return "give two angles of the insert";
+  const bool told = into.taper_angle > 0 || (into.tip_angle > 0 && !into.assumed_angle);
+  if (told && std::abs(half_angle(both) - half_angle(into)) > kTurnRounding)
+    return "give two angles of the tool";
+  if (both.type == ToolType::drill && both.trade && !both.assumed_angle &&
+      both.tip_angle != into.tip_angle && !may_be_point(into, line, both))
+    return fmt::format(
+        "can be read as having a point of {0:g} degrees or as made for such a slope: say TIP ANGLE "
+        "{0:g}",
+        degrees(both.tip_angle));
+  return "";
+}
+
 // "TAPER ANGLE: 5.", "ANGLE: 60": which angle of the tool that is, the kind says.
 void merge_angle(ToolHint& into, const ToolHint& line) {
   if (line.tip_angle > 0) {  // F-Engrave's
@@ -41,8 +83,9 @@ void merge_angle(ToolHint& into, const ToolHint& line) {
     into.tip_angle = line.tip_angle;
     return into.doubt.clear();
   }
+  if (!into.insert.empty() && !line.own_angle) return;  // it tells its own; "3 DEG TAPER"
   const ToolHint both = read_tool_comment(in_one_line(into, line));
-  const bool other = into.insert_angle > 0 && both.insert_angle != into.insert_angle;
+  const std::string doubt = doubt_of_angle(into, line, both);
   if (both.type) into.type = both.type;
   into.tip_angle = both.tip_angle;
   into.taper_angle = both.taper_angle;
@@ -51,15 +94,29 @@ void merge_angle(ToolHint& into, const ToolHint& line) {
   into.lead_angle = both.lead_angle;
   if (into.doubt.empty() || !both.doubt.empty() || both.tip_angle + both.taper_angle > 0)
     into.doubt = both.doubt;
-  if (other && into.doubt.empty()) into.doubt = "give two angles of the insert";
-}
-
-void take_size(ToolLength& into, const ToolLength& more) {
-  if (more) into = more;
+  if (into.doubt.empty()) into.doubt = doubt;
 }
 
 double about_mm(const ToolLength& length) {
-  return length.value * (length.unit > 0 ? length.unit : length.fraction ? 25.4 : 1);
+  return length.value * (length.unit > 0 ? length.unit : length.fraction ? kMmPerInch : 1);
+}
+
+bool is_same(const ToolLength& a, const ToolLength& b) {
+  return std::abs(about_mm(a) - about_mm(b)) < kRounding;
+}
+
+// What is told twice must agree.
+void take_size(ToolHint& into, ToolLength ToolHint::*size, const ToolHint& both) {
+  if (!(both.*size)) return;
+  if (into.*size && !is_same(into.*size, both.*size) && into.doubt.empty())
+    into.doubt =
+        fmt::format("give two sizes, {:g} and {:g}", (into.*size).value, (both.*size).value);
+  into.*size = both.*size;
+}
+
+bool makes_holes(const ToolHint& tool) {
+  return tool.type == ToolType::drill || tool.trade == ToolTrade::tap ||
+         tool.trade == ToolTrade::hole;
 }
 
 // One larger than half the diameter is the work's, and half the diameter is that of a ball.
@@ -69,24 +126,42 @@ bool may_be_corner(const ToolHint& tool, const ToolLength& corner) {
   return radius < half || (radius == half && tool.type != ToolType::ballmill);
 }
 
+// Whether a radius in a line of its own is one of the tool's; with a doubt where it may be.
+bool counts(ToolHint& into, const ToolHint& line, const ToolHint& both) {
+  const bool turns = into.type && is_turning(*into.type);
+  if (line.tool_radius && !into.diameters.empty() &&
+      std::abs(about_mm(into.diameters.front()) / 2 - about_mm(both.corner)) < kRounding)
+    return false;
+  if (!line.plain_radius) return true;
+  const ToolLength& radius = both.corner ? both.corner : both.nose;
+  const bool told = into.corner || into.nose;
+  if (turns) return !told && usual_nose_unit(radius.value) > 0;
+  if (told || makes_holes(into) || !may_be_corner(into, radius)) return false;
+  if (radius && into.doubt.empty())
+    into.doubt = fmt::format(
+        "can be read as having a corner of {0:g} or as made for a radius of {0:g}: say CR {0:g}",
+        radius.value);
+  return true;
+}
+
 // "D10. R1.", "TIP DIA 0.2" below the kind: read as if it stood behind it.
 void merge_sizes(ToolHint& into, const ToolHint& line) {
   const ToolHint both = read_tool_comment(in_one_line(into, line));
+  const bool turns = into.type && is_turning(*into.type);
+  if (turns && !(both.type && is_turning(*both.type))) return;  // "BALL R10" is turned
+  if (!counts(into, line, both)) return;
   const std::vector<ToolLength>& told = into.diameters.empty() ? both.diameters : line.diameters;
-  const bool plain = line.plain_radius && !(both.type && is_turning(*both.type));
-  if (plain && !may_be_corner(into, both.corner)) return;
-  if (plain && both.corner.value != into.corner.value && into.doubt.empty())
-    into.doubt = fmt::format(
-        "can be read as having a corner of {0:g} or as made for a radius of {0:g}: say CR {0:g}",
-        both.corner.value);
+  const bool other = into.type && into.type != both.type && both.type == ToolType::ballmill;
+  if (other && (into.firm || into.type != ToolType::endmill) && into.doubt.empty())
+    into.doubt = "name different kinds of tool";
   if (both.type) into.type = both.type;
   into.diameters.insert(into.diameters.end(), told.begin(), told.end());
   if (into.diameter == 0 && !told.empty()) into.diameter = told.front().value;
-  take_size(into.corner, both.corner);
-  take_size(into.nose, both.nose);
-  take_size(into.tip, both.tip);
-  take_size(into.width, both.width);
-  take_size(into.flute_length, both.flute_length);
+  take_size(into, &ToolHint::corner, both);
+  take_size(into, &ToolHint::nose, both);
+  take_size(into, &ToolHint::tip, both);
+  if (!turns || line.width || !into.width) take_size(into, &ToolHint::width, both);
+  take_size(into, &ToolHint::flute_length, both);
   if (into.doubt.empty()) into.doubt = both.doubt;
 }
 

@@ -36,6 +36,8 @@ class Settler {
     hint_.angle_line = facts_.angle_line;
     hint_.size_line = facts_.size_line;
     hint_.plain_radius = facts_.plain_radius;
+    hint_.tool_radius = facts_.tool_radius;
+    hint_.own_angle = facts_.own_angle;
     if (hint_.angle_line) return;
     if (facts_.several_ids) doubt("names several tools");
     if (!facts_.split_size.empty()) doubt(fmt::format("can be read as size {}", facts_.split_size));

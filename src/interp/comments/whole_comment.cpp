@@ -81,12 +81,37 @@ bool is_size_line(const CommentView& view) {
   return shape || (number && (size || letter) && (!letter || decimals || diameter));
 }
 
-// "R5", "RADIUS 5": of the tool, or of what it cuts.
+// "R5", "FINISH R3", "NR. 2", "CORNER 1.": of the tool, or of what it cuts, or a number of
+// something. "CORNER RADIUS 1", "CR 1", "R: 1" and what stands beside a diameter are the tool's.
 bool is_plain_radius(const CommentView& view) {
-  bool plain = true;
+  bool radius = false, nose = false, part = false, marked = false;
+  bool of_tool = false;
+  for (std::size_t i = 0; i < view.size(); ++i) {
+    marked |= view.is_one(i, {":", "="});
+    if (!view.word(i)) continue;
+    const WordRole role = comment_word(view[i].text).role;
+    radius |= role == WordRole::radius || role == WordRole::radius_letter;
+    nose |= role == WordRole::nose || role == WordRole::corner;
+    part |= view.is_one(i, {"CORNER", "ECKE", "TIP", "NOSE"});
+    const std::size_t number = view.behind(i);
+    const bool decimals = view.has(number) && view[number].is_number() && view[number].decimals;
+    of_tool |= role == WordRole::diameter || (view.is(i, "RE") && decimals) ||
+               view.is_one(i, {"D", "CR", "CRAD", "TNR", "ECKENRADIUS", "ECKRADIUS", "BULL"});
+  }
+  of_tool |= (part && radius) || (marked && is_corner_line(view));
+  return (radius || nose) && !of_tool;
+}
+
+// "TOOL RADIUS 5": half the diameter, or of the corner.
+bool is_tool_radius(const CommentView& view) {
+  return view.is_one(0, {"TOOL", "CUTTER"}) && view.is_one(1, {"RADIUS", "RAD", "R"});
+}
+
+// "TIP ANGLE 140" and "ANGLE: 60" are the tool's; "45 DEG" and "3 DEG TAPER" may be the work's.
+bool is_own_angle(const CommentView& view) {
   for (std::size_t i = 0; i < view.size(); ++i)
-    plain &= view[i].is_number() || view.is_one(i, {"R", "RADIUS", "RAD", "WITH"});
-  return plain;
+    if (view.is_one(i, {"TIP", "SPITZE", "POINT", "PT", ":", "="})) return true;
+  return false;
 }
 
 // "T", "NO.", "NUMBER": words beside a tool's number.
@@ -120,6 +145,8 @@ void read_whole_comment(const CommentView& view, ToolFacts& facts) {
   facts.angle_line = is_angle_line(view);
   facts.size_line = is_size_line(view);
   facts.plain_radius = facts.size_line && is_plain_radius(view);
+  facts.tool_radius = facts.size_line && is_tool_radius(view);
+  facts.own_angle = facts.angle_line && is_own_angle(view);
   facts.bare_id = !facts.id.empty();
   facts.bare_kind = facts.kind() != nullptr;
   for (std::size_t i = 0; i < view.size(); ++i) {

@@ -20,7 +20,7 @@ bool PeckWords::read(const Word& q) {
     return error("value-range", "Q, the depth of a stroke, must be above 0", q);
   modal_.drill.peck = std::abs(q.value) * length_unit(q);
   modal_.drill.first = 0;
-  read_haas_depth();
+  if (!read_haas_depth()) return false;
   if (q.point || std::abs(q.value) < kLongPeck || !is(Dialect::fanuc) || options_.least_increments)
     return true;
   modal_.drill.peck *= modal_.least_increment();
@@ -31,16 +31,26 @@ bool PeckWords::read(const Word& q) {
 
 // Haas: beside Q of G73 the tool comes out to R whenever it is K deeper. FANUC's K is how often the
 // block is run, and has no point.
-void PeckWords::read_haas_depth() {
+bool PeckWords::read_haas_depth() {
   const Word* k = peek('K');
-  if (modal_.drill.number != 73 || !is(Dialect::fanuc) || !k || !k->point) return;
+  if (modal_.drill.number != 73 || !is(Dialect::fanuc) || !k || !k->point) return true;
   take('K');
+  const bool computed = text_of(*k).find_first_of("#[") != std::string::npos;
+  if (computed && modal_.incremental && k->value > 1 && k->value == std::floor(k->value))
+    return error(
+        "value-range",
+        fmt::format("{} beside G73 and Q can be read as {:g} holes (FANUC), or as the depth "
+                    "between the ways out to R (Haas): write the number, with a point for "
+                    "a depth and without one for holes",
+                    text_of(*k), k->value),
+        *k);
   modal_.drill.out_every = std::abs(k->value) * length_unit(*k);
   note_once("cycle-level",
             fmt::format("{} beside G73 and Q is read as Haas', the depth between the ways out to "
                         "R: repeats (FANUC's K) are written without a point",
                         text_of(*k)),
             *k, "G73 K");
+  return true;
 }
 
 bool PeckWords::fill(Hole& hole, bool haas_words) {

@@ -17,7 +17,7 @@ class PeckWords : public ControlPart {
 
  private:
   void read_haas_strokes();
-  void read_haas_depth();
+  bool read_haas_depth();
   bool haas_pecks(Hole& hole);
 };
 

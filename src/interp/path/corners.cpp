@@ -15,7 +15,7 @@ namespace {
 constexpr double kHair = 1e-8;           // mm, leftovers that are rounding
 constexpr double kTangent = 1e-6;        // |t1 x t2| below which there is no corner
 constexpr double kSameAxis = 1e-12;      // between unit vectors: both moves have the same plane
-constexpr double kPointLength = 1e-300;     // in place of a length that is 0
+constexpr double kPointLength = 1e-300;  // in place of a length that is 0
 constexpr std::size_t kMostBetween = 3;  // blocks without plane travel inside a corner
 
 // Where a rounding or chamfer touches its two elements.

@@ -106,6 +106,7 @@ void ToolNotes::stands_alone(ToolHint hint, bool heads) {
     name_by_operation(hint);
   if (tells_kind(hint)) return add(open_id(), hint);
   lists_ = lists_ || heads_list(hint.text);
+  if (is_of_work(hint)) return;
   if (hint.only_corner()) {
     add_size(hint);
     return;
@@ -189,6 +190,14 @@ bool ToolNotes::tells_kind(const ToolHint& hint) const {
   const ToolHint* const open = open_id().empty() ? nullptr : find(open_id());
   return open && !open->type && open->diameter > 0 && hint.type && hint.id.empty() &&
          hint.diameters.empty() && (hint.firm || hint.bare_kind);
+}
+
+// "FINISH R3", "45 DEG" at the change to a tool whose kind is known; next to its own comment they
+// may be about the tool.
+bool ToolNotes::is_of_work(const ToolHint& hint) const {
+  const ToolHint* const known = blocks_since_change_ == 0 ? find(current_) : nullptr;
+  const bool is_open = hint.plain_radius || (hint.only_angle() && !hint.own_angle);
+  return known && known->type && is_open;
 }
 
 // "TAPER ANGLE: 5.", "D10. R1." below a kind without its size.

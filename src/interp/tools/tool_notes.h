@@ -60,6 +60,7 @@ class ToolNotes {
   const std::string& open_id() const;
   bool tells_kind(const ToolHint& hint) const;
   bool tells_more(const std::string& id, const ToolHint& hint) const;
+  bool is_of_work(const ToolHint& hint) const;
   bool adds_details(const ToolHint& hint) const;
   bool add_size(const ToolHint& hint);
   void add_no_cutter(const std::string& id);
