@@ -40,7 +40,9 @@ TEST_F(Stop, EndsALongRunWithinASecond) {
     expect_stopped(arguments, "INT", 130);
     expect_stopped(arguments, "TERM", 143);
   }
-  expect_stopped("PRIMER_2F.MPF --stock block.stl -o part.stl --voxel 0.005", "HUP", 129);
+  expect_stopped("PRIMER_2F.MPF --stock block.stl -o part.stl --voxel 0.005 --json r.json", "HUP",
+                 129);
+  expect_valid("run", "r.json");
 }
 
 // What takes more than ten seconds says so after its first ones, and is stopped then.
