@@ -12,6 +12,7 @@ namespace mrsim {
 struct JobOption {
   std::string option;               ///< "--voxel"
   std::vector<std::string> values;  ///< one for each time it would be typed; none: a flag
+  int line = 0, column = 0;         ///< of its value in the file; 0: not known
 };
 
 struct JobFile {

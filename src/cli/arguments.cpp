@@ -31,6 +31,23 @@ bool is_typed(const std::string& option, const std::vector<std::string>& words) 
   return false;
 }
 
+// A value of a job that its option refuses is shown in the file. A job without places is made from
+// another file.
+void show_in_job(const Error& fault, const JobFile& job, const std::string& path,
+                 const std::vector<std::string>& typed) {
+  const std::string_view what = fault.what();
+  for (const JobOption& option : job.options) {
+    if (option.line == 0 || is_typed(option.option, typed)) continue;
+    if (!what.starts_with(option.option + " ") && !what.starts_with(option.option.substr(2) + " "))
+      continue;
+    Diagnostic diagnostic;
+    diagnostic.code = fault.code();
+    diagnostic.text = what;
+    diagnostic.place = {path, option.line, option.column};
+    throw PlacedError(diagnostic, fault.kind());
+  }
+}
+
 // Pictures of a run take its options, but for its files and the moments of its parts.
 bool is_for_pictures(const std::string& option) {
   static constexpr std::array<std::string_view, 5> kOthers = {"--output", "--frames", "--until",
@@ -48,12 +65,9 @@ bool is_job(const std::vector<std::string>& inputs) {
 
 // The command line that stands for job.toml and what is typed beside it; the first word is
 // argv[0]. An option that is typed replaces the file's, all of them where it may be repeated.
-std::vector<std::string> job_words(const std::string& path, int argc, const char* const* argv,
-                                   JobUse use) {
-  const std::vector<std::string> typed(argv + 1, argv + argc);
-  const bool outside = std::find(typed.begin(), typed.end(), "--allow-outside") != typed.end();
-  const JobFile job = load_job(path, outside);
-  std::vector<std::string> words = {argv[0], job.program};
+std::vector<std::string> job_words(const JobFile& job, const std::string& path, JobUse use,
+                                   const std::string& name, const std::vector<std::string>& typed) {
+  std::vector<std::string> words = {name, job.program};
   for (const JobOption& option : job.options) {
     if (is_typed(option.option, typed)) continue;
     if (use == JobUse::pictures && !is_for_pictures(option.option)) continue;
@@ -231,14 +245,25 @@ Arguments parse_command(const CommandLine& line, int argc, const char* const* ar
 // The words of the file are read like typed ones; it names a program, so this goes one deep.
 Arguments parse_job_command(const CommandLine& line, const std::string& path, int argc,
                             const char* const* argv, Arguments* refused) {
-  const std::vector<std::string> words =
-      job_words(path, argc, argv, line.uses == kUseFilm ? JobUse::pictures : JobUse::run);
+  const std::vector<std::string> typed(argv + 1, argv + argc);
+  const bool outside = std::find(typed.begin(), typed.end(), "--allow-outside") != typed.end();
+  const JobFile job = load_job(path, outside);
+  const JobUse use = line.uses == kUseFilm ? JobUse::pictures : JobUse::run;
+  const std::vector<std::string> words = job_words(job, path, use, argv[0], typed);
   std::vector<const char*> pointers;
   pointers.reserve(words.size());
   for (const std::string& word : words) pointers.push_back(word.c_str());
-  Arguments out = parse_command(line, static_cast<int>(pointers.size()), pointers.data(), refused);
-  out.named_inputs.push_back({path, "the job"});
-  return out;
+  try {
+    Arguments out =
+        parse_command(line, static_cast<int>(pointers.size()), pointers.data(), refused);
+    out.named_inputs.push_back({path, "the job"});
+    return out;
+  } catch (const PlacedError&) {
+    throw;
+  } catch (const Error& fault) {
+    show_in_job(fault, job, path, typed);
+    throw;
+  }
 }
 
 Arguments parse_command(const CommandLine& line, int argc, const char* const* argv,

@@ -20,7 +20,7 @@ namespace mrsim {
 namespace {
 
 constexpr std::size_t kJobFileLimit = std::size_t(1) << 20;
-constexpr double kLargest = 1e6;
+constexpr double kLargest = 1e6, kLargestCount = 1e15;
 
 using Value = OptionValue;
 
@@ -53,7 +53,7 @@ class JobReader {
   std::string path(const OptionRow& key, const toml::node& node) const;
   std::string stock(const OptionRow& key, const toml::node& node) const;
   std::string choice(const OptionRow& key, const toml::node& node) const;
-  double number(const OptionRow& key, const toml::node& node) const;
+  double number(const OptionRow& key, const toml::node& node, double largest = kLargest) const;
   std::string positive(const OptionRow& key, const toml::node& node) const;
   std::string whole(const OptionRow& key, const toml::node& node) const;
   std::string numbers(const OptionRow& key, const toml::node& node) const;
@@ -99,6 +99,9 @@ void JobReader::check_keys(const toml::table& root) const {
 std::string JobReader::text(const OptionRow& key, const toml::node& node) const {
   const auto* value = node.as_string();
   if (value == nullptr || value->get().empty()) fail_value(key, node, "must be a text");
+  // Names of files and words of a command line end there.
+  if (value->get().find('\0') != std::string::npos)
+    fail_value(key, node, "must be a text without \\u0000");
   return value->get();
 }
 
@@ -136,15 +139,17 @@ std::string JobReader::choice(const OptionRow& key, const toml::node& node) cons
   return value;
 }
 
-double JobReader::number(const OptionRow& key, const toml::node& node) const {
+double JobReader::number(const OptionRow& key, const toml::node& node, double largest) const {
   const std::optional<double> value = node.value<double>();
-  if (!node.is_number() || !value || !(std::fabs(*value) <= kLargest))
+  if (!node.is_number() || !value || !std::isfinite(*value))
     fail_value(key, node, "must be a number");
+  if (std::fabs(*value) > largest)
+    fail_value(key, node, fmt::format("is too large: at most {:g}", largest));
   return *value;
 }
 
 std::string JobReader::positive(const OptionRow& key, const toml::node& node) const {
-  const double value = number(key, node);
+  const double value = number(key, node, key.type == "N" ? kLargestCount : kLargest);
   if (!(value > 0)) fail_value(key, node, "must be above 0");
   return fmt::format("{}", value);
 }
@@ -255,10 +260,15 @@ JobFile JobReader::read() const {
     }
     std::vector<std::string> values = list(key, *node);
     if (!key.name.empty()) {
-      if (!values.empty()) job.options.push_back({std::string(key.name), std::move(values)});
+      const toml::source_position at = node->source().begin;
+      if (!values.empty())
+        job.options.push_back({std::string(key.name), std::move(values), static_cast<int>(at.line),
+                               static_cast<int>(at.column)});
       continue;
     }
     job.program = values[0];
+    // A name is no option: "--help".
+    if (job.program.size() > 1 && job.program[0] == '-') job.program.insert(0, "./");
     if (std::filesystem::path(job.program).extension() == ".toml")
       fail_value(key, *node, "must be an NC program, not another job");
   }

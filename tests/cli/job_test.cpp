@@ -77,6 +77,19 @@ TEST_F(JobRun, LeadsOutOfItsFolderOnlyWhereThatIsAllowed) {
   EXPECT_TRUE(exists("far.ply"));
 }
 
+// What only the option itself can tell, but not where the option is typed.
+TEST_F(JobRun, ValuesThatAnOptionRefusesAreShownInTheFile) {
+  const std::string program = "program = \"PRIMER_2F.MPF\"\n";
+  for (const char* line : {"max_memory = \"4X\"", "start = [1]", "stock_repair = \"x\"",
+                           "tool = \"x\"", "history = \"x\"", "max_triangles = 1.5"}) {
+    write("odd.toml", program + line + "\n");
+    const std::size_t column = std::string(line).find('=') + 3;
+    expect_failure("odd.toml", 2, "odd.toml:2:" + std::to_string(column) + ": error");
+  }
+  write("odd.toml", program + "max_memory = \"4X\"\n");
+  expect_failure("odd.toml --max-memory 4Y", 2, "mrsim: error: --max-memory \"4Y\"");
+}
+
 TEST_F(JobRun, FaultsAreShownInTheFile) {
   write("bad.toml", "program = \"PRIMER_2F.MPF\"\nvoxle = 1\n");
   expect_failure("bad.toml", 1, "bad.toml:2:1");

@@ -86,6 +86,25 @@ TEST(JobFile, ValuesAreChecked) {
             "1:11 job-value program must be an NC program, not another job");
   EXPECT_EQ(fault("voxel = 1\n"), "1:1 job-value the job names no program");
   EXPECT_TRUE(fault("voxel = = 1\n").starts_with("1:"));
+  EXPECT_EQ(fault("voxel = 2e6\n"), "1:9 job-value voxel is too large: at most 1e+06");
+  EXPECT_EQ(fault("max_blocks = 2e15\n"), "1:14 job-value max_blocks is too large: at most 1e+15");
+}
+
+// Names of files end at it: the report would lie in the file "a".
+TEST(JobFile, TextsHaveNoNulCharacter) {
+  EXPECT_EQ(fault("report = \"a\\u0000b\"\n"),
+            "1:10 job-value report must be a text without \\u0000");
+}
+
+TEST(JobFile, CountsMayBeLarge) {
+  EXPECT_EQ(typed("program = \"p.mpf\"\nmax_triangles = 2000000", "j.toml"),
+            "p.mpf --max-triangles=2000000");
+}
+
+// `program = "--help"` printed the help and was done.
+TEST(JobFile, ANameOfAProgramIsNoOption) {
+  EXPECT_EQ(typed("program = \"--help\"", "j.toml"), "./--help");
+  EXPECT_EQ(typed("program = \"-\"", "j.toml"), "-");
 }
 
 }  // namespace
