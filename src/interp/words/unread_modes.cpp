@@ -48,7 +48,7 @@ bool UnreadModes::ends(int g) {
 
 // G68.2 with the angles of Euler (about Z, X, Z) or, behind P1, about X, Y and Z: the second one,
 // or the first two, tilt.
-bool UnreadModes::is_level() const {
+bool UnreadModes::is_untilted() const {
   if (lathe()) return false;
   const auto zero = [&](char c) {
     const Word* w = peek(c);
@@ -66,7 +66,7 @@ bool UnreadModes::begins_or_ends(const Word& word) {
   }
   const int g = number_by_10(word);
   if (g < kLeast) return false;
-  if (g == kTiltedPlane && is_level()) {
+  if (g == kTiltedPlane && is_untilted()) {
     control_.level_plane = true;
     block_.frame_code = &word;
     block_.frame_op = Code::rotation_on;

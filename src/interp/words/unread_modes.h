@@ -23,7 +23,7 @@ class UnreadModes : public ControlPart {
 
  private:
   bool ends(int g);
-  bool is_level() const;
+  bool is_untilted() const;
   void note_name(const Word& word);
   bool begins_iso_mode(const Word& word);
 };

@@ -125,7 +125,7 @@ void add_chains(SweepColumns& c) {
   }
 }
 
-// A rounded tool on a level path has a closed form.
+// A rounded tool on a horizontal path has a closed form.
 void add_outlines(SweepColumns& c) {
   if (c.profiles.empty()) return;
   std::vector<std::size_t> first;

@@ -99,7 +99,7 @@ bool SweepBuilder::wanted(const Motion& m) const {
   return selection_.cuts;
 }
 
-// The tool stays above the highest point that will ever be asked for: its sweep cannot matter.
+// The tool stays above the highest point that is ever evaluated: its sweep cannot matter.
 bool SweepBuilder::stays_above(const Motion& m, const Profile& tool) const {
   constexpr double kClear = 1e-3;  // mm
   if (std::isinf(selection_.top) || m.tool_axis != Vec3{0, 0, 1}) return false;
@@ -137,7 +137,7 @@ void SweepBuilder::add_milling(SweepRef ref, const Motion& m, const Tool& tool) 
   allow(kClosedError);
   const std::int32_t shape = ref.shape;
   if (l.arc ? about_z && rise > -kNoTravel && rise < kNoTravel : lean < kNoTravel)
-    add_level(ref, l, cutter);
+    add_horizontal(ref, l, cutter);
   else if (!l.arc && dx * dx + dy * dy < kNoTravel * kNoTravel)
     add_upright(ref, l, cutter);
   else
@@ -152,7 +152,7 @@ void SweepBuilder::add_milling(SweepRef ref, const Motion& m, const Tool& tool) 
   columns_.refs.push_back(ref);
 }
 
-void SweepBuilder::add_level(SweepRef& ref, const LocalMotion& l, const Profile& tool) {
+void SweepBuilder::add_horizontal(SweepRef& ref, const LocalMotion& l, const Profile& tool) {
   const double z = std::min(l.start.z, l.arc ? l.start.z : l.end.z);
   const double radius = std::sqrt(dot(l.u, l.u));
   ref.split = l.arc && l.sweep < kTwoPi && (l.sweep > kPi || tool.max_radius() > radius);
@@ -201,7 +201,7 @@ void SweepBuilder::add_upright(SweepRef& ref, const LocalMotion& l, const Profil
   at.start.z = at.end.z = std::min(l.start.z, l.end.z);
   at.end.x = at.start.x, at.end.y = at.start.y;
   if (tool.is_rising()) {
-    add_level(ref, at, tool);
+    add_horizontal(ref, at, tool);
     return;
   }
   if (!tool.is_unimodal()) {
@@ -209,7 +209,7 @@ void SweepBuilder::add_upright(SweepRef& ref, const LocalMotion& l, const Profil
     return;
   }
   ref.shape = drawn_out(ref.shape, std::max(l.start.z, l.end.z) - at.start.z);
-  add_level(ref, at, columns_.cutter(ref));
+  add_horizontal(ref, at, columns_.cutter(ref));
 }
 
 // The shape whose profile is drawn out by `travel`; holes of one depth share one.
@@ -227,7 +227,7 @@ int SweepBuilder::drawn_out(int shape, double travel) {
   return at->second;
 }
 
-// The same shape without end, if its flutes reach above all that is asked with the tip at
+// The shape without an upper end, if its flutes reach above selection_.top with the tip at
 // `lowest`.
 int SweepBuilder::extended_up(int shape, double lowest) {
   const Profile& tool = columns_.shapes[shape].cutter;

@@ -47,7 +47,7 @@ class SweepBuilder {
   void add_shape(ToolShape&& shape, const ShapeKey& key);
   std::uint16_t frame(const Vec3& axis);
   void add_milling(SweepRef ref, const Motion& m, const Tool& tool);
-  void add_level(SweepRef& ref, const LocalMotion& l, const Profile& tool);
+  void add_horizontal(SweepRef& ref, const LocalMotion& l, const Profile& tool);
   void add_upright(SweepRef& ref, const LocalMotion& l, const Profile& tool);
   bool add_curtain(SweepRef& ref, const LocalMotion& l, const Profile& tool);
   void add_path(SweepRef& ref, LocalMotion l, const Profile& tool);

@@ -59,8 +59,8 @@ struct SweepRef {
 
 /// Tags: the form (0 ball_line, 1 plane_line, 2 plane_arc, in the stock's frame) above the row.
 inline constexpr std::uint32_t kTagShift = 30, kOtherForm = 3, kTagRow = (1u << kTagShift) - 1;
-/// Of the other form, above the row: what bounds the distance of a sweep that is asked on its own;
-/// or the lists that it is asked in.
+/// Of the other form, above the row: what bounds the distance of a sweep that is evaluated on its
+/// own; or the lists that it is evaluated in.
 enum class SingleForm : std::uint32_t { box, slant, chain, outline, turned, upright };
 inline constexpr std::uint32_t kSingleShift = 27, kSingleRow = (1u << kSingleShift) - 1;
 inline bool is_other(std::uint32_t tag) { return tag >> kTagShift == kOtherForm; }
@@ -119,7 +119,7 @@ struct SweepColumns {
   bool is_slant_line(const SweepRef& ref) const {
     return ref.kind == SweepKind::path && !slant_lines.empty() && slant_lines[ref.row].length > 0;
   }
-  /// Whether it is one on a level path whose tool has an outline.
+  /// Whether it is one on a horizontal path whose tool has an outline.
   bool has_outline(const SweepRef& ref) const {
     return ref.kind == SweepKind::profile && !outlines.empty() &&
            !outlines[static_cast<std::size_t>(ref.shape)].edges.empty();
@@ -139,9 +139,9 @@ struct SweepColumns {
   PathSample path_sample(const SweepRef& ref, const Vec3& p) const;
   /// A box that holds a sweep.
   Box3 bounds_of(const SweepRef& ref) const;
-  /// The same of a number of a list: a sweep, or a pack of sweeps.
+  /// A box that holds what a number of a list means: a sweep, or a pack of sweeps.
   Box3 bounds_of_number(std::size_t number) const;
-  /// The same of a line of its form and tool.
+  /// A box that holds the sweep of a line with the form and tool of `ref`.
   Box3 bounds_of_line(const SweepRef& ref, const LineRecord& record) const;
   std::uint32_t segment_count(std::size_t sweep) const {
     return first_segment.empty() ? 0 : first_segment[sweep + 1] - first_segment[sweep];

@@ -42,7 +42,7 @@ Vec2 farthest(std::span<const Path> paths, Vec2 from) {
 
 }  // namespace
 
-// Level by level; the packs of a level side by side.
+// Tier by tier; the packs of a tier side by side.
 class TurnTree::Builder {
  public:
   Builder(TurnTree& tree, std::span<const ToolShape> shapes, int threads)
@@ -58,11 +58,11 @@ class TurnTree::Builder {
 
   // The packs of the items [from, to), all of one insert; the last one is their root.
   void add(std::uint32_t from, std::uint32_t to) {
-    auto level = add_level(from, to, true);
-    while (tree_.packs_.size() - level > 1)
-      level = add_level(level, static_cast<std::uint32_t>(tree_.packs_.size()), false);
-    tree_.roots_.push_back(2 * level);
-    if (tree_.packs_[level].behind != 0) tree_.roots_.push_back(2 * level + 1);
+    auto tier = add_tier(from, to, true);
+    while (tree_.packs_.size() - tier > 1)
+      tier = add_tier(tier, static_cast<std::uint32_t>(tree_.packs_.size()), false);
+    tree_.roots_.push_back(2 * tier);
+    if (tree_.packs_[tier].behind != 0) tree_.roots_.push_back(2 * tier + 1);
   }
 
  private:
@@ -77,23 +77,23 @@ class TurnTree::Builder {
   };
 
   // The packs above the items, or packs, [from, to); the first of them.
-  std::uint32_t add_level(std::uint32_t from, std::uint32_t to, bool leaves) {
+  std::uint32_t add_tier(std::uint32_t from, std::uint32_t to, bool leaves) {
     const std::size_t count = (to - from + kLanes - 1) / kLanes, first = tree_.packs_.size();
     tree_.packs_.resize(first + count), tree_.size_.resize(first + count);
     ranges_.resize(first + count), chords_.resize(first + count);
-    std::vector<Made> level(count);
+    std::vector<Made> tier(count);
     parallel_for(
         count, threads_,
         [&](std::size_t k) {
           const auto a = from + static_cast<std::uint32_t>(k * kLanes),
                      b = std::min<std::uint32_t>(a + kLanes, to);
           ranges_[first + k] = leaves ? Range{a, b} : Range{ranges_[a].from, ranges_[b - 1].to};
-          level[k] = leaves ? leaf(a, b) : inner(a, b);
+          tier[k] = leaves ? leaf(a, b) : inner(a, b);
           chords_[first + k] = chord_of(ranges_[first + k]);
         },
         kChildrenOfThread);
     std::size_t sides = tree_.sides_.size();
-    for (Made& made : level) {
+    for (Made& made : tier) {
       made.pack.sides = static_cast<std::uint32_t>(sides);
       sides += made.pack.side_count;
     }
@@ -101,8 +101,8 @@ class TurnTree::Builder {
     parallel_for(
         count, threads_,
         [&](std::size_t k) {
-          fill_sides(level[k]);
-          tree_.packs_[first + k] = level[k].pack;
+          fill_sides(tier[k]);
+          tree_.packs_[first + k] = tier[k].pack;
           const Chord& c = chords_[first + k];
           tree_.size_[first + k] = length(c.b - c.a) + 2 * c.away;
         },

@@ -25,12 +25,11 @@ class SingleBounds {
  public:
   SingleBounds(const SweepColumns& c, const Vec3& p) : c_(c), p_(p) {}
 
-  /// Finds the bounds of up to kListChunk sweeps, never above the distance but for rounding. A
-  /// bound above `limit` may be any number above `limit`. It is minus infinity where nothing is
-  /// known.
+  /// Finds lower bounds (up to 1e-8 mm) of the distances of up to kListChunk sweeps. A result above
+  /// `limit` only means *above limit*. It is minus infinity where nothing is known.
   void find(std::span<const std::uint32_t> ids, double limit) {
     ListPart slants, chains;
-    LevelPart lines, arcs;
+    OutlinePart lines, arcs;
     const bool one_tool = c_.chain_tools.size() == 1;
     std::int32_t tool = 0;  // of `chains`
     for (std::size_t k = 0; k < ids.size(); ++k) {
@@ -43,13 +42,13 @@ class SingleBounds {
       } else if (single_form(tag) == SingleForm::slant) {
         slants.add(row, k);
       } else if (single_form(tag) == SingleForm::outline) {
-        add_level(ids[k], row, k, limit, c_.profiles[row].arc ? arcs : lines);
+        add_outline(ids[k], row, k, limit, c_.profiles[row].arc ? arcs : lines);
       } else {
         bounds_[k] = box_bound(c_.bounds_of(c_.refs[ids[k]]), p_);
       }
     }
-    find_levels(limit, lines);
-    find_levels(limit, arcs);
+    find_outlines(limit, lines);
+    find_outlines(limit, arcs);
     if (slants.n > 0) {
       sweep_kernels().slant_bounds(c_.slant_lines.data(), slants.rows, slants.n, p_, found_);
       scatter(slants);
@@ -65,23 +64,23 @@ class SingleBounds {
     scatter(chains);
     chains.n = 0;
   }
-  // Level paths of one tool, all arcs or all lines.
-  struct LevelPart {
+  // Horizontal paths of one tool with an outline, all arcs or all lines.
+  struct OutlinePart {
     ListPart part;
     std::int32_t tool = 0;
   };
-  void add_level(std::uint32_t id, std::uint32_t row, std::size_t place, double limit,
-                 LevelPart& level) {
+  void add_outline(std::uint32_t id, std::uint32_t row, std::size_t place, double limit,
+                   OutlinePart& paths) {
     const std::int32_t tool = c_.refs[id].shape;
-    if (tool != level.tool) find_levels(limit, level);
-    level.tool = tool;
-    level.part.add(row, place);
+    if (tool != paths.tool) find_outlines(limit, paths);
+    paths.tool = tool;
+    paths.part.add(row, place);
   }
-  // Their distances: no bound is better.
-  void find_levels(double limit, LevelPart& level) {
-    ListPart& part = level.part;
+  // Their distances take the place of bounds: no bound is better.
+  void find_outlines(double limit, OutlinePart& paths) {
+    ListPart& part = paths.part;
     if (part.n == 0) return;
-    sweep_kernels().outline_list(c_.outlines[static_cast<std::size_t>(level.tool)],
+    sweep_kernels().outline_list(c_.outlines[static_cast<std::size_t>(paths.tool)],
                                  c_.profiles.data(), part.rows, part.n, p_, limit, found_);
     scatter(part);
     part.n = 0;

@@ -1,4 +1,4 @@
-// A list of sweeps by how they are asked.
+// A list of sweeps by how they are evaluated.
 #pragma once
 
 #include "removal/columns/sweep_columns.h"
@@ -16,12 +16,12 @@ struct FormPart {
 
 class SortedList {
  public:
-  /// Sorts a list without packs, unless it is the last one: samples near each other ask the same.
+  /// Sorts a list without packs, unless it is the last one: samples near each other use one list.
   void prepare(const SweepColumns& c, std::span<const std::uint32_t> list);
 
   const FormPart& ball_lines() const { return forms_[0]; }
-  const FormPart& level_lines() const { return forms_[1]; }
-  const FormPart& level_arcs() const { return forms_[2]; }
+  const FormPart& plane_lines() const { return forms_[1]; }
+  const FormPart& plane_arcs() const { return forms_[2]; }
   /// Those that have bounds (bounded_sweeps.h).
   std::span<const std::uint32_t> bounded() const { return bounded_; }
   /// Upright arcs and inserts.

@@ -19,7 +19,7 @@ using Form = SweepClass::Form;
 struct Parts {
   ListPart forms[kOtherForm];
   const ListPart& of(Form form) const { return forms[static_cast<std::size_t>(form)]; }
-  /// False where the sweep has to be asked on its own.
+  /// False where the sweep has to be evaluated on its own.
   bool add(std::uint32_t tag, std::size_t slot) {
     const std::uint32_t form = tag >> kTagShift;
     if (form == kOtherForm) return false;
@@ -162,14 +162,14 @@ void take_promising(const SweepColumns& c, std::span<const std::uint32_t> ids,
   if (best) least_of(c, *best, points);
 }
 
-// Calls f with as much of a list as is asked together, until it returns false.
+// Calls f with as much of a list as is evaluated together, until it returns false.
 template <class F>
 void in_chunks(std::size_t count, const F& f) {
   for (std::size_t from = 0; from < count; from += kListChunk)
     if (!f(from, std::min(count - from, kListChunk))) return;
 }
 
-// A list is asked until one is nearer than `enough`.
+// A list is evaluated until one is nearer than `enough`.
 class NearestOfList {
  public:
   NearestOfList(const SweepColumns& c, const Vec3& p, double enough, TurnTree::Nearest& best)
@@ -279,8 +279,8 @@ SweepTable::Nearest nearest_sweep(const SweepColumns& c, std::span<const std::ui
     const SortedList& by_form = sorted(c, plain);
     bounded.nearest(by_form.bounded(), enough, best);
     nearest.take(kernels.ball_line, c.ball_lines, by_form.ball_lines());
-    nearest.take(kernels.plane_line, c.plane_lines, by_form.level_lines());
-    nearest.take(kernels.plane_arc, c.plane_arcs, by_form.level_arcs());
+    nearest.take(kernels.plane_line, c.plane_lines, by_form.plane_lines());
+    nearest.take(kernels.plane_arc, c.plane_arcs, by_form.plane_arcs());
     nearest.take(by_form.others());
   }
   const double rho = std::sqrt(p.x * p.x + p.y * p.y);
@@ -346,8 +346,8 @@ void least_distances(const SweepColumns& c, std::span<const std::uint32_t> ids,
       least_of(c, id, points);
   }
   evaluate(kernels.ball_line, c.ball_lines, list.ball_lines());
-  evaluate(kernels.plane_line, c.plane_lines, list.level_lines());
-  evaluate(kernels.plane_arc, c.plane_arcs, list.level_arcs());
+  evaluate(kernels.plane_line, c.plane_lines, list.plane_lines());
+  evaluate(kernels.plane_arc, c.plane_arcs, list.plane_arcs());
   if (!turns.empty()) least_of_turns(c, turns, points);
 }
 
