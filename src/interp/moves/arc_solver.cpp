@@ -23,6 +23,11 @@ constexpr double kMostTurn = 0.0316227766;
 constexpr double kNoRadius = 1e-6;       // mm: a centre this near to the start is the start
 constexpr double kLeastDivisor = 1e-12;  // mm: no division by the radius 0
 constexpr double kMostMoved = 0.10;      // of the radius: how far other controls move the centre
+// A radius may be less than half the chord. Up to the first share of it that is the rounding of
+// numbers, which arc_by_radius() takes; up to the larger of a length (mm) and the second share,
+// posts have rounded it (docs/interp.md).
+constexpr double kRadiusRounding = 1e-6, kRadiusShort = 0.005, kRadiusShortShare = 0.0005;
+constexpr double kExactHalf = 1e-6;  // rad: an arc this near to half a turn is meant to be one
 
 }  // namespace
 
@@ -203,7 +208,8 @@ std::optional<PlaneArc> ArcSolver::arc_of_radius(const ArcBlock& arc, double rad
                                                  const Word& word) {
   const double half = length(arc.end - arc.start) / 2;
   const double missing = half - std::abs(radius);
-  if (missing <= 1e-6 * half || missing > std::max(0.005, 0.0005 * half))
+  if (missing <= kRadiusRounding * half ||
+      missing > std::max(kRadiusShort, kRadiusShortShare * half))
     return arc_by_radius(arc.start, arc.end, radius, arc.ccw);
   reporter_.add(Severity::note, "arc-radius-rounded",
                 fmt::format("radius {:.6g} is {:.3g} mm less than half the chord: half a turn with "
@@ -216,7 +222,7 @@ std::optional<PlaneArc> ArcSolver::arc_of_radius(const ArcBlock& arc, double rad
 // Near 180 degrees the centre of a radius arc runs away with the last digit.
 bool ArcSolver::near_half_circle(const PlaneArc& arc, const Word& word) {
   const double off = std::abs(std::abs(arc.sweep) - kPi);
-  const bool exact = off < 1e-6;
+  const bool exact = off < kExactHalf;
   if (is(Dialect::fanuc) && lathe() && std::abs(arc.sweep) >= kPi - kTurnRounding)
     return error("arc-half-circle", "an arc of 180 degrees or more needs its centre on this lathe",
                  word);

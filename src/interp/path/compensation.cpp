@@ -14,7 +14,9 @@
 namespace mrsim {
 namespace {
 
-constexpr double kNoTurn = 1e-9;  // mm^2: cross product of lines that are parallel
+constexpr double kNoTurn = 1e-9;      // mm^2: cross product of lines that are parallel
+constexpr double kFullCircle = 1e-6;  // rad: an arc this near to a turn is a full circle
+constexpr double kLeastUncut = 1e-4;  // rad: no less of a circle that is not cut is reported
 
 // An arc that the corner before it begins earlier on its circle.
 void begin_at(PlanePiece& piece, Vec2 cursor) {
@@ -326,7 +328,7 @@ void CompensationStage::run_piece(const PathMove& first, PlanePiece piece, Vec2 
                        "nothing is left of the arc: its inside corners overlap", first.motion);
       return send_line(first, end, h);
     }
-    if (std::abs(full - kTwoPi) < 1e-6 && left < full - 1e-4)
+    if (std::abs(full - kTwoPi) < kFullCircle && left < full - kLeastUncut)
       reporter_.add_at(
           Severity::warning, "comp-circle-open",
           fmt::format("{:.1f}\u00B0 of the circle are not cut: the compensated path enters "

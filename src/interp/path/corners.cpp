@@ -14,6 +14,7 @@ namespace {
 
 constexpr double kHair = 1e-8;           // mm, leftovers that are rounding
 constexpr double kTangent = 1e-6;        // |t1 x t2| below which there is no corner
+constexpr double kLeastSize = 1e-6;      // mm: no smaller rounding or chamfer is inserted
 constexpr double kSameAxis = 1e-12;      // between unit vectors: both moves have the same plane
 constexpr double kPointLength = 1e-300;  // in place of a length that is 0
 constexpr std::size_t kMostBetween = 3;  // blocks without plane travel inside a corner
@@ -141,7 +142,7 @@ bool CornerStage::insert(PathMove& before, PathMove& after, PathMove& inserted) 
                      fmt::format("{} mm does not fit on the neighbours: reduced to {:.4g} mm",
                                  before.corner.size, size),
                      before.motion);
-    if (size <= 1e-6) return false;
+    if (size <= kLeastSize) return false;
   }
   if (length(c.first - a.start) < kHair) c.first = a.start;
   if (length(c.second - b.end) < kHair) c.second = b.end;

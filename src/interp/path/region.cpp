@@ -11,7 +11,9 @@
 namespace mrsim {
 namespace {
 
-constexpr double kKeeps = 1e-4;       // mm: by how much a place may be too near at most
+constexpr double kKeeps = 1e-4;  // mm: by how much a place may be too near at most
+// mm: by how much pieces of the offset border may be too near, tried in turn until they make loops.
+constexpr double kTooNear[] = {1e-7, 1e-5, kKeeps};
 constexpr double kSameSpot = 1e-6;    // mm
 constexpr double kJoins = 2e-3;       // mm: what rounded programs leave between two pieces
 constexpr double kStraightOn = 1e-9;  // |t1 x t2| of a tangent transition
@@ -269,7 +271,7 @@ bool Region::inset(double distance, std::vector<Loop>& out) const {
   }
   drop_twins(parts);
   bool none = false;
-  for (const double doubt : {1e-7, 1e-5, kKeeps}) {
+  for (const double doubt : kTooNear) {
     std::vector<PlanePiece> kept;
     for (const auto& [part, far] : parts)
       if (far >= distance - doubt) kept.push_back(part);

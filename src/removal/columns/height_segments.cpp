@@ -17,6 +17,7 @@ constexpr double kArcError = 0.01;     // mm: wanted distance of an arc from its
 constexpr double kMostSegments = 256;  // of one path
 constexpr double kUprightSlope = 64;   // slope from which a move is cut at kShortInPlan mm in plan
 constexpr double kShortInPlan = 0.02;
+constexpr double kFloatShare = 1e-6;  // slopes are widened by more than floats are rounded (6e-8)
 
 bool is_horizontal(const ProfileEdge& e) { return e.radius == 0 && e.direction.y == 0; }
 bool is_upright(const ProfileEdge& e) { return e.radius == 0 && e.direction.x == 0; }
@@ -43,12 +44,12 @@ std::size_t read_underside(const std::vector<ProfileEdge>& edges, HeightTool& t)
   if (next < edges.size() && edges[next].radius == 0 && edges[next].direction.x > 0 &&
       edges[next].direction.y > 0) {
     const double slope = edges[next].direction.y / edges[next].direction.x;
-    t.slope = static_cast<float>(slope * (1 + 1e-6));
+    t.slope = static_cast<float>(slope * (1 + kFloatShare));
     steepest = std::min(slope, kSteepest);
     ++next;
   }
-  t.steepest = static_cast<float>(steepest * (1 - 1e-6));
-  t.sine = static_cast<float>(steepest / std::sqrt(1 + steepest * steepest) * (1 - 1e-6));
+  t.steepest = static_cast<float>(steepest * (1 - kFloatShare));
+  t.sine = static_cast<float>(steepest / std::sqrt(1 + steepest * steepest) * (1 - kFloatShare));
   return next;
 }
 

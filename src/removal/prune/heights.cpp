@@ -1,14 +1,16 @@
 #include "removal/prune/heights.h"
 
+#include "removal/prune/region_args.h"
+
 #include <algorithm>
 
 namespace mrsim {
 
 void HeightBounds::begin(const RegionArgs& at, float lateral) {
-  const auto band = static_cast<float>(1.000001 * band_);
+  const auto band = static_cast<float>(kWider * band_);
   const float tall = at.tall + 2 * at.delta;
   args_.x = at.x, args_.y = at.y;
-  args_.wide = 1.000001f * lateral + band + 4 * at.delta;
+  args_.wide = static_cast<float>(kWider) * lateral + band + 4 * at.delta;
   args_.error = 2 * at.delta;
   args_.top = at.z + tall + 2 * band + 4 * at.delta;
   swept_ = at.z - tall - band - 4 * at.delta;
@@ -20,7 +22,7 @@ HeightArgs HeightBounds::args(const SweepClass& type) const {
   HeightArgs a = args_;
   a.tool = type.heights;
   a.error *= 1 + a.tool.steepest / 8;  // heights err with the slope
-  if (type.packs) a.wide += static_cast<float>(1.0001 * type.spread), a.stray = 0;
+  if (type.packs) a.wide += static_cast<float>(kWiderSpread * type.spread), a.stray = 0;
   return a;
 }
 

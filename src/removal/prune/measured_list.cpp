@@ -100,7 +100,7 @@ double MeasuredList::measure_others(const SweepTable& table, const CandidateList
   std::fill(out.distance + slice.count, out.distance + padded, kFloatInfinity);
   std::fill(out.squared + slice.count, out.squared + padded, kFloatInfinity);
   std::fill(out.z + slice.count, out.z + padded, kFloatInfinity);
-  // Where a sweep is dropped by its distance, its nearest point is not asked for.
+  // Where a sweep is dropped by its distance, its nearest point is not needed.
   const double nearest = *std::min_element(s.distance.begin(), s.distance.end());
   const double limit =
       slice.count < kFewOthers || nearest > -deep_ ? deep_ : nearest + 2 * region_.radius + kRoom;
@@ -159,7 +159,7 @@ void MeasuredList::measure_slice(std::size_t i) {
   const CandidateList::Slice& slice = in_.slices()[i];
   LeastDistance& least = scratch_.least[i];
   at_.tool = type(i).tool;
-  set_margin(at_, static_cast<float>(1.0001 * (type(i).spread + spread_)));
+  set_margin(at_, static_cast<float>(kWiderSpread * (type(i).spread + spread_)));
   if (type(i).form == SweepClass::Form::turn) {
     least_ = std::min(least_, least.distance);
     return;
@@ -185,7 +185,7 @@ void MeasuredList::measure_slice(std::size_t i) {
 }
 
 // What the list's heights are in the square: a sweep above the lowest of them, or above the
-// region, is out of all that is asked.
+// region, is out of all that matters.
 void MeasuredList::measure_heights() {
   heights_.begin(at_, lateral(at_));
   scratch_.lower.resize(

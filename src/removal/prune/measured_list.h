@@ -14,7 +14,7 @@
 
 namespace mrsim {
 
-/// Segments of a mill that narrows upwards: their heights never tell that a region is swept.
+/// Segments of a mill that narrows upwards: their heights never prove that a region is swept.
 inline bool is_undercutting(const SweepClass& type) {
   return type.form == SweepClass::Form::segment && !type.packs && type.heights.lift > 0;
 }
@@ -23,7 +23,8 @@ inline bool is_undercutting(const SweepClass& type) {
 class MeasuredList {
  public:
   /// Measures the list. `reach` and `band` (mm) as for prune(). `undercuts`: mills that narrow
-  /// upwards by their distances, which are costly; else by heights, which tell little of them.
+  /// upwards are measured by their distances, which are costly; else by heights, which drop few of
+  /// them.
   MeasuredList(const SweepTable& table, const PruneRegion& region, double reach, double band,
                const CandidateList& in, bool undercuts);
 
@@ -31,7 +32,7 @@ class MeasuredList {
   bool is_swept() const {
     return double(least_) + at_.delta < deep_ || (by_heights_ && heights_.is_swept());
   }
-  /// The same, shown by where the nearest point of the nearest strip lies.
+  /// The whole region is deep in the nearest strip, as the nearest point of that strip shows.
   bool is_swept_by_nearest() const;
 
   /// mm: the least distance of all, and what single precision may err by in it.
@@ -39,7 +40,7 @@ class MeasuredList {
   double delta() const { return at_.delta; }
   /// mm: by how much the nearest sweep may be nearer than least() + delta(), as the distance of a
   /// pack is known up to its spread only.
-  double unsure() const { return 2.0 * at_.delta + 2.001 * spread_; }
+  double unsure() const { return 2.0 * at_.delta + kTwoSpreads * spread_; }
 
   const CandidateList& list() const { return in_; }
   const SweepClass& type(std::size_t slice) const {
@@ -72,7 +73,10 @@ class MeasuredList {
   const TurnTree::Nearest& nearest_pack() const { return scratch_.turned; }
 
  private:
-  // What the loops tell of each slot of a list, in rows.
+  // Two packs of the largest spread, and more than the spread is rounded.
+  static constexpr double kTwoSpreads = 2.001;
+
+  // What the loops find for each slot of a list, in rows.
   class Rows {
    public:
     void resize(std::size_t slots);
@@ -106,7 +110,7 @@ class MeasuredList {
     return type(slice).form == SweepClass::Form::other ||
            (type(slice).form == SweepClass::Form::segment && !is_bounded(slice));
   }
-  // Its rows tell heights.
+  // Its rows hold heights.
   bool is_measured_horizontal(std::size_t slice) const {
     return !type(slice).packs && (type(slice).form == SweepClass::Form::line ||
                                   type(slice).form == SweepClass::Form::arc);
@@ -127,14 +131,16 @@ class MeasuredList {
   double deep_;  // mm: a region whose distances are below this is of no interest
   RegionArgs at_;
   HeightBounds heights_;
-  bool by_heights_ = false;  // the list has segments, and no more than the band is asked
+  bool by_heights_ = false;  // the list has segments, and only d within the band is wanted
   bool undercuts_;
   float least_ = std::numeric_limits<float>::infinity();
   double spread_ = 0;
 };
 
 /// mm: of the distance of a pack, which is known up to its spread; rounded up.
-inline float spread_of(const SweepClass& type) { return static_cast<float>(1.0001 * type.spread); }
+inline float spread_of(const SweepClass& type) {
+  return static_cast<float>(kWiderSpread * type.spread);
+}
 
 /// Single lines of ball mills, whose rows hold their nearest points.
 inline bool is_strip(const SweepClass& type) {

@@ -54,7 +54,7 @@ class Keeper {
     for (std::size_t from = 0; from < slices.size();) {
       std::size_t to = from + 1;
       const std::int32_t group = type(from).group;
-      // Rows tell distances of some slices, heights of others.
+      // Rows hold distances of some slices, heights of others.
       while (to < slices.size() && group >= 0 && type(to).group == group &&
              measured_.is_bounded(to) == measured_.is_bounded(from))
         ++to;
@@ -77,7 +77,7 @@ class Keeper {
   float top() const { return at_.z + at_.tall + 2 * at_.delta; }
   /// mm: beyond that from a surface nothing is wanted; rounded up.
   float within_band() const {
-    return static_cast<float>(1.000001 * (reach_ - region_.radius)) + 16 * at_.delta;
+    return static_cast<float>(kWider * (reach_ - region_.radius)) + 16 * at_.delta;
   }
 
   /// Entry k of a slice as what others have to be compared with. A pack wins no tie against sweeps
@@ -155,7 +155,7 @@ class Keeper {
 
   void find_plan_beaters(std::size_t from, std::size_t to, double band, KeepArgs& args) {
     const ToolColumns& tool = type(from).tool;
-    const auto spread = static_cast<float>(1.0001 * 2 * measured_.spread());
+    const auto spread = static_cast<float>(kWiderSpread * 2 * measured_.spread());
     const float slack = lateral(at_) + 2 * at_.delta + 1e-5f + spread;
     // Over the flat end, and farther inside its rim than above its floor, the floor decides.
     float lowest_tip = kFloatInfinity;

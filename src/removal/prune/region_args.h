@@ -10,15 +10,18 @@ namespace mrsim {
 
 inline constexpr double kHalfUlp = 1.0 / (1 << 24);  ///< of a float, relative
 
+/// Factors that widen a size, and the spread of packs, by more than it is rounded as a float.
+inline constexpr double kWider = 1.000001, kWiderSpread = 1.0001;
+
 /// About the list's origin; without errors.
 inline RegionArgs region_args(const PruneRegion& region, const Vec3& origin) {
   RegionArgs a;
   a.x = static_cast<float>(region.center.x - origin.x);
   a.y = static_cast<float>(region.center.y - origin.y);
   a.z = static_cast<float>(region.center.z - origin.z);
-  a.half = static_cast<float>(region.half * 1.000001);
-  a.tall = static_cast<float>(region.tall * 1.000001);
-  a.radius = static_cast<float>(region.radius * 1.000001);
+  a.half = static_cast<float>(region.half * kWider);
+  a.tall = static_cast<float>(region.tall * kWider);
+  a.radius = static_cast<float>(region.radius * kWider);
   a.box = region.box;
   return a;
 }
@@ -61,7 +64,7 @@ inline double farthest(const PruneRegion& region, double x, double y, double z) 
 /// mm: what comes_within() of the loops is asked, so that errors do not matter: the distance from a
 /// skeleton at which a region ends to be deep in the material.
 inline float surely_within(const RegionArgs& a, const PruneRegion& region, double reach) {
-  return static_cast<float>(1.000001 * (a.tool.round + reach - region.radius)) + 16 * a.delta;
+  return static_cast<float>(kWider * (a.tool.round + reach - region.radius)) + 16 * a.delta;
 }
 
 }  // namespace mrsim
