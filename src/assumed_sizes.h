@@ -1,4 +1,4 @@
-// Sizes of tools that nothing tells: heights of cones, widths and reaches of turning inserts. They
+// Sizes of tools that no file gives: heights of cones, widths and reaches of turning inserts. They
 // are taken from what the program cuts.
 #pragma once
 

@@ -1,4 +1,4 @@
-// Cuts in pieces, so that what happens along a motion can be told.
+// Cuts in pieces, so that what happens along a motion can be reported.
 #pragma once
 
 #include "cuts.h"
@@ -11,7 +11,7 @@ namespace mrsim {
 /// The larger of two lengths.
 struct PieceLength {
   double diameters = 0;  ///< of the tool
-  double voxels = 0;     ///< of the voxel that is asked; above 0
+  double voxels = 0;     ///< of the voxel that is sampled; above 0
 };
 
 /// How long pieces are; longer where they would be too many.

@@ -25,15 +25,15 @@ constexpr double kMostColumns = 1.5e6, kColumnsPerCut = 15;
 // Cost, in plain columns, of a column below a cutter whose head is wider than what is above it, on
 // a helix or a tilted arc: each distance is a search.
 constexpr double kSearchedColumns = 100;
-// The same below such a cutter's other moves: both ends of the head are asked.
+// Cost of a column below such a cutter's other moves: both ends of the head are evaluated.
 constexpr double kHeadColumns = 3;
 
 // Of the stock in plan, where the sweeps leave heights: as much time.
 constexpr double kHeightColumns = 60e3, kHeightColumnsPerCut = 0.3;
-// The same, counted once for each sweep over them: up to 0.02 us of one core each. Short moves of a
-// wide tool side by side reach that; each of them passes over many columns.
+// Those columns, counted once for each sweep over them: up to 0.02 us of one core each. Short moves
+// of a wide tool side by side reach that; each of them passes over many columns.
 constexpr double kColumnsSwept = 25e6, kColumnsSweptPerCut = 20;
-// The same of a column below a cone or a bull-nosed mill, whose bottom takes longer.
+// Cost of a column below a cone or a bull-nosed mill, whose bottom takes longer.
 constexpr double kSlowBottom = 6;
 
 // Below upright arcs, and below helices of all but flat mills, each column asks the chords of a
@@ -44,9 +44,9 @@ constexpr double kSearches = 15e3, kSearchesPerCut = 14;
 // surface.
 constexpr double kNothing = 1e-3;
 
-// Cuts are asked in pieces, so that a cut that leaves the material counts as air from
-// there: half a diameter long, so that they do not add much to what is asked. A plunge is short and
-// begins in the air: an eighth, and where heights tell the history nothing is sampled along it.
+// Cuts are sampled in pieces, so that a cut that leaves the material counts as air from there:
+// half a diameter long, so that they do not add many samples. A plunge is short and begins in the
+// air: an eighth, and where heights give the history nothing is sampled along it.
 // 60 000 pieces take some 30 MB.
 constexpr PieceRule kPieces{{0.5, 2}, 64, 60000, true, {0.125, 2}};
 constexpr PieceRule kHeightPieces{{0.5, 2}, 64, 60000, true, {0.125, 0.25}};

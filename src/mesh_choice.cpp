@@ -23,21 +23,25 @@ namespace {
 // keeps its volume within 0.03 % (docs/accuracy.md) in a run of a second.
 constexpr double kToleranceShare = 1.7e-4;
 
-// Sweeps that tell how large the surface of many more is, where nothing else is asked.
+// Sweeps in the sample from which the area of the cut surface is estimated where the voxel is
+// given.
 constexpr std::size_t kEnoughSweeps = 10000;
 
-// Cells of the grid that take some two seconds of two cores.
+// Cells of the grid: it is made coarser above the first number (about two seconds of two cores),
+// and finer than its default only up to the second one.
 constexpr double kMostGridCells = 1e6, kFewGridCells = 4e5;
-// Voxels in whose corners a mesh within a tolerance looks for what its cells may hide.
+// Voxels on the cut surface that a mesh within a tolerance scans for what its larger cells may
+// hide; above this number the voxel is raised.
 constexpr double kMostScanned = 1e5;
-// Sweeps of a block that leave creases, on average: where more do, creases lie in creases, and
-// cells are halved until there are too many.
+// Average number of creasing sweeps in a block above which no tolerance is tried: cells would be
+// halved too often.
 constexpr double kMostCreasing = 9;
-// Sweeps that are asked in all blocks, where they are more than a few in each; helices whose points
-// are searched cost ten times as much.
+// Sweeps in all blocks together above which no tolerance is tried: kMostSweeps where a block has
+// more than kFewSweeps on average, kMostSearched where points of helices are searched, which costs
+// ten times as much.
 constexpr double kFewSweeps = 20, kMostSweeps = 6.5e5, kMostSearched = 6e4;
-// Up to as many sweeps of a block that leave creases a part is plain: walls and floors of pockets
-// and holes, whose cells take half the time.
+// Average number of creasing sweeps in a block up to which a part counts as plain (pockets, holes):
+// its cells take half the time.
 constexpr double kPlainSweeps = 1.5;
 // Nodes of the octree, made in some five seconds of two cores, after which the grid takes its
 // place. Those about the crests of a winding helix take three times as long.
@@ -110,7 +114,8 @@ double sweeps_met(const detail::SurfaceSurvey& survey) {
   return static_cast<double>(survey.blocks) * (1 + survey.sweeps);
 }
 
-// Whether a mesh within the tolerance is worth a try: its octree tells what it takes.
+// Whether a mesh within the tolerance is worth a try. What it takes is known once its octree is
+// made.
 bool may_suit_tolerance(const detail::SurfaceSurvey& survey, bool has_searched_helix) {
   if (has_searched_helix && sweeps_met(survey) > kMostSearched) return false;
   if (survey.sweeps > kFewSweeps && sweeps_met(survey) > kMostSweeps) return false;

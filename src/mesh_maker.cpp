@@ -35,7 +35,7 @@ MeshPlan chosen_plan(const Job& job, const Stock& stock, const MeshChoice& choic
 }
 
 // The plan of a grid after a mesh within the tolerance was given up. It is a stage of its own for
-// the progress, because the time of the first try does not tell its time.
+// the progress, because the time of the first try does not predict its time.
 MeshPlan grid_plan(const Job& job, const Stock& stock, const MeshChoice& choice) {
   MeshPlan plan = chosen_plan(job, stock, choice);
   if (job.mesh.progress)

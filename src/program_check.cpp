@@ -53,7 +53,7 @@ void CheckSink::motion(const Motion& m) {
 
 void CheckSink::try_sweep(const Motion& m) {
   const Tool& tool = program_->tools[static_cast<std::size_t>(m.tool)];
-  if (tool.origin == "no data") return;  // its error has been told
+  if (tool.origin == "no data") return;  // its error has been reported
   try {
     if (is_open_cone(tool)) {
       std::vector<Tool> tools = program_->tools;

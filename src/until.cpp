@@ -34,8 +34,8 @@ std::optional<std::size_t> whole_number(std::string_view text) {
               Error::Kind::usage);
 }
 
-// Lines behind the last motion end the program as its end does; those that the file has not are a
-// slip of the finger.
+// A line after the last motion ends the program normally. A line beyond the end of the file is an
+// error.
 void require_line(const Program& program, const std::string& until, int file, std::size_t line) {
   const std::string& path = program.files[static_cast<std::size_t>(file)];
   LineSource source(path);

@@ -3,7 +3,7 @@
 /// Checked are the cutter on rapids, and shank and holder on rapids and cuts, each against the
 /// material that is there at that moment: the stock less what the earlier motions cut, and less
 /// what the motion itself cuts. A rapid is taken as the straight line from start to end. Motions of
-/// assumed start are not checked. docs/collisions.md tells the method and its limits.
+/// assumed start are not checked. docs/collisions.md explains the method and its limits.
 #pragma once
 
 #include <mrsim/types.h>

@@ -170,7 +170,7 @@ struct FailedComparison {
   std::string part_name, nominal_name;
   std::string error_code, error_text;
 };
-/// The same for one of these: its verdict is "failed", and what is not known is null.
+/// comparison_json() of one of these: its verdict is "failed", and what is not known is null.
 MRSIM_API std::string comparison_json(const FailedComparison& failed);
 MRSIM_API std::string comparison_junit(const FailedComparison& failed);
 

@@ -65,11 +65,11 @@ MRSIM_API Removal removal_of(const Program& program, const CycleTime& time, cons
                              std::size_t motion);
 
 /// The history as a table: a row for each cutting motion ("motion"), and sums for each line
-/// ("line"), tool ("tool") and the program ("program"); docs/history.md tells the columns.
+/// ("line"), tool ("tool") and the program ("program"); docs/history.md explains the columns.
 /// Requires: all three are of one run. Throws Error "memory". Cost: linear in the motions.
 MRSIM_API std::string history_csv(const Program& program, const CycleTime& time,
                                   const History& history);
-/// The same rows as one JSON object (docs/schema/history.json).
+/// These rows as one JSON object (docs/schema/history.json).
 MRSIM_API std::string history_json(const Program& program, const CycleTime& time,
                                    const History& history);
 

@@ -44,7 +44,7 @@ MRSIM_API Program interpret(const std::string& path, const InterpOptions& option
 MRSIM_API std::string motion_json(const Program& program, const Motion& motion);
 /// One finding as the JSON object that `mrsim check --json` prints, in UTF-8, without line end.
 MRSIM_API std::string diagnostic_json(const Diagnostic& diagnostic);
-/// The same motion as a line for people: mm, degrees.
+/// That motion as a line for people: mm, degrees.
 MRSIM_API std::string motion_text(const Program& program, const Motion& motion);
 /// The tool path as a picture, .svg or .ply by extension: rapids dashed, arcs as arcs, a lathe in
 /// ZX. Throws Error "output-format" (usage) for another extension. Cost: linear in the motions.
@@ -288,7 +288,7 @@ struct JobResult {
 /// Cost: grows with the motions and with the cut surface counted in voxels, not with the volume;
 /// docs/performance.md has measured runs.
 MRSIM_API JobResult simulate(const Job& job);
-/// The same into `result`, which holds what was found until then when an Error is thrown.
+/// simulate() into `result`, which holds what was found until then when an Error is thrown.
 MRSIM_API void simulate(const Job& job, JobResult& result);
 
 /// "0.1.0"

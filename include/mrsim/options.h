@@ -107,7 +107,7 @@ struct MeshOptions {
 /// Which of the pieces that no material joins stay in the part.
 enum class KeepPieces : std::uint8_t { all, largest };
 
-/// What the colour of a face tells.
+/// What the colour of a face shows.
 enum class ColorBy : std::uint8_t { none, line, tool };
 
 /// How a mesh is written to a file.

@@ -22,10 +22,10 @@ int exit_code_of(const Error& error);
 struct LastWords {
   std::string json_path, json, junit_path, junit;
 };
-/// Writes them: no failure of its own, and none of the files in `kept` is replaced. Since a command
-/// that was refused may have inputs that are not known, no other file is replaced but one that
-/// begins like an earlier result. Of one name for both the JSON has it; one file by two names has
-/// neither.
+/// Writes both files. A file that cannot be written is named on the standard error; nothing is
+/// thrown. Never replaces a file in `kept`. A refused command may have inputs that are not known,
+/// so an existing file is replaced only if it begins like an earlier result. If both paths are the
+/// same text, the JSON is written; if they are two names of one file, neither.
 void write_last_words(const LastWords& words, const std::vector<NamedPath>& kept);
 
 /// Throws Error "output-is-input" (usage) where an output is one of a program's files.

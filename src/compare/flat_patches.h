@@ -41,8 +41,9 @@ class FlatPatches {
   /// Over the patch of the triangle whose face holds `foot`, a point of the surface that lies below
   /// the piece. Neither inside nor a cut: too many borders about it to look at all of them.
   Overlay overlay(const TrianglePiece& piece, std::uint32_t triangle, const Vec3& foot) const;
-  /// The same for the triangle and all that share a corner with it, in place of a patch: no point
-  /// of a piece that lies over them is farther from the surface than this; infinite for others.
+  /// As overlay(), for the triangle and all that share a corner with it, in place of a patch: no
+  /// point of a piece that lies over them is farther from the surface than this; infinite for
+  /// others.
   double distance_over_ring(const TrianglePiece& piece, std::uint32_t triangle,
                             const Vec3& foot) const;
 

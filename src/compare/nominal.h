@@ -28,7 +28,7 @@ class NominalSurface {
   explicit NominalSurface(const TriMesh& mesh, int threads = 0);
 
   SurfaceHit at(const Vec3& p, std::uint32_t hint = 0) const;
-  /// The same for what the tree has found nearest to p.
+  /// at() for what the tree has found nearest to p.
   SurfaceHit signed_hit(const Vec3& p, const TriangleTree::Hit& hit) const;
   /// out[i] for points[i]; the same for any number of threads. Requires: equal sizes.
   void query(std::span<const Vec3> points, std::span<SurfaceHit> out, int threads = 0) const;

@@ -38,8 +38,8 @@ struct SurfacePlace {
 /// The largest ball that comes to each of the places.
 Reach largest_ball(const NominalSurface& solid, std::span<const SurfacePlace> places,
                    const ReachTask& task);
-/// The same for an upright cylinder with a flat end below and no end above, which may end `leaves`
-/// above the place.
+/// As largest_ball(), for an upright cylinder with a flat end below and no end above, which may end
+/// `leaves` above the place.
 Reach largest_flat(const NominalSurface& solid, std::span<const SurfacePlace> places,
                    const ReachTask& task);
 

@@ -35,7 +35,7 @@ void store(std::string& out, T value) {
   for (std::size_t i = 0; i < sizeof(T); ++i) out.push_back(char((bits >> (8 * i)) & 0xff));
 }
 
-/// The same into memory; returns where it ends.
+/// store() into memory; returns where it ends.
 template <class T>
 char* store(char* at, T value) {
   const auto bits = std::bit_cast<BitsOf<T>>(value);

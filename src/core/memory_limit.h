@@ -23,7 +23,7 @@ class MemoryLimit {
   std::size_t outer_;
 };
 
-/// The same for the rest of the thread's life.
+/// MemoryLimit for the rest of the thread's life.
 void set_thread_limit(std::size_t bytes);
 
 /// Throws Error "memory" where `bytes` more would exceed the limit. Both texts go into the message:

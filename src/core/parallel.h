@@ -13,7 +13,7 @@ namespace mrsim {
 void parallel_for(std::size_t count, int threads, const std::function<void(std::size_t)>& body,
                   std::size_t grain = 1);
 
-/// The same for bodies that keep something from one index to the next: `body(begin, end)` for
+/// parallel_for() for bodies that keep something from one index to the next: `body(begin, end)` for
 /// chunks of `chunk` indices, the last one shorter.
 void parallel_for_chunks(std::size_t count, int threads, std::size_t chunk,
                          const std::function<void(std::size_t, std::size_t)>& body);

@@ -275,9 +275,9 @@ class AdaptiveMesher {
   }
   bool is_few(std::size_t cells) const { return kFew * cells < tree_.size(); }
 
-  // Before the first cells that `failed` are split. Where cells had to be split for the surface to
-  // be drawn at all, creases lie closer than cells, and those between them follow; where they were
-  // many, a node takes three times as long, in more rounds.
+  // Throws if the octree will probably exceed `most_nodes`. Called before the first failed cells
+  // are split. If the tree has already grown by more than kDense to draw the surface at all,
+  // creases are closer than the cells, and each node takes about three times as long.
   void require_few(std::size_t failed) const {
     constexpr double kDense = 1.1, kSlow = 3;
     const auto nodes = static_cast<double>(tree_.size());
@@ -286,9 +286,8 @@ class AdaptiveMesher {
                           options_.most_nodes);
   }
 
-  // Where more cells `failed` than in the round before, which had more than its own, each round
-  // shows creases that the next one misses: three more such rounds are to be expected, as the
-  // crests of a winding helix take.
+  // Throws if the number of failed cells grows in two rounds running and three more such rounds
+  // would exceed `most_nodes` (crests of a winding helix do this).
   void require_fewer(std::size_t failed) const {
     if (is_few(failed) || failed <= failed_ || failed_ <= failed_before_ || failed_before_ == 0)
       return;

@@ -13,7 +13,7 @@ namespace mrsim {
 TriMesh extract_mesh(const Stock& stock, const MeshPlan& options = {},
                      MeshReport* report = nullptr);
 
-/// The same in blocks (mesh/mesh_part.h).
+/// extract_mesh() in blocks (mesh/mesh_part.h).
 void extract_mesh(const Stock& stock, const MeshPlan& options, MeshSink& sink,
                   MeshReport* report = nullptr);
 

@@ -26,7 +26,7 @@ namespace mrsim {
 TriMesh mesh_part(const ExactField& field, double voxel, const MeshPlan& options = {},
                   MeshReport* report = nullptr);
 
-/// The same mesh, handed on in blocks; without a tolerance as it is made, so that it is never in
+/// mesh_part(), handed on in blocks; without a tolerance as it is made, so that it is never in
 /// memory as a whole. Does not throw where the part is empty, or its mesh was given up
 /// (MeshReport::given_up): there are no triangles then.
 void mesh_part(const ExactField& field, double voxel, const MeshPlan& options, MeshSink& sink,

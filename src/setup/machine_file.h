@@ -13,7 +13,7 @@ namespace mrsim {
 /// "machine-key", "machine-value"; "machine-missing" where there is no such table.
 MachineData parse_machine(std::string_view text, const std::string& name);
 
-/// The same from a file; what read_file throws, too.
+/// parse_machine() of a file. Throws what read_file throws, too.
 MachineData load_machine_file(const std::string& path);
 
 }  // namespace mrsim

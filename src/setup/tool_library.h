@@ -36,7 +36,7 @@ std::string_view library_name(LibraryFormat format);
 /// is none of them, "tools-syntax", "tools-value", and what load_tools_file() throws.
 ToolLibrary load_library(const std::string& path);
 
-/// The same from memory; `name` stands in messages, and FreeCAD's bits are looked for beside it.
+/// load_library() from memory; `name` stands in messages, FreeCAD's bits are looked for beside it.
 ToolLibrary parse_library(std::string_view bytes, const std::string& name);
 
 }  // namespace mrsim

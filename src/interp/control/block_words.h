@@ -45,7 +45,7 @@ class BlockWords : public Block {
     const Slot& slot = slots_[static_cast<std::size_t>(a)];
     return slot.epoch == epoch_ ? &words[slot.index] : nullptr;
   }
-  /// The same, and it counts as used.
+  /// As find(), and the word counts as used.
   const Word* take(Address a) {
     Slot& slot = slots_[static_cast<std::size_t>(a)];
     if (slot.epoch != epoch_) return nullptr;

@@ -122,7 +122,7 @@ class ControlPart {
   Basis basis() const {
     return modal_.plane == 3 ? normal_basis(modal_.normal) : plane_basis(modal_.plane);
   }
-  /// The same in the stock's coordinates, unit length; left-handed under a mirror.
+  /// These axes in the stock's coordinates, unit length; left-handed under a mirror.
   Basis stock_basis() const;
   /// mm of a length of 1 in `word`.
   double length_unit(const Word& word) const;

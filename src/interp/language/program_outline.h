@@ -1,7 +1,7 @@
 // The control structures of a program file, found in one scan: where loops, branches, labels and
 // subprograms are, and which belong together. Expressions are not read here.
 // Guarantees: memory grows with the number of structures, not with the length of the program.
-// Does not: know the numbers of blocks (find_block_number scans for one).
+// Does not: know block numbers (ProgramPlaces::find_blocks scans for them).
 #pragma once
 
 #include <cstdint>

@@ -17,7 +17,7 @@ class Engraving : public ControlPart {
 
   /// The comment of the block is a text to engrave.
   bool wants_block() const { return block_.oneshot && block_.oneshot_code == Code::engrave; }
-  /// The same before the meaning of the words is read.
+  /// wants_block() before the meaning of the words is read.
   static bool holds_text(const BlockWords& block);
   /// False: an error was reported.
   bool run();

@@ -29,7 +29,7 @@ class Moves : public ControlPart {
   /// A rapid or line to `to`, whatever motion is in force; `lead` of a tap; `feed` 0 = the one in
   /// force.
   void step(const Target& to, const Word& where, MotionKind kind, double lead = 0, double feed = 0);
-  /// The same; compensation may begin or end with it.
+  /// As step(); compensation may begin or end with it.
   bool compensated_step(const Target& to, const Word& where, double feed,
                         MotionKind kind = MotionKind::line);
   /// Radius and point of the tool, for a cycle that moves its contour aside by itself.
@@ -44,7 +44,7 @@ class Moves : public ControlPart {
   void follow(const Motion& like, const Vec3& shift, const Word& where);
   /// A rapid of `axes` to a place in machine coordinates, or to where only the machine knows.
   void to_place(const Vec3* place, unsigned axes, const Word& where);
-  /// The same, to a place in the stock's coordinates.
+  /// As to_place(), to a place in the stock's coordinates.
   void to_stored(const Vec3& place, unsigned axes, const Word& where);
   /// `axes` went to where only the machine knows.
   void unknown(unsigned axes, const Word& where);

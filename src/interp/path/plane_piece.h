@@ -36,7 +36,7 @@ int intersect(const PlanePiece& a, const PlanePiece& b, std::array<Vec2, 2>& out
 /// Signed distance along the piece from `from` to `to`, both on it: mm for lines, radians times the
 /// direction of travel for arcs, in (-pi, pi].
 double progress(const PlanePiece& piece, Vec2 from, Vec2 to);
-/// The same from the start of the piece, arcs in [0, 2 pi).
+/// progress() from the start of the piece, arcs in [0, 2 pi).
 double position_on(const PlanePiece& piece, Vec2 p);
 /// Its value at the end of the piece.
 double extent(const PlanePiece& piece);

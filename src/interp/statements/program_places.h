@@ -22,7 +22,7 @@ class ProgramPlaces {
 
   /// Blocks N`first` to N`last` of the program that is being read. False: one is missing.
   bool find_blocks(long first, long last, Place& begin, Place& end);
-  /// The same in another program.
+  /// find_blocks() in another program.
   bool find_blocks(const SubprogramPlace& program, long first, long last, Place& begin, Place& end);
   /// The last ones that stand before the place that is being read.
   bool find_blocks_before(long first, long last, Place& begin, Place& end);

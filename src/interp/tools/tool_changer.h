@@ -39,7 +39,7 @@ class ToolChanger : public ControlPart {
   /// mm, of the tool in the spindle: as the register of the cutting edge says, else the tool's own;
   /// 0 without a tool. `edge` below 0: the tool's own.
   double radius(int edge);
-  /// The same; a radius that is missing is an error, told once for each tool.
+  /// As radius(); a radius that is missing is an error, reported once for each tool.
   double radius_for(const std::string& cycle, int edge, const Word& where);
   /// What the comments about the tool say of its register: "WEAR COMP", "CONTROL COMP".
   CompRadius commented_radius() const;

@@ -17,7 +17,7 @@ constexpr double kBendShare = 0.15;    ///< of k s^2, that a cell's triangles le
 constexpr double kSharpTurn = 0.5;     ///< sine of an angle between faces
 constexpr double kTurned = 0.9;        ///< cosine between a face that has turned and the other one
 constexpr std::size_t kMost = kTogether * kTogether * kTogether;
-constexpr std::size_t kLong = 24;  ///< candidates that are cheaper narrowed than asked
+constexpr std::size_t kLong = 24;  ///< candidates that are cheaper narrowed than evaluated
 
 // The points of a cell that are looked at: those of the voxel lattice, by voxels from its origin.
 // Of a turned part, in each layer, points on a line from the axis outwards, at most 0.71 voxels

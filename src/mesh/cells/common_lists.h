@@ -21,7 +21,7 @@ class CommonLists {
   bool empty() const { return lists_.empty(); }
   /// Null where the cell was not added, or no surface passes it.
   const Candidates* of(const LatticePoint& cell) const;
-  /// The same by a place in fine units.
+  /// The list of the cell that holds a place in fine units.
   const Candidates* at(const LatticePoint& p) const {
     const std::int32_t unit = lattice_.per_voxel();
     return of({p.x / unit, p.y / unit, p.z / unit});

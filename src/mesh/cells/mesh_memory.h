@@ -1,4 +1,4 @@
-// How much memory a mesh with a tolerance is going to take, told from its first cells
+// How much memory a mesh with a tolerance is going to take, estimated from its first cells
 // (docs/removal.md, Memory).
 #pragma once
 

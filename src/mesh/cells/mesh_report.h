@@ -1,4 +1,4 @@
-// What a mesher tells of its work beside the mesh.
+// What a mesher reports of its work beside the mesh.
 #pragma once
 
 #include <mrsim/types.h>

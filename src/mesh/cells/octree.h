@@ -85,8 +85,8 @@ class CellOctree final : public SurfaceCells {
   std::vector<CellFace> faces(std::span<const MinimalEdge> edges) const;
   std::pair<double, double> offsets(const MinimalEdge& edge) const override;
   EdgeEnds ends(const MinimalEdge& edge) const override;
-  /// The same about the given leaves and those that share an edge with them; `nearby` is set for
-  /// all of these.
+  /// crossing_edges() about the given leaves and those that share an edge with them; `nearby` is
+  /// set for all of these.
   std::vector<MinimalEdge> crossing_edges_near(std::span<const std::int32_t> leaves,
                                                std::vector<char>& nearby) const;
   /// Edges up to a voxel long whose ends lie on the same side, have different owners, and are near

@@ -16,7 +16,7 @@ namespace {
 
 constexpr int kFirstDepth = 5, kLastDepth = 7;  ///< halvings of the longest side
 constexpr int kApart = 2;                       ///< halvings after which parts are worked on alone
-constexpr std::size_t kEnough = 12000;          ///< blocks that tell the area well enough
+constexpr std::size_t kEnough = 12000;          ///< blocks that give the area well enough
 
 struct Count {
   std::size_t blocks = 0, sweeps = 0;

@@ -13,7 +13,7 @@ struct SurfaceSurvey {
   double block = 0;        ///< mm: their edge
   std::size_t blocks = 0;  ///< how many they are
   double sweeps = 0;       ///< that matter in one of them, on average
-  double creasing = 0;     ///< the same, where a block without a crease counts as one sweep
+  double creasing = 0;     ///< such sweeps, where a block without a crease counts as one
   double sheets = 1;       ///< of surface that lines along x, y and z meet in one, on average
 
   /// Cells of `voxel` mm that the cut surface passes, about. Flat sides of the stock do not count:
@@ -24,9 +24,9 @@ struct SurfaceSurvey {
 };
 
 /// Looks at smaller and smaller blocks until they are some ten thousand, or 1/128 of the longest
-/// side. `list`: field.all(), or an even choice of them, which tells the area well,
-/// not how many matter. The same for any number of threads. Cost: some hundredths of a second, and
-/// some microseconds a sweep.
+/// side. `list`: field.all(), or an even choice of them, which gives the area well,
+/// not how many matter. Same result for any number of threads. Cost: some hundredths of a second,
+/// and some microseconds a sweep.
 SurfaceSurvey survey_surface(const ExactField& field, const Candidates& list, int threads);
 
 }  // namespace mrsim::detail

@@ -29,7 +29,7 @@ struct FacePalette {
   std::vector<std::uint32_t> index;   ///< #F: into entries; empty without colours
 };
 
-/// The same by owner.
+/// The colours of a mesh, looked up by owner.
 struct OwnerColors {
   std::vector<PaletteEntry> entries;
   std::map<std::int32_t, std::uint32_t> entry_of;  ///< by owner, the stock's being -1

@@ -1,7 +1,7 @@
 // STL, binary and ASCII.
 //
 // STL keeps three points a triangle and no more: reading welds points with equal coordinates,
-// writing drops owners and colours. Which of the two forms a file has is told by its size and
+// writing drops owners and colours. Which of the two forms a file has follows from its size and
 // content, never by its first word alone (binary files that begin with "solid" exist).
 #pragma once
 
@@ -26,7 +26,7 @@ inline void write_stl(const TriMesh& mesh, const ByteSink& out) {
   write_stl(MemoryMesh(mesh), out);
 }
 
-/// The same bytes while the mesh is made, from its blocks as they come.
+/// Writes the bytes of write_stl() while the mesh is made, from its blocks as they come.
 class StlStream final : public MeshSink {
  public:
   /// Writes to `draft`, which must outlive it, on `threads` threads.

@@ -241,7 +241,7 @@ std::string lower(std::string text) {
   return text;
 }
 
-// Names of parts are told apart without regard to case.
+// Names of parts are compared without regard to case.
 std::string part(std::string_view bytes, const std::vector<detail::ZipEntry>& entries,
                  const std::string& wanted, const std::string& name) {
   for (const detail::ZipEntry& e : entries)

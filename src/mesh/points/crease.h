@@ -25,7 +25,7 @@ bool is_nearly_flat(const Probe& probe, const SurfaceElement& a, const SurfaceEl
 /// off their crease: none is looked for.
 bool join_smoothly(const Probe& probe, const Vec3& p, const FieldSample& a, const FieldSample& b,
                    double size);
-/// The same of faces with these unit normals.
+/// join_smoothly() for faces with these unit normals.
 bool join_smoothly(const Probe& probe, const Vec3& n, const Vec3& m, double size);
 
 /// Newton's iteration from p to the common zero of up to three faces of the part, within the plane

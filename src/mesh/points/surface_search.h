@@ -20,7 +20,7 @@ inline bool same_face(const FieldSample& a, const FieldSample& b) {
   return a.owner == b.owner && a.patch == b.patch;
 }
 
-/// The same for one face only, of all faces.
+/// A number that no other face has: equal where same_face() holds.
 inline std::uint64_t face_key(const FieldSample& face) {
   return static_cast<std::uint64_t>(face.owner - kStockOwner) << 32 |
          static_cast<std::uint32_t>(face.patch);

@@ -26,7 +26,7 @@ constexpr double kLeastShares[] = {0.2, 0.5};
 constexpr double kBytesPerTriangle = 450;  // of its half edges, quadrics and queue
 constexpr std::size_t kTellEach = 4096;    // collapses
 
-// Counts the collapses of a reduction, and tells the caller how far it is.
+// Counts the collapses of a reduction, and reports to the caller how far it is.
 class Counter {
  public:
   Counter(const Progress& tell, std::size_t wanted)

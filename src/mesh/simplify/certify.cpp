@@ -135,7 +135,7 @@ double largest_distance(const ExactField& field, const CellOctree& tree, const F
                         const Vec3& a, const Vec3& b, const Vec3& c, double limit,
                         std::int32_t& cell) {
   // Interior nodes and middles first; all of them where the triangle spans many voxels.
-  // The same for every order of the corners: centroid, middles, inner nodes, quarters, eighths.
+  // One order, however the corners are numbered: centroid, middles, inner nodes, quarters, eighths.
   static constexpr double kThird = 4.0 / 3;
   static constexpr double kOrder[19][2] = {{kThird, kThird}, {2, 2},   {2, 0},    {0, 2},   {1, 1},
                                            {1, 2},           {2, 1},   {1, 0},    {3, 0},   {0, 1},

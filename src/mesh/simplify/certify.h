@@ -29,7 +29,7 @@ double largest_distance(const ExactField& field, const CellOctree& tree, const F
 double crease_bound(FaceDistances& distances, const FieldSample& f, const FieldSample& g,
                     const Vec3& a, const Vec3& b);
 
-/// The same of |d| itself, whatever faces decide it under the triangle: for one that lies over
+/// Upper bound of |d| itself, whatever faces decide it under the triangle: for one that lies over
 /// several faces that join nearly smoothly. A side may run along a crease in which these end,
 /// unless it is sharper than 60 degrees, and is measured from the crease. Infinite in all other
 /// cases: a wall may taper off there. Requires: its corners lie on the surface.

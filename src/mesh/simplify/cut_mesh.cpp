@@ -7,7 +7,7 @@ namespace {
 
 constexpr double kLeastHeight = 2e-5;  ///< mm: of a new triangle
 constexpr double kNoDivisor = 1e-30;   ///< mm: in place of the longest side of a point
-constexpr double kGoodHeight = 2e-4;   ///< mm: asked of it where it takes the place of a higher one
+constexpr double kGoodHeight = 2e-4;   ///< mm: required of it where it replaces a higher one
 
 // Of two angles that face an edge: they are more than half a turn together by more than this.
 constexpr double kPastDelaunay = 1e-6;

@@ -11,7 +11,7 @@
 
 namespace mrsim::detail {
 
-/// Of one thread. What is asked for again soon is remembered; the values are those of the field.
+/// Of one thread. Values of the field that are needed again soon are remembered.
 class FaceDistances {
  public:
   explicit FaceDistances(const ExactField& field) : field_(field), slots_(kSlots) {}

@@ -15,9 +15,9 @@
 namespace mrsim::detail {
 namespace {
 
-constexpr double kEndShare = 1e-3;     ///< of an edge: where the owner at its end is asked
-constexpr double kInward = 1e-4;       ///< mm: where the owner beside an edge is asked
-constexpr int kEdgeSamples = 4;        ///< parts of an edge at whose ends it is asked
+constexpr double kEndShare = 1e-3;     ///< of an edge: where the owner at its end is sampled
+constexpr double kInward = 1e-4;       ///< mm: where the owner beside an edge is sampled
+constexpr int kEdgeSamples = 4;        ///< parts of an edge at whose ends it is sampled
 constexpr int kChordRounds = 4;        ///< of cutting edges, then at chords
 constexpr int kHalvings = 24;          ///< of a part, to its border
 constexpr double kSameNormal = 0.999;  ///< cosine: two triangles of one plane, as far as labels go
@@ -70,7 +70,7 @@ class BorderCutter {
     return kSurfaceBand + coordinate_step(std::max({std::abs(p.x), std::abs(p.y), std::abs(p.z)}));
   }
 
-  // Triangles that lie on a plane of the part, as far as seven points tell; those that more than
+  // Triangles that lie on a plane of the part, as far as seven points show; those that more than
   // one owner shares are queued, those of one other owner get its label.
   void find_plane_triangles() {
     const std::size_t count = cut_.mesh.triangles.size();

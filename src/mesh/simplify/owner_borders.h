@@ -13,7 +13,7 @@ namespace mrsim::detail {
 /// points of edges that lie on the exact surface, or of triangles that do; the surface stays as it
 /// is. Triangles off the surface, and on curved faces, stay as they are. Five to seven samples a
 /// plane triangle where more than one sweep can decide d, some thirty for each edge that a border
-/// crosses. The same for any number of threads.
+/// crosses. The result is the same for any number of threads.
 LabelledMesh cut_owner_borders(const ExactField& field, const CellOctree& tree,
                                const LabelledMesh& mesh, double tolerance, int threads);
 

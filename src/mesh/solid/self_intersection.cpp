@@ -99,7 +99,7 @@ class PairTest {
     return x != 0 && x == orientation(at(s, 0), at(s, 1), at(s, 2), at(t, 1)) &&
            x == orientation(at(s, 0), at(s, 1), at(s, 2), at(t, 2));
   }
-  // The same of two that share a corner of t.
+  // As is_apart(), for two triangles that share a corner of t.
   bool is_opposite_apart(const Triangle& s, const Triangle& t, int shared) const {
     const int x = orientation(at(s, 0), at(s, 1), at(s, 2), at(t, shared + 1));
     return x != 0 && x == orientation(at(s, 0), at(s, 1), at(s, 2), at(t, shared + 2));

@@ -224,7 +224,7 @@ bool rays_may_fail(const SurfaceMesh& surface) {
   });
 }
 
-// Turns components so that they bound a solid; what is in the way is told from the mesh afterwards.
+// Turns components so that they bound a solid; what is in the way is found in the mesh afterwards.
 TriMesh oriented(const TriMesh& mesh, const std::string& name) {
   SurfaceMesh surface = to_surface(mesh);
   pmp::stitch_borders(surface);

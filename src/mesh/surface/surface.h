@@ -25,8 +25,8 @@ class DualSurface {
 
   /// Finds crossings, segments and loops. Requires: the crossings on every face can be joined.
   void find_loops(CrossedGrid grid);
-  /// The same of a tile, where segments between crossings of one face of the part, which need no
-  /// vertex, are left out.
+  /// find_loops() of a tile, where segments between crossings of one face of the part, which need
+  /// no vertex, are left out.
   void find_loops(const CellTile& tile);
   /// Cells that hold more than one loop.
   const std::vector<std::int32_t>& crowded() const { return graph_.crowded; }

@@ -22,7 +22,7 @@ struct TileSet {
 };
 
 /// The tiles that the surface may pass, sorted layer by layer along the part's longest axis, so
-/// that few wait for neighbours. The same for any number of threads.
+/// that few wait for neighbours. The result is the same for any number of threads.
 TileSet find_tiles(const ExactField& field, const Lattice& lattice, int threads);
 
 }  // namespace mrsim::detail

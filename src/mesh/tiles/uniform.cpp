@@ -23,7 +23,7 @@ namespace {
 
 constexpr double kShallowCrease =
     1.0 / 64;                       ///< of a voxel: what cutting off a shallow crease may move
-constexpr double kMostTold = 0.99;  ///< share of the triangles whose distance is told
+constexpr double kMostTold = 0.99;  ///< share of the triangles whose distance is printed
 constexpr int kVoxelsBefore = 4;    ///< voxels before the part, which no owned edge is missed in
 constexpr std::size_t kBatch = 2;   ///< tiles a thread between two blocks of the mesh
 constexpr std::int32_t kFirstOwned = CellTile::kFirstOwned;
@@ -55,7 +55,7 @@ class UniformMesher {
         lattice_(lattice),
         options_(options),
         report_(report),
-        timer_(report, {}),  // progress is told by tiles
+        timer_(report, {}),  // progress is counted by tiles
         set_(find_tiles(field, lattice, options.threads)),
         notes_(set_.tiles.size()),
         common_(field, lattice) {

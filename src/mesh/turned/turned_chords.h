@@ -21,7 +21,7 @@ struct ChordLimits {
 /// distance from the part. No excess is given.
 Outline fewest_chords(const Outline& outline, const ChordLimits& limits);
 
-/// The same with chords of a curve about equally high.
+/// As fewest_chords(), with the chords of a curve about equally high.
 Outline even_chords(const Outline& outline, const ChordLimits& limits);
 
 }  // namespace mrsim::detail

@@ -13,7 +13,7 @@ namespace mrsim {
 
 /// One hit for each mover that it finds, in the order of movers. `box_of`: where the mover can meet
 /// material; flat in y for turned parts, empty where it can meet none. `near`: mm about a block in
-/// which the list of cuts of the block is complete. The same for any number of threads.
+/// which the list of cuts of the block is complete. Same result for any number of threads.
 std::vector<CollisionHit> probe_movers(const CollisionScene& scene, double near,
                                        const std::function<Box3(std::uint32_t mover)>& box_of,
                                        int threads);

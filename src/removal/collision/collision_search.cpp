@@ -166,7 +166,7 @@ double CollisionDetector::depth_at(const Vec3& p, std::int32_t time,
   return least;
 }
 
-// The smallest boxes: their centre may lie beside a mover, whose nearest point is asked instead.
+// The smallest boxes: their centre may lie beside a mover, whose nearest point is used instead.
 // The box's own cuts may not be all that count there.
 void CollisionDetector::look_beside(const Ball& ball, const Level& level) {
   const SweepTable& sweeps = scene_.movers.sweeps;

@@ -1,6 +1,6 @@
 // Rapids that withdraw an insert from where its cut ended. A lead angle above 90 degrees leaves a
 // wedge between the insert's edge and the shoulder, and the way out scrapes it: true, but on
-// nearly every lathe program, so it is told apart from collisions.
+// nearly every lathe program, so it is kept apart from collisions.
 #pragma once
 
 #include "removal/tool/tool.h"

@@ -1,5 +1,5 @@
 // The path of a horizontal or upright move as seen from above, and the point of it that is nearest
-// to a point in plan. The same for every form whose distance follows from the distance in plan and
+// to a point in plan. One code for every form whose distance follows from the distance in plan and
 // the height above the tip.
 #pragma once
 

@@ -10,18 +10,20 @@ namespace mrsim {
 
 /// Sweeps of one form and one tool; what they have in common.
 struct SweepClass {
-  /// How the distance is computed: the columns of candidate_kernels.h, sweep by sweep, or by the
-  /// tree of turning sweeps, whose packs the list holds then. Of `segment` the list holds segments
-  /// of paths, one or more a sweep, whose heights are bounded instead.
+  /// Which kernel computes the distance: those of candidate_kernels.h for `strip`, `line` and
+  /// `arc`, none (sweep by sweep) for `other`. `turn`: the list holds packs of the tree of turning
+  /// sweeps. `segment`: the list holds straight segments of paths, one or more for each sweep, and
+  /// only their heights are bounded.
   enum class Form : std::uint8_t { strip, line, arc, other, turn, segment };
-  /// What the dominance test may compare (SweepSkeleton::Kind).
+  /// What the dominance test compares: nothing, skeletons in space (`solid`), or paths in plan
+  /// (`plan`).
   enum class Kind : std::uint8_t { none, solid, plan };
   Form form = Form::other;
   Kind kind = Kind::none;
   std::int32_t group = -1;  ///< equal groups may be compared; -1 = with nothing
   bool packs = false;  ///< entries are packs of such sweeps (sweep_packs.h), stored as their chords
-  double spread = 0;   ///< of these packs, the largest, mm
-  double expand_below = 0;  ///< the same
+  double spread = 0;   ///< mm: the largest spread of these packs
+  double expand_below = 0;  ///< mm: packs are expanded in regions of a smaller radius
   ToolColumns tool;
   HeightTool heights;  ///< milling tools in the stock's frame
 };

@@ -63,7 +63,7 @@ bool is_plan(const SweepRef& ref) {
                             ref.kind == SweepKind::profile);
 }
 
-// Packs are told apart by powers of four of their spread, and those of sweeps from those of packs:
+// Packs are classed by powers of four of their spread, and those of sweeps from those of packs:
 // each class counts with its largest.
 int pack_grade(const SweepPack& pack) {
   int grade = 0;

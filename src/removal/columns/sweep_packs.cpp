@@ -17,7 +17,7 @@ constexpr std::size_t kMost = 8, kLeast = 4;    // members of a pack
 constexpr double kLargestSpread = 1.0 / 16;     // of the chord: the largest spread
 constexpr double kJoined = 1e-9;                // mm: ends of moves that follow one another
 constexpr double kShortest = 1e-3;              // mm in plan: shorter chords have no direction
-constexpr double kSteepChord = 8;               // slope from which heights tell little of a chord
+constexpr double kSteepChord = 8;               // slope from which heights say little of a chord
 constexpr std::size_t kSweepsOfPart = 1 << 13;  // sweeps that are packed on their own
 constexpr double kExpand = 0.7;                 // of a pack: smaller regions see its members
 

@@ -22,11 +22,11 @@ inline constexpr std::uint32_t kFirstPack = 1u << 31;
 inline constexpr double kLeastSquare = 1e-30;
 
 struct SweepPack {
-  std::uint32_t first = 0, last = 0;   ///< its sweeps, all between them included
-  std::uint32_t child = 0, count = 0;  ///< its packs; none: its children are the sweeps
+  std::uint32_t first = 0, last = 0;   ///< its sweeps, inclusive
+  std::uint32_t child = 0, count = 0;  ///< its child packs; count = 0: the children are the sweeps
   std::uint32_t of = 0;                ///< index of its class
-  /// mm: how far path and chord are from each other at most, both ways; of paths in plan, and their
-  /// chord tells how far upwards.
+  /// mm: largest distance between path and chord; for packs of paths, in plan (the vertical part is
+  /// stored with the chord).
   float spread = 0;
   float length = 0;        ///< of the chord, mm
   float expand_below = 0;  ///< mm: radius of regions that are to see its children
@@ -36,8 +36,8 @@ struct SweepPack {
 };
 
 /// The children of a pack as a list has them (candidate_kernels.h), less what they have in common:
-/// strip and segment about the start of the chord; line the same, tip and height number 0. Unused
-/// lanes hold nothing of use.
+/// strip, segment and line about the start of the chord; of a line, tip and height number are 0.
+/// Unused lanes hold nothing of use.
 struct PackColumns {
   static constexpr std::size_t kColumns = 8, kLanes = 8;
   alignas(32) float c[kColumns][kLanes] = {};

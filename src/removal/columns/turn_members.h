@@ -1,5 +1,5 @@
-// Points asked of a few turning sweeps, side by side. A sweep counts on the side of the spindle
-// axis where it is and, mirrored, behind the axis.
+// Distances of points from a few turning sweeps, side by side. A sweep counts on the side of the
+// spindle axis where it is and, mirrored, behind the axis.
 #pragma once
 
 #include "removal/forms/turn_sweep.h"

@@ -83,10 +83,10 @@ class ExactField {
     virtual ~Descent() = default;
     /// As restrict_to, of the candidates that level - 1 has left. Requires: the last region entered
     /// at level - 1 holds this one; level >= 1. The list that is left may still contain packs; with
-    /// `last`, when d is going to be asked, it holds single sweeps.
+    /// `last`, when d is evaluated next, it holds single sweeps.
     virtual Region enter(std::size_t level, const Box3& box, double band, bool last) = 0;
-    /// The same for a region without parts: what is left goes to `out`, ascending. Requires: the
-    /// last region was entered at level - 1 as one that is going to be asked.
+    /// As enter(), for a region without parts: what is left goes to `out`, ascending. Requires: the
+    /// last region was entered at level - 1 with `last`.
     virtual Region finish(std::size_t level, const Box3& box, double band, Candidates& out) = 0;
     /// True where so little is left that looking closer costs more than it saves.
     virtual bool is_short(std::size_t level) const = 0;

@@ -16,7 +16,7 @@ bool has_flank(const Profile& tool);
 /// none where the edge above the flank may be nearest. Requires: path.flanked.
 std::optional<PathSample> flank_minimum(const Profile& tool, const ToolPath& path, const Vec3& p,
                                         double begin, double end);
-/// The same distance over all positions, without its place.
+/// The least distance over all positions, without its place.
 std::optional<double> flank_value(const Profile& tool, const ToolPath& path, const Vec3& p);
 
 }  // namespace mrsim

@@ -17,7 +17,7 @@ LineRecord bore_record(const Profile& tool, const ToolPath& path);
 /// The least distance over all positions, up to 1e-12 mm. Requires: lowest_turn, a tool with
 /// is_rounded(). Cost: zero to five sines.
 PathSample helix_minimum(const Profile& tool, const ToolPath& path, const Vec3& p);
-/// The same over one quarter turn, counted from the start.
+/// helix_minimum() over one quarter turn, counted from the start.
 PathSample helix_branch_minimum(const Profile& tool, const ToolPath& path, const Vec3& p,
                                 int branch);
 

@@ -42,7 +42,7 @@ class PathObjective {
     return s.distance - (tool_.is_convex() ? slope : 1) * rise;
   }
 
-  /// The same over all from `begin` to `end`.
+  /// horizontal_bound() over all from `begin` to `end`.
   double range_bound(double begin, double end) const {
     return horizontal_bound(0.5 * (begin + end), 0.5 * (end - begin), to_circle());
   }

@@ -11,7 +11,7 @@ namespace mrsim {
 PathSample search_path(const Profile& tool, const ToolPath& path, const Vec3& p, double begin,
                        double end);
 
-/// The same over the whole of a path with `lowest_turn`.
+/// search_path() over the whole of a path with `lowest_turn`.
 PathSample search_lowest_turn(const Profile& tool, const ToolPath& path, const Vec3& p);
 
 }  // namespace mrsim

@@ -69,7 +69,7 @@ int path_branch(const ToolPath& path, double t);
 std::pair<double, double> branch_ends(const ToolPath& path, int branch);  ///< not of upright arcs
 PathSample branch_distance(const Profile& tool, const ToolPath& path, const Vec3& p, int branch);
 
-/// The same of one of a tool's convex_pieces() alone, over a branch of an arc or over a line.
+/// Least distance of one of a tool's convex_pieces() alone, over a branch of an arc or over a line.
 PathSample piece_distance(const Profile& piece, const ToolPath& path, const Vec3& p, int branch);
 
 /// Distance of a revolved tool at rest from (rho, z), z above its tip.

@@ -38,7 +38,7 @@ Box3 sweep_bounds(const Profile& tool, const LocalMotion& l, const ToolFrame* fr
 /// Of a path in this box of the tool's frame.
 Box3 sweep_bounds(const Profile& tool, Box3 path, const ToolFrame* frame);
 
-/// Coefficients of line_rho and arc_rho (sweep_lanes.inl): c[0..3], c[0..6].
+/// Fills LineSlot::x .. dy, or ArcSlot::x .. sine (removal/field/record_slots.h).
 void line_in_plan(const Vec3& a, const Vec3& b, double* c);
 void arc_in_plan(const LocalMotion& l, double* c);
 

@@ -27,7 +27,7 @@ Vec2 upright_place(double core, double round, const ToolPath& path, const Vec3& 
 /// The least distance over all positions, up to 1e-12 mm. Requires: path.upright, a tool that
 /// reaches up with is_rounded(). No sines.
 double upright_value(const Profile& tool, const ToolPath& path, const Vec3& p);
-/// The same with its place.
+/// upright_value() with its place.
 PathSample upright_minimum(const Profile& tool, const ToolPath& path, const Vec3& p);
 
 /// Branches of the arc between its ends, its extremes and its lowest and highest place, counted

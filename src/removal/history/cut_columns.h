@@ -43,7 +43,7 @@ class ColumnWalker {
   // A column that a sweep is cutting down.
   struct Falling {
     std::uint8_t lane = 0;
-    int at = 0;           // voxel that it has been asked at last
+    int at = 0;           // the last voxel that it was evaluated for
     int step = 1;         // voxels to the next one
     double distance = 0;  // there
   };

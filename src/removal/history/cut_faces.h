@@ -25,8 +25,8 @@ struct CutFaces {
   std::vector<LateSurface> late;  ///< ascending by face, at most one for each
 };
 
-/// The same on any number of threads. `volume` is that of `field`; a place is within a thousandth
-/// of a voxel of the sweep's surface. Throws Error "memory".
+/// Same result on any number of threads. `volume` is that of `field`; a place is within a
+/// thousandth of a voxel of the sweep's surface. Throws Error "memory".
 CutFaces make_cut_faces(const PartField& field, const CutVolume& volume, std::int32_t inherited,
                         int threads);
 

@@ -32,8 +32,8 @@ struct CutVolume {
   }
 };
 
-/// The same on any number of threads. Requires: lattice.voxel > 0, all motions of the field below
-/// `motions`. Memory: 4 bytes a voxel of the stock's bounds. Throws Error "memory",
+/// Same result on any number of threads. Requires: lattice.voxel > 0, all motions of the field
+/// below `motions`. Memory: 4 bytes a voxel of the stock's bounds. Throws Error "memory",
 /// "cancelled".
 CutVolume make_cut_volume(const PartField& field, const CutLattice& lattice, std::size_t motions,
                           int threads, const Progress& progress = {});

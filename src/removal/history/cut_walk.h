@@ -2,7 +2,7 @@
 //
 // Place p of the stock is removed by the first motion i whose sweep holds it, d_i(p) <= 0. That is
 // a pure function of (stock, motions, p), so the result is the same on any number of threads. The
-// method and its error bound are told in docs/history.md.
+// method and its error bound stand in docs/history.md.
 #pragma once
 
 #include "removal/history/cut_extent.h"

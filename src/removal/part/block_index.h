@@ -16,8 +16,8 @@ inline constexpr int kBlockVoxels = 64;
 class BlockIndex {
  public:
   /// Covers the stock and `band` mm around it; sweeps (SweepTable::all) are listed in every block
-  /// that they come within `band` of. The same for any number of threads. Memory: 4 bytes per sweep
-  /// and block that it reaches. Throws Error "memory" when the blocks alone would exceed
+  /// that they come within `band` of. Same result for any number of threads. Memory: 4 bytes per
+  /// sweep and block that it reaches. Throws Error "memory" when the blocks alone would exceed
   /// `max_memory` bytes.
   BlockIndex(const PartField& field, double voxel, double band, std::size_t max_memory,
              int threads = 1);

@@ -15,30 +15,46 @@
 namespace mrsim {
 namespace {
 
-// Bytes, as measured (docs/removal.md, Memory). A surface voxel column holds 2 * kBandVoxels
-// active voxels, in leaves that are about half full. A mesh on the voxels has two triangles for
-// each voxel that the cuts' surface passes; flat sides that a box keeps have few.
+// Bytes for each of the units named, as measured (docs/performance.md, Memory of the classes).
+// Every run: the program itself, and each motion.
 constexpr double kProgram = 10e6, kMotion = 320;
-constexpr double kSweep = 20, kSegment = 20;  ///< in lists of candidates
-constexpr double kStockTriangle = 230;        ///< of a mesh: its tree, and what its check left
-constexpr double kTool = 9000;                ///< as it is looked for by motions
-constexpr double kOpenVdb = 30e6;             ///< its library
-constexpr double kRecipe = 1300;              ///< a motion once more, for the file
+// Each sweep, and each segment of a path, in the threads' lists of candidates.
+constexpr double kSweep = 20, kSegment = 20;
+// Each triangle of a stock that is a mesh: the tree over it, and what checking the mesh has left.
+constexpr double kStockTriangle = 230;
+// Each tool, in what SweepTable keeps of its shape; checked before the table is made.
+constexpr double kTool = 9000;
+// A .vdb: OpenVDB's library, and each motion once more, in the recipe for the file.
+constexpr double kOpenVdb = 30e6, kRecipe = 1300;
+// A .vdb: each voxel on the stock's surface has a column of 2 * kBandVoxels active voxels, in
+// leaves that are about half full.
 constexpr double kGridColumn = 130;
-constexpr double kCutVoxel = 10;  ///< of the grid "cut", should all of the stock be removed
+// A .vdb: each voxel of the stock's volume in the grid "cut", should all of the stock be removed.
+constexpr double kCutVoxel = 10;
+// Each thread that makes tiles of the mesh, whatever the tiles hold.
 constexpr double kThread = 13e6;
+// A mesh without slabs: each voxel that the cuts' surface passes (two triangles), and each voxel on
+// the stock's surface. The flat sides of a box have few triangles.
 constexpr double kMeshCell = 48, kMeshColumn = 70, kBoxMeshColumn = 8;
-constexpr double kTileCell = 600;                 ///< of the tiles that are being made and joined
-constexpr double kBentCell = 900;                 ///< of one in which faces of a stock's mesh meet
-constexpr double kBends = 0.6, kMostBends = 1.5;  ///< such cells for each triangle, at most
-constexpr double kCellSweep = 16;      ///< of its list: two nodes of a tile for four cells
-constexpr double kTilesAThread = 2;    ///< of them
-constexpr double kFrontTile = 0.45e6;  ///< a tile on the front of those that are done
-constexpr double kTileVoxels = 60;
-constexpr double kTile = 400;          ///< what is kept of each, by the sizes of its records
-constexpr double kMostColumns = 1e9;   ///< surface voxels; a mesh has twice as many triangles
-constexpr double kMoreCells = 1.4;     ///< factor on the expected cells, where tiles are full
-constexpr double kMoreMesh = 1.2;      ///< and on what a mesh without slabs takes beside the table
+// Each cell on the surface in the tiles that a thread makes and joins; how many tiles these are.
+constexpr double kTileCell = 600, kTilesAThread = 2;
+// Each cell in which faces of a stock's mesh meet: it is split and remembered.
+constexpr double kBentCell = 900;
+// Not bytes: such cells for each triangle of the stock, expected and at most.
+constexpr double kBends = 0.6, kMostBends = 1.5;
+// Each sweep in the list of each cell of a tile that a thread is at: two nodes hold lists for four
+// cells.
+constexpr double kCellSweep = 16;
+// Each tile that is done and waits for its neighbours.
+constexpr double kFrontTile = 0.45e6;
+// Each tile with surface, as long as the run lasts: the sizes of its records.
+constexpr double kTile = 400;
+constexpr double kTileVoxels = 60;  ///< voxels along a side of a tile, less those that it shares
+// Voxels on the stock's surface, the most that a run accepts; a mesh has twice as many triangles.
+constexpr double kMostColumns = 1e9;
+// With a limit set by the user: factor on the expected cells, where tiles are full, and on what a
+// mesh without slabs takes beside the table of sweeps.
+constexpr double kMoreCells = 1.4, kMoreMesh = 1.2;
 constexpr std::size_t kSample = 4096;  ///< motions from which the memory of all sweeps is estimated
 
 std::size_t free_memory() {
@@ -55,8 +71,8 @@ double surface_tiles(const StockSolid& stock, double voxel) {
   return std::min(stock.area() / (tile * tile) + 1, all);
 }
 
-// The same in whole tiles: one that sticks out of the stock counts by the share inside it. Cells
-// divided by this number are those of a full tile.
+// The surface tiles in whole ones: a tile that sticks out of the stock counts by the share inside
+// it. Cells divided by this number are those of a full tile.
 double whole_tiles(const StockSolid& stock, double voxel) {
   const double tile = voxel * kTileVoxels;
   const Vec3 size = stock.bounds().hi - stock.bounds().lo;
@@ -84,7 +100,7 @@ struct Need {
   const SweepTable& sweeps;
   std::size_t motions;
   const CarvePlan& options;
-  bool is_most = false;  ///< rather too much: what at_most() tells
+  bool is_most = false;  ///< rather too much, for at_most()
 
   /// With room for more cells where the user has set a limit: that must hold, an estimate may err.
   double at_most(double voxel, bool in_slabs) const {

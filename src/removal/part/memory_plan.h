@@ -1,4 +1,4 @@
-// How much memory a run takes, told before it, and whether it is done as a whole or in slabs.
+// How much memory a run will take, an estimate, and whether it is done as a whole or in slabs.
 // What a mesh with a tolerance takes besides is told by its first cells
 // (mesh/cells/mesh_memory.h).
 #pragma once
@@ -20,7 +20,7 @@ struct MemoryPlan {
 };
 
 /// Throws Error "memory" where the limit in force (core/memory_limit.h) does not leave what a
-/// SweepTable of these would take, told from some of the motions.
+/// SweepTable of these would take, estimated from some of the motions.
 void require_table(std::span<const Motion> motions, std::span<const Tool> tools,
                    const SweepSelection& selection);
 

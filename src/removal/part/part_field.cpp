@@ -19,7 +19,7 @@ namespace {
 constexpr double kNearlyCube = 1.01;  ///< ratio of the radii of a cube about a box and of the box
 constexpr std::size_t kPointsTogether = 3;  ///< points that are worth columns
 constexpr std::size_t kShortList =
-    64;  ///< sweeps in closed form that are cheaper asked than pruned
+    64;  ///< sweeps in closed form that are cheaper evaluated than pruned
 constexpr std::size_t kShortCostly = 16;  ///< other milling sweeps, likewise
 constexpr std::size_t kShortTurned = 16;  ///< turning sweeps, likewise
 
@@ -100,7 +100,7 @@ class CandidateDescent final : public ExactField::Descent {
     double reach = 0;
     bool in_stock = false;
   };
-  // Turning sweeps by name where they are few: asked side by side they cost less than their tree.
+  // Turning sweeps one by one where they are few: side by side they cost less than their tree.
   // False where packs are left.
   bool list(const Level& level, Candidates& out) const {
     out.clear();

@@ -18,15 +18,15 @@ class PartField final : public ExactField {
   Candidates all() const override;
   Region restrict_to(const Box3& box, double band, std::span<const std::uint32_t> in,
                      Candidates& out) const override;
-  /// The same for a list that was made for a larger region. `in_stock`: the whole region lies deep
-  /// in the stock, which then never decides; kept from the larger region, set for this one.
+  /// restrict_to() of a list that was made for a larger region. `in_stock`: the whole region lies
+  /// deep in the stock, which then never decides; kept from the larger region, set for this one.
   Region restrict_to(const PruneRegion& region, double band, const CandidateList& in,
                      bool& in_stock, CandidateList& out) const;
-  /// The same for a region without parts: indices of sweeps, ascending. `in` has no packs of
+  /// restrict_to() for a region without parts: indices of sweeps, ascending. `in` has no packs of
   /// milling sweeps.
   Region restrict_to(const PruneRegion& region, double band, const CandidateList& in,
                      bool& in_stock, Candidates& out) const;
-  /// The same for the four columns of a block, side by side in the order of
+  /// restrict_to() for the four columns of a block, side by side in the order of
   /// CandidateKernels::strip_quarters, whose list is `in`.
   struct Quarter {
     PruneRegion region;

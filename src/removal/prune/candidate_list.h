@@ -28,7 +28,7 @@ struct PruneRegion {
   double tall = 0;    ///< half of a box's height, the same
   double radius = 0;  ///< of the ball about all of it, mm
   bool box = false;
-  bool expand_packs = false;  ///< no packs are to be left: what is will be asked for distances
+  bool expand_packs = false;  ///< no packs may be left: distances are evaluated next
 
   static PruneRegion ball(const Vec3& center, double radius) {
     return {center, radius, radius, radius, false};

@@ -1,7 +1,7 @@
-// Bounds of heights over one region: which sweeps lie above all that is asked, and whether the
+// Bounds of heights over one region: which sweeps lie above all that matters, and whether the
 // whole region lies above the lowest of them (docs/removal.md, Heights).
 //
-// Holds where no more is asked than d within +-band: sweeps that go may be the nearest deeper in
+// Holds where no more is wanted than d within +-band: sweeps that go may be the nearest deeper in
 // the air than that.
 #pragma once
 
@@ -27,7 +27,7 @@ class HeightBounds {
 
   /// The whole region is deeper in one sweep than the band.
   bool is_swept() const { return least_ < swept_; }
-  /// A sweep whose height is more than this everywhere decides nothing that is asked.
+  /// A sweep whose height is more than this everywhere decides nothing that matters.
   float limit() const;
 
  private:

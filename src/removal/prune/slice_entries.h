@@ -8,7 +8,7 @@
 namespace mrsim {
 
 /// An entry that a list is to hold. Lists ascend by class and, where they can, by sweep; one that
-/// is asked for points must ascend by sweep, or is sorted again.
+/// is evaluated at points must ascend by sweep, or is sorted again.
 struct SliceEntry {
   std::uint32_t of = 0;  ///< class
   std::uint32_t number = 0;
@@ -18,7 +18,7 @@ struct SliceEntry {
 using SliceEntries = std::vector<SliceEntry>;
 /// Sorts by merging: each sequence that was appended to the entries ascends already.
 void sort_by_class(SliceEntries& entries);
-/// The same for entries that already ascend within each class.
+/// sort_by_class() for entries that already ascend within each class.
 void sort_by_class(SliceEntries& entries, std::size_t classes);
 
 }  // namespace mrsim

@@ -1,6 +1,6 @@
 // Lines of ball mills, at many points; included by sweep_kernels.inl.
 
-// Balls of one radius: the least square tells the nearest one, so nothing waits for roots or
+// Balls of one radius: the least square is the nearest one's, so nothing waits for roots or
 // branches. Roots are taken of those that rounding could make equal to it.
 template <std::size_t kGroups>
 static void ball_line_least_at(std::size_t first, double radius, const LineRecord* records,

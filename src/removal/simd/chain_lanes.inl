@@ -6,7 +6,7 @@
 // a cone, a cylinder or a ball about the axis is nearest, place and distance are closed. Discs'
 // rims, tori and the inside are searched, from the nearest of these places (docs/sweeps.md).
 
-/// The same move in all lanes.
+/// One move, in all lanes.
 struct OneChain {
   const ChainLine& line;
   V x() const { return splat(line.x); }
@@ -91,9 +91,9 @@ MRSIM_LANE V ends_bound(const ChainTool& tool, const Move& move, const ChainView
               vmax(low - at.w, at.w - high));
 }
 
-/// The same, closer: the tool lies within its flanks, continued, and its ball's tangent planes.
-/// Where that is above `limit`, any bound that is. Right but for rounding (1e-9 mm within 10 m of
-/// the origin).
+/// A closer bound than ends_bound(): the tool lies within its flanks, continued, and its ball's
+/// tangent planes. A result above `limit` only means *above limit*. A lower bound up to 1e-9 mm
+/// within 10 m of the origin.
 template <class Move>
 MRSIM_LANE V chain_bound(const ChainTool& tool, const Move& move, const ChainView& at, V limit) {
   V bound = ends_bound(tool, move, at);
@@ -216,7 +216,7 @@ struct ChainObjective {
     return x;
   }
 
-  /// The same for a flat or bull-nosed tip: where a mill with the same tip is nearest.
+  /// closed() for a flat or bull-nosed tip: where a mill with the same tip is nearest.
   Closed at_flat_tip(M wanted) const {
     const SlantRecord record = tip_record();
     const SlantStretch stretch(record, at.u, at.v, at.w);
@@ -232,7 +232,7 @@ struct ChainObjective {
     return {line.rise < 0 ? one - share : share, f, both(tip, both(clear, less(zero, f)))};
   }
 
-  /// The same within a tool with a flat sharp tip, where its floor and the flank above it are what
+  /// closed() within a tool with a flat sharp tip, where its floor and the flank above it are what
   /// is nearest: both are planes for F, the one linear in t, the other convex. F is least where
   /// they cross, or where the tool is lowest; not where the flank alone decides, which closed()
   /// has.

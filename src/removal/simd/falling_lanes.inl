@@ -6,7 +6,7 @@
 // (docs/sweeps.md).
 //
 // For one point (V = double) or several; included once per instruction set after sweep_lanes.inl.
-// What a lane does depends on its point alone: a mask tells which lanes are wanted, and others keep
+// What a lane does depends on its point alone: a mask says which lanes are wanted, and others keep
 // what they have.
 
 /// A position on a stretch: its parameter, dr and dz there, and their slopes.

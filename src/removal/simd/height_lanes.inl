@@ -108,8 +108,8 @@ static float segment_heights(const CandidateColumns& c, std::size_t n, const Hei
   return least_lane(least);
 }
 
-// The same of horizontal moves, whose rows hold the squared distance in plan (infinite where it is
-// not known) and the height of the tip.
+// The heights of horizontal moves, whose rows hold the squared distance in plan (infinite where it
+// is not known) and the height of the tip.
 static float horizontal_heights(const CandidateRows& rows, std::size_t n, const HeightArgs& a,
                                 float* lower) {
   const HeightTool& t = a.tool;

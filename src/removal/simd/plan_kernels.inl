@@ -5,7 +5,7 @@
 // each other share rho, so it is found once for a column of points, and the least rho gives the
 // least distance.
 
-// The columns of a record before `low` tell the distance in plan; `low`, `core`, `round` and `top`
+// The columns of a record before `low` give the distance in plan; `low`, `core`, `round` and `top`
 // are the tool's section at its height.
 MRSIM_LANE V plan_rho(const LineRecord& r, V x, V y) {
   V c[LineSlot::low];
@@ -85,7 +85,7 @@ static PlanColumns plan_columns(const PointColumns& points) {
   return {depth, points.count / depth};
 }
 
-constexpr std::size_t kFewRecords = 3;  // fewer are asked point by point
+constexpr std::size_t kFewRecords = 3;  // fewer are evaluated point by point
 
 template <class Record>
 static void plan_least_of_each(const Record* records, const std::uint32_t* rows,

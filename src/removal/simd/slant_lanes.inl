@@ -5,10 +5,10 @@
 // nearer. From that position down to the lower end the tool moves away from p in plan and falls: a
 // stretch. Its parameter is the way along the line, so that no slope is above 1.
 
-/// Not above the distance but for rounding (1e-8 mm): the tool's core stays within its radius of
-/// the line, in plan and across it, above its lower end, and above the plane along the line that
-/// its rim touches at the back. Of both pairs the directions are at right angles. `c` are the
-/// columns of SlantRecord.
+/// A lower bound (up to 1e-8 mm) of the distance: the tool's core stays within its radius of the
+/// line, in plan and across it, above its lower end, and above the plane along the line that its
+/// rim touches at the back. Of both pairs the directions are at right angles. `c` are the columns
+/// of SlantRecord.
 MRSIM_LANE V slant_bound(const V* c, V px, V py, V pz) {
   using C = SlantColumn;
   const V ux = c[C::ux], uy = c[C::uy], length = c[C::length], plan = c[C::plan], rise = c[C::rise];

@@ -53,35 +53,35 @@ struct SweepKernels {
   /// Brings the points `active`, a bit each, up to date with sweep `id`, a lowest turn.
   void (*helix)(const HelixRecord& record, std::uint32_t id, std::uint64_t active,
                 PointColumns& points);
-  /// Bounds of the distances of p from slanted lines, not above them but for rounding (1e-8 mm);
-  /// `out` has room for a multiple of PointColumns::kPad.
+  /// Lower bounds (up to 1e-8 mm) of the distances of p from slanted lines. `out` has room for a
+  /// multiple of PointColumns::kPad.
   void (*slant_bounds)(const SlantRecord* records, const std::uint32_t* rows, std::size_t n,
                        const Vec3& p, double* out);
   /// Brings `points` up to date with sweep `id`, a slanted line.
   void (*slant)(const SlantRecord& record, std::uint32_t id, PointColumns& points);
-  /// Distances of p from quarters of upright arcs; where one is above `limit`, any that is. With
-  /// `nearest` those before it limit the others. `out` has room for a multiple of
-  /// PointColumns::kPad.
+  /// Distances of p from quarters of upright arcs. A result above `limit` only means *above limit*.
+  /// With `nearest` each distance lowers the limit for those after it. `out` has room for a
+  /// multiple of PointColumns::kPad.
   void (*upright_list)(const UprightRecord* records, const std::uint32_t* rows, std::size_t n,
                        const Vec3& p, double limit, bool nearest, double* out);
   /// Brings `points` up to date with sweep `id`, an upright arc of `count` quarters.
   void (*upright)(const UprightRecord* quarters, std::size_t count, std::uint32_t id,
                   PointColumns& points);
-  /// Like slant_bounds, of straight moves of one convex tool (1e-9 mm). Where a bound is above
-  /// `limit`, any that is.
+  /// Lower bounds (up to 1e-9 mm) of the distances of p from straight moves of one convex tool. A
+  /// result above `limit` only means *above limit*. `out` has room as for slant_bounds.
   void (*chain_bounds)(const ChainTool& tool, const ChainLine* lines, const std::uint32_t* rows,
                        std::size_t n, const Vec3& p, double limit, double* out);
-  /// The same of moves side by side, with room for a register behind the last.
+  /// As chain_bounds, for moves in columns, with room for a register behind the last one.
   void (*chain_bounds_beside)(const ChainTool& tool, const ChainColumns& lines, std::size_t n,
                               const Vec3& p, double limit, double* out);
   /// Brings `points` up to date with sweep `id`, a straight move of a convex tool.
   void (*chain)(const ChainTool& tool, const ChainLine& line, std::uint32_t id,
                 PointColumns& points);
-  /// Distances of p from level paths, all arcs or all lines, of one tool. Where one is above
-  /// `limit`, any number above it. `out` has room for a multiple of PointColumns::kPad.
+  /// Distances of p from horizontal paths, all arcs or all lines, of one tool. A result above
+  /// `limit` only means *above limit*. `out` has room for a multiple of PointColumns::kPad.
   void (*outline_list)(const OutlineTool& tool, const ProfileRow* paths, const std::uint32_t* rows,
                        std::size_t n, const Vec3& p, double limit, double* out);
-  /// Brings `points` up to date with sweep `id`, a tool of that outline on a level path.
+  /// Brings `points` up to date with sweep `id`, a tool of that outline on a horizontal path.
   void (*outline)(const OutlineTool& tool, const ProfileRow& row, std::uint32_t id,
                   PointColumns& points);
   /// Signed distances of (x, y) from eight polygons with `count` sides less `round`, the bits of

@@ -213,7 +213,7 @@ struct UprightLeast {
   V distance;
   Place at;
 };
-/// Where that is above `limit`, any distance that is.
+/// The least distance and its place. A distance above `limit` only means *above limit*.
 static inline UprightLeast upright_least(const V* c, V px, V py, V pz, V limit, M wanted) {
   limit = limit + splat(kBoundError);
   const UprightStretch stretch(c, px, py, pz, limit);

@@ -117,7 +117,7 @@ std::optional<StockShape> as_box(const Candidate& c) {
              fits_plane(c, t, i, component(box.hi, i), 1);
     if (!fits) return {};
   }
-  // Outward triangles in the faces of a box could still cover it twice: its volume tells.
+  // Outward triangles in the faces of a box could still cover it twice: its volume decides.
   const Vec3 side = box.hi - box.lo;
   if (!near(c.volume, side.x * side.y * side.z, 1e-3 * side.x * side.y * side.z)) return {};
   StockShape shape;

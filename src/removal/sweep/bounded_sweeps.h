@@ -1,5 +1,5 @@
-// The sweeps of a list that are asked on their own, by no kernel of lists: each has a bound below
-// its distance that costs less, found for many at once, so that few of them are asked.
+// The sweeps of a list that are evaluated one by one, by no kernel of lists: each has a bound below
+// its distance that costs less, found for many at once, so that few of them are evaluated.
 #pragma once
 
 #include "removal/columns/sweep_columns.h"
@@ -14,7 +14,7 @@
 
 namespace mrsim {
 
-inline constexpr std::size_t kListChunk = 128;  ///< sweeps of a list that are asked together
+inline constexpr std::size_t kListChunk = 128;  ///< sweeps of a list that are evaluated together
 
 /// The sweeps of one form in a chunk of a list: their rows, and where their results go.
 struct ListPart {

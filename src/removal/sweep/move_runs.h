@@ -18,7 +18,7 @@ class MoveRuns {
  public:
   /// Finds the runs of a list, unless it is the one before.
   void prepare(const SweepColumns& c, std::span<const std::uint32_t> list);
-  /// Finds the bounds of all runs at p. Where one is above `limit`, any bound that is.
+  /// Finds the bounds of all runs at p. A result above `limit` only means *above limit*.
   void measure(const SweepColumns& c, const Vec3& p, double limit);
   /// A sweep in the middle of the run with the least bound, if there is a run.
   std::optional<std::uint32_t> promising() const;

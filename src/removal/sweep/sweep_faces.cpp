@@ -50,7 +50,7 @@ FacePlane horizontal_face(const SweepColumns& c, const SweepRef& ref, const Vec3
   const HorizontalView v = horizontal_view(c, ref);
   const PlanFoot f = face_foot(v, ref, p, patch);
   const double rho =
-      std::sqrt((p.x - f.x) * (p.x - f.x) + (p.y - f.y) * (p.y - f.y));  // of the asked half
+      std::sqrt((p.x - f.x) * (p.x - f.x) + (p.y - f.y) * (p.y - f.y));  // of the wanted half
   const Profile& tool = c.cutter(ref);
   const std::int32_t face = patch & (kBranchPatch - 1);
   return {revolved(p, f.x, f.y, face_gradient(tool, f.rho, p.z - v.z, face)),
@@ -239,7 +239,7 @@ FacePlane local_face(const SweepColumns& c, const SweepRef& ref, const Vec3& p,
   }
 }
 
-// The same face to first order.
+// The face of local_face(), to first order.
 FacePlane local_face_plane(const SweepColumns& c, const SweepRef& ref, const Vec3& p,
                            std::int32_t patch) {
   if (ref.kind == SweepKind::path) {
@@ -270,7 +270,7 @@ SweepSample local_sample(const SweepColumns& c, const SweepRef& ref, const Vec3&
   }
 }
 
-// The same with the side of the path, where the face is a flank.
+// `patch` with the side of the path, where the face is a flank.
 std::int32_t with_flank(const SweepColumns& c, const SweepRef& ref, const Vec3& p,
                         std::int32_t patch) {
   return is_flank(ref, patch) && groove_side(c, ref, p).off > 0 ? patch + kFlankPatch : patch;

@@ -218,8 +218,8 @@ Profile::Foot Profile::nearest(Vec2 q) const {
   return best;
 }
 
-// Both edges of a corner tell, by their tangents there: where they join all but smoothly, rounding
-// makes the corner the foot of places on either side.
+// Both edges of a corner decide, by their tangents there: where they join all but smoothly,
+// rounding makes the corner the foot of places on either side.
 bool Profile::is_outside(const Foot& f, Vec2 q) const {
   const ProfileEdge& e = edges_[f.edge];
   if (f.at_corner < 0 || corners_[f.at_corner] == Corner::smooth) return side(e, q) > 0;

@@ -14,7 +14,7 @@ constexpr double kContact = 1e-6;  // mm: the height changes by its square, 1e-1
 double root(double square) { return square > 0 ? std::sqrt(square) : 0; }
 
 // Where on its move a ball touches, e before the place: at slope wide / sqrt(1 + slope^2), or at
-// the end of the range nearest to it, which is told without roots.
+// the end of the range nearest to it, which is found without roots.
 double ball_contact(double slope, double square, double low, double high) {
   const double rise = slope * slope, found = rise * square;
   if (high <= 0 || found >= high * high * (1 + rise)) return high;

@@ -19,7 +19,7 @@ class Underside {
   /// Height above the tip at distance rho >= 0 from the axis, mm; infinite beyond the wall.
   double height(double rho) const;
   double radius() const { return radius_; }
-  /// The height is a convex function of the distance: bottom() and bounds() may be asked.
+  /// The height is a convex function of the distance: bottom() and bounds() may be called.
   bool is_convex() const { return convex_; }
   /// A flat end and a wall.
   bool is_flat() const {

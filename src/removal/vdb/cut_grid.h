@@ -10,7 +10,7 @@ namespace mrsim {
 
 /// The voxels of the stock before the first cut are active. Each holds the index of the first
 /// motion that removes it, or kStillThere. All other voxels hold kNeverThere. Uniform regions are
-/// tiles. The same for any number of threads. `index`: blocks of the voxels of `transform`.
+/// tiles. Same result for any number of threads. `index`: blocks of the voxels of `transform`.
 openvdb::Int32Grid::Ptr make_cut_grid(const PartField& field, const BlockIndex& index,
                                       const openvdb::math::Transform::Ptr& transform, int threads);
 

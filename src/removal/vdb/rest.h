@@ -8,7 +8,7 @@
 namespace mrsim {
 
 /// The pieces, the largest first. Requires: closed, oriented meshes, voxel > 0, above <= 2 voxels.
-/// The same for any number of threads.
+/// Same result for any number of threads.
 std::vector<RestVoxels> find_rest_voxels(const RestTask& task);
 
 }  // namespace mrsim
