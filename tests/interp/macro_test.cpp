@@ -146,7 +146,7 @@ TEST(Macro, VariablesFromOutside) {
 
 // InterpOptions::trace_variables: the arguments of a call, too, at the line of the call.
 TEST(Macros, AssignmentsAreToldOf) {
-  class Assignments : public CollectingSink {
+  class Assignments : public testing::CollectingSink {
    public:
     void assignment(const SourcePlace& place, const std::string& name,
                     const std::string& value) override {

@@ -4,6 +4,7 @@
 #include "core/units.h"
 #include "interp/interpreter.h"
 #include "interp/show/motion_text.h"
+#include "support/collecting_sink.h"
 #include "support/temp_folder.h"
 
 #include <fstream>
@@ -14,20 +15,6 @@
 #include <gtest/gtest.h>
 
 namespace mrsim {
-
-/// Keeps motions and diagnostics in the Program, as the facade does.
-class CollectingSink : public MotionSink {
- public:
-  void motion(const Motion& m) override { motions.push_back(m); }
-  void event(const Event& e) override {
-    events.push_back(e);
-    events.back().before = motions.size();
-  }
-  void diagnostic(const Diagnostic& d) override { diagnostics.push_back(d); }
-  std::vector<Motion> motions;
-  std::vector<Event> events;
-  std::vector<Diagnostic> diagnostics;
-};
 
 /// A folder of its own that is removed at the end.
 class Scratch {
@@ -43,7 +30,7 @@ class Scratch {
 };
 
 inline Program read_program(const std::string& path, const InterpOptions& options) {
-  CollectingSink sink;
+  testing::CollectingSink sink;
   Program program = interpret(path, options, sink);
   program.motions = std::move(sink.motions);
   program.events = std::move(sink.events);

@@ -26,16 +26,8 @@ using testing::mill;
 constexpr double kFloats = 1e-5;  // mm: coordinates of the corners
 
 Motion arc(Vec3 center, double radius, double from, double sweep) {
-  Motion m;
-  m.kind = MotionKind::arc;
-  m.start = center + radius * Vec3{std::cos(from), std::sin(from), 0};
-  m.end = center + radius * Vec3{std::cos(from + sweep), std::sin(from + sweep), 0};
-  m.center = center;
-  m.axis = {0, 0, 1};
-  m.radius = radius;
-  m.sweep = sweep;
-  m.tool = 0;
-  return m;
+  const Vec3 start = center + radius * Vec3{std::cos(from), std::sin(from), 0};
+  return testing::arc(start, center, {0, 0, 1}, sweep);
 }
 
 // The report of a mesh of these moves in a block of 20 x 20 x 8 mm.
@@ -171,7 +163,7 @@ TEST(Tolerance, GroovesOfASharpTipTakeFewTriangles) {
   EXPECT_NEAR(check_mesh(mesh).volume, 20.0 * 20 * 8 - 20 * 4, 1e-3);
 }
 
-// Flat, ball and bull-nose mills on lines and level arcs leave nothing to samples.
+// Flat, ball and bull-nose mills on lines and horizontal arcs leave nothing to samples.
 TEST(Tolerance, IsProvenOnLinesAndArcs) {
   Tool bull = mill(ToolType::bullmill, 5);
   bull.corner_radius = 1;

@@ -47,18 +47,7 @@ MeshPlan within(double tolerance, int threads = 1) {
 Vec3 vec(const std::array<float, 3>& v) { return {v[0], v[1], v[2]}; }
 
 Motion arc_about_y(Vec3 start, Vec3 center, double sweep) {
-  Motion m;
-  m.kind = MotionKind::arc;
-  m.axis = {0, 1, 0};
-  m.start = start;
-  m.center = center;
-  m.radius = distance(start, center);
-  m.sweep = sweep;
-  const SinCos t = sincos(sweep);
-  const Vec3 arm = start - center;
-  m.end = center + Vec3{t.cos * arm.x + t.sin * arm.z, 0, t.cos * arm.z - t.sin * arm.x};
-  m.tool = 0;
-  return m;
+  return testing::arc(start, center, {0, 1, 0}, sweep);
 }
 
 std::vector<Motion> random_moves(std::mt19937& random) {

@@ -1,12 +1,13 @@
-// Level moves of flat mills against exact plane geometry: at height z the removed region is the
-// union of the stadiums and swept arcs of all moves at or below z (ExactRegion), so the volume is a
-// sum of areas times depths, and membership of a point is that of a point in a polygon.
+// Horizontal moves of flat mills against exact plane geometry: at height z the removed region is
+// the union of the stadiums and swept arcs of all moves at or below z (ExactRegion), so the volume
+// is a sum of areas times depths, and membership of a point is that of a point in a polygon.
 #include "core/units.h"
 #include "interp/interpreter.h"
 #include "mesh/mesh_part.h"
 #include "mesh/solid/check.h"
 #include "oracle/exact_region.h"
 #include "removal/part/part_field.h"
+#include "support/collecting_sink.h"
 #include "support/random.h"
 #include "support/rounds.h"
 
@@ -183,13 +184,6 @@ TEST(MillingOracle, VolumeOfRandomProgramsIsThatOfTheUnion) {
   EXPECT_GE(compared, rounds(20));
 }
 
-class Collector : public MotionSink {
- public:
-  void motion(const Motion& m) override { motions.push_back(m); }
-  void diagnostic(const Diagnostic&) override {}
-  std::vector<Motion> motions;
-};
-
 struct RealProgram {
   const char* name;
   double diameter;  // of the tool where the program does not describe it; 0: it does
@@ -209,7 +203,7 @@ TEST_P(RealPrograms, VolumeAndPointsAreThoseOfTheUnion) {
     tool.id = "1";
     options.table.tools.push_back(tool);
   }
-  Collector collector;
+  testing::CollectingSink collector;
   const Program program = interpret(std::string(MRSIM_DATA_DIR "/") + name, options, collector);
   Milled part{stock, program.tools, {}};
   for (const Motion& m : collector.motions)

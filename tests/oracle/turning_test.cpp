@@ -8,6 +8,7 @@
 #include "oracle/exact_region.h"
 #include "removal/part/part_field.h"
 #include "removal/tool/tool.h"
+#include "support/collecting_sink.h"
 #include "support/random.h"
 #include "support/rounds.h"
 
@@ -241,15 +242,8 @@ TEST(TurningOracle, VolumeOfContoursIsThatOfPappus) {
   EXPECT_GE(compared, rounds(6));
 }
 
-class Collector : public MotionSink {
- public:
-  void motion(const Motion& m) override { motions.push_back(m); }
-  void diagnostic(const Diagnostic&) override {}
-  std::vector<Motion> motions;
-};
-
 TEST(TurningOracle, PrimerIsWhatItsInsertSweeps) {
-  Collector collector;
+  testing::CollectingSink collector;
   const Program program = interpret(MRSIM_DATA_DIR "/PRIMER_2S.MPF", {}, collector);
   const Turned part{25, 0, 51, program.tools, collector.motions};
   const ExactRegion region = region_of(part);

@@ -12,6 +12,7 @@
 #include "removal/prune/prune.h"
 #include "removal/simd/sweep_kernels.h"
 #include "removal/sweep/sweep_table.h"
+#include "support/collecting_sink.h"
 #include "support/random.h"
 #include <mrsim/mrsim.h>
 
@@ -43,14 +44,6 @@ class Bits {
   std::uint64_t state_ = 0x243f6a8885a308d3u;
 };
 
-class Collector : public MotionSink {
- public:
-  void motion(const Motion& m) override { motions.push_back(m); }
-  void diagnostic(const Diagnostic& d) override { diagnostics.push_back(d); }
-  std::vector<Motion> motions;
-  std::vector<Diagnostic> diagnostics;
-};
-
 std::string base_name(const std::string& path) { return path.substr(path.find_last_of('/') + 1); }
 
 void hash_trace(const std::string& path) {
@@ -59,7 +52,7 @@ void hash_trace(const std::string& path) {
   tool.diameter = 10;
   options.table.tools.push_back(tool);
   options.require_tools = false;
-  Collector found;
+  testing::CollectingSink found;
   Bits bits;
   try {
     Program program = interpret(path, options, found);
@@ -169,7 +162,7 @@ void hash_sweeps(const Kind& kind) {
 }
 
 void hash_mesh(const std::string& path, const StockShape& stock, double voxel, double tolerance) {
-  Collector found;
+  testing::CollectingSink found;
   const Program program = interpret(path, {}, found);
   const PartField field(StockSolid(stock), SweepTable(found.motions, program.tools));
   MeshPlan options;

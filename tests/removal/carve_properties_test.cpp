@@ -16,7 +16,7 @@ struct Kind {
   Tool tool;
 };
 
-// All but form tools, whose search takes too long here off level moves (docs/sweeps.md).
+// All but form tools, whose search takes too long here off horizontal moves (docs/sweeps.md).
 std::vector<Kind> kinds() {
   std::vector<Kind> all{{"flat", endmill(3)},
                         {"closed", endmill(3, 0.5, 4)},

@@ -1,8 +1,8 @@
 // Scenes of collisions: moves one after the other, a block and a bar, and what a check finds there.
 #pragma once
 
-#include "core/vec.h"
 #include "removal/collision/collisions.h"
+#include "support/path_builder.h"
 #include "support/shapes.h"
 #include "support/tools.h"
 
@@ -16,34 +16,9 @@ inline StockShape block() { return box_stock({0, 0, -20}, {100, 60, 0}); }
 
 inline StockShape bar() { return round_stock(25, 0, 0, 50); }
 
-// Moves from where the last one ended; lines are numbered from 1.
-class Moves {
+class Moves : public PathBuilder<Moves> {
  public:
-  explicit Moves(Vec3 start) : at_(start) {}
-  Moves& rapid(Vec3 to) { return add(MotionKind::rapid, to); }
-  Moves& cut(Vec3 to) { return add(MotionKind::line, to); }
-  Moves& arc(Vec3 to, Vec3 center, double sweep) {
-    add(MotionKind::arc, to);
-    Motion& m = motions.back();
-    m.center = center;
-    m.radius = distance(m.start, center);
-    m.sweep = sweep;
-    return *this;
-  }
-  std::vector<Motion> motions;
-
- private:
-  Moves& add(MotionKind kind, Vec3 to) {
-    Motion m;
-    m.kind = kind;
-    m.start = at_;
-    m.end = at_ = to;
-    m.tool = 0;
-    m.line = static_cast<int>(motions.size()) + 1;
-    motions.push_back(m);
-    return *this;
-  }
-  Vec3 at_;
+  using PathBuilder::PathBuilder;
 };
 
 inline CollisionReport check(const StockShape& stock, const std::vector<Motion>& motions,

@@ -1,4 +1,5 @@
 // The stock of a run that gives none, on mills.
+#include "core/units.h"
 #include "support/stock_path.h"
 
 #include <gtest/gtest.h>
@@ -130,20 +131,24 @@ TEST(DefaultStock, KnowsHowFarUprightArcsReach) {
                           .rapid({-25, 0, 5})
                           .rapid({-25, 0, 0})
                           .cut({-20, 0, 0})
-                          .arc({20, 0, 0}, {0, 0, 0}, -0.5)
+                          .arc({20, 0, 0}, {0, 0, 0}, -kPi, {0, 1, 0})
                           .box();
   EXPECT_EQ(trough.hi.z, 0);
   EXPECT_EQ(trough.lo.x, -30);
   EXPECT_EQ(trough.lo.z, -23);
-  EXPECT_EQ(
-      StockPath().rapid({-25, 0, 5}).cut({-20, 0, 0}).arc({20, 0, 0}, {0, 0, 0}, 0.5).box().hi.z,
-      20);
+  EXPECT_EQ(StockPath()
+                .rapid({-25, 0, 5})
+                .cut({-20, 0, 0})
+                .arc({20, 0, 0}, {0, 0, 0}, kPi, {0, 1, 0})
+                .box()
+                .hi.z,
+            20);
   // A way out on a quarter of a circle ends in the air, as a way in begins there.
   EXPECT_EQ(StockPath()
                 .rapid({0, 0, 5})
                 .cut({0, 0, -1})
                 .cut({50, 0, -1})
-                .arc({53, 0, 2}, {50, 0, 2}, -0.25)
+                .arc({53, 0, 2}, {50, 0, 2}, -kPi / 2, {0, 1, 0})
                 .rapid({53, 0, 5})
                 .top(),
             0);

@@ -1,4 +1,4 @@
-// Tools of any outline on level paths: the kernels give the bits of the profile's distance, on
+// Tools of any outline on horizontal paths: the kernels give the bits of the profile's distance, on
 // every instruction set, in lists and for many points.
 #include "removal/forms/outline.h"
 

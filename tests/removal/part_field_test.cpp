@@ -86,7 +86,7 @@ TEST(PartField, FacesOfMillingSweeps) {
     const std::vector<Motion> motions{
         line({-5, 10, 12}, {45, 14, 12}),                            // level
         line({5, 30, 18}, {35, 32, 8}),                              // slanted
-        arc({30, 20, 10}, {22, 20, 10}, {0, 0, 1}, kPi),             // level arc
+        arc({30, 20, 10}, {22, 20, 10}, {0, 0, 1}, kPi),             // horizontal arc
         arc({12, 34, 16}, {8, 34, 16}, {0, 0, 1}, -2 * kTwoPi, -6),  // helix
     };
     expect_faces_agree(PartField(StockSolid(shape), SweepTable(motions, std::span(&tool, 1))));

@@ -1,3 +1,4 @@
+#include "support/moves.h"
 #include <mrsim/cycle_time.h>
 
 #include <cmath>
@@ -9,9 +10,8 @@ namespace mrsim {
 namespace {
 
 Motion line(const Vec3& start, const Vec3& end, double feed) {
-  Motion m;
-  m.kind = MotionKind::line;
-  m.start = start, m.end = end, m.feed = feed, m.tool = 0;
+  Motion m = testing::line(start, end);
+  m.feed = feed;
   return m;
 }
 
