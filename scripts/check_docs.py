@@ -1,8 +1,9 @@
 #!/usr/bin/env python3
 """Checks what documents and comments say of the repository: files that they name exist, and ARCHITECTURE.md tells every room.
 
-Checked are links and names of sources in backquotes, and names of sources in comments of src and include. Lines of prose have at most 120
-characters. ARCHITECTURE.md has each room of scripts/check_includes.py, and a walk of at most 12 files. Exit 1 and one line a fault.
+Checked are links and names of sources in backquotes, and in comments of src and include the names of sources, of members (Name::member)
+and of functions (name()): code must have them, outside of comments. Lines of prose have at most 120 characters. ARCHITECTURE.md has each room of
+scripts/check_includes.py, and a walk of at most 12 files. Exit 1 and one line a fault.
 """
 
 import glob
@@ -16,6 +17,10 @@ ROOT = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..")
 SOURCE = re.compile(r"`([A-Za-z0-9_./-]+\.(?:h|cpp|inl|py|sh))`")
 COMMENT = re.compile(r"//.*")
 NAMED = re.compile(r"(?<![<\w./-])((?:[a-z_0-9]+/)*[a-z][a-z_0-9]*\.(?:h|cpp|inl))\b")
+WORD = re.compile(r"\w+")
+CALLED = re.compile(r"(\w+)\s*\(")
+MEMBER = re.compile(r"\b([A-Z]\w+)::(~?\w+)")
+FUNCTION = re.compile(r"(?<![\w.:>-])([a-z]\w+)\(\)")
 LINK = re.compile(r"\]\(([^)#:]+)(?:#[^)]*)?\)")
 WHERE = ("", "src", "include", "include/mrsim", "tests", "bench", "scripts")
 
@@ -50,12 +55,32 @@ def check_comments(path, text, known):
                 yield f"{path}: a comment names {name}, which does not exist"
 
 
+def code_names(paths):
+    """Words of each source without its comments, and the names that are called, declared or defined in any of them."""
+    words, called = [], set()
+    for path in paths:
+        code = COMMENT.sub("", read(path))
+        words.append(set(WORD.findall(code)))
+        called.update(CALLED.findall(code))
+    return words, called
+
+
+def check_code_names(path, text, words, called):
+    for comment in COMMENT.findall(text):
+        for name, member in MEMBER.findall(comment):
+            if not any(name in known and member.lstrip("~") in known for known in words):
+                yield f"{path}: a comment names {name}::{member}, which no source has"
+        for name in FUNCTION.findall(comment):
+            if name not in called:
+                yield f"{path}: a comment names {name}(), which no source has"
+
+
 def check_lines(path, text):
     """Lines of prose; those of tables and of programs are as long as they are."""
     fenced = False
     for number, line in enumerate(text.splitlines(), 1):
         fenced ^= line.lstrip().startswith("```")
-        if len(line) > 120 and not fenced and not line.startswith(("|", "    ", "[")):
+        if len(line) > 120 and not fenced and not line.lstrip().startswith("|") and not line.startswith(("    ", "[")):
             yield f"{path}:{number}: {len(line)} characters, at most 120 are wanted"
 
 
@@ -79,9 +104,11 @@ def main():
     paths += [os.path.relpath(path, ROOT) for path in sorted(glob.glob(os.path.join(ROOT, "docs", "*.md")))]
     faults = [fault for path in paths for fault in check_names(path, read(path), known)]
     faults += [fault for path in paths + ["CHANGELOG.md"] for fault in check_lines(path, read(path))]
-    for path in sorted(known):
-        if path.startswith(("src/", "include/")) and path.endswith((".h", ".cpp", ".inl")):
-            faults += check_comments(path, read(path), known)
+    code = [path for path in sorted(known) if path.startswith(("src/", "include/")) and path.endswith((".h", ".cpp", ".inl"))]
+    words, called = code_names(code)
+    for path in code:
+        faults += check_comments(path, read(path), known)
+        faults += check_code_names(path, read(path), words, called)
     faults += check_architecture(read("ARCHITECTURE.md"))
     for fault in faults:
         print(fault)
