@@ -23,13 +23,17 @@ namespace {
 // keeps its volume within 0.03 % (docs/accuracy.md) in a run of a second.
 constexpr double kToleranceShare = 1.7e-4;
 
+// How many times as coarse a mesh within a tolerance may be before the grid takes its place: a
+// quarter of the grid's cells.
+constexpr double kMostRaised = 4;
+
 // Sweeps in the sample from which the area of the cut surface is estimated where the voxel is
 // given.
 constexpr std::size_t kEnoughSweeps = 10000;
 
 // Cells of the grid: it is made coarser above the first number (about two seconds of two cores),
 // and finer than its default only up to the second one.
-constexpr double kMostGridCells = 1e6, kFewGridCells = 4e5;
+constexpr double kMostGridCells = 1e6, kFewGridCells = 4e5, kMostSearchedCells = 4e5;
 // Voxels on the cut surface that a mesh within a tolerance scans for what its larger cells may
 // hide; above this number the voxel is raised.
 constexpr double kMostScanned = 1e5;
@@ -43,9 +47,15 @@ constexpr double kFewSweeps = 20, kMostSweeps = 6.5e5, kMostSearched = 6e4;
 // Average number of creasing sweeps in a block up to which a part counts as plain (pockets, holes):
 // its cells take half the time.
 constexpr double kPlainSweeps = 1.5;
+// Cells of the wished size up to which another octree is worth its time where the first one has too
+// many nodes: on more of them, or where creases are closer, it mostly has as well.
+constexpr double kMostRetried = 1.2e5;
+// Share of the cuts above which helices are many.
+constexpr double kManyHelices = 0.25;
 // Nodes of the octree, made in some five seconds of two cores, after which the grid takes its
 // place. Those about the crests of a winding helix take three times as long.
-constexpr std::size_t kMostNodes = 250'000, kMostPlainNodes = 500'000, kMostWindingNodes = 80'000;
+constexpr std::size_t kMostNodes = 250'000, kMostPlainNodes = 400'000, kMostHelixNodes = 200'000,
+                      kMostWindingNodes = 80'000, kMostSearchedNodes = 60'000;
 
 double longest_side(const Box3& box) {
   const Vec3 size = box.hi - box.lo;
@@ -116,8 +126,8 @@ double sweeps_met(const detail::SurfaceSurvey& survey) {
 
 // Whether a mesh within the tolerance is worth a try. What it takes is known once its octree is
 // made.
-bool may_suit_tolerance(const detail::SurfaceSurvey& survey, bool has_searched_helix) {
-  if (has_searched_helix && sweeps_met(survey) > kMostSearched) return false;
+bool may_suit_tolerance(const detail::SurfaceSurvey& survey, bool searches_arc) {
+  if (searches_arc && sweeps_met(survey) > kMostSearched) return false;
   if (survey.sweeps > kFewSweeps && sweeps_met(survey) > kMostSweeps) return false;
   return survey.creasing <= kMostCreasing;
 }
@@ -137,14 +147,26 @@ bool has_winding_helix(const CutList& cuts) {
   });
 }
 
-// Whether a helix is cut by a tool whose distance has no closed form there, so that each one is
-// searched (helix_sweep.h).
-bool has_searched_helix(const CutList& cuts) {
+// Whether many of the cuts are helices, by tools whose distance has a closed form there.
+bool has_many_helices(const CutList& cuts) {
+  const auto cut = std::ranges::count_if(cuts.motions(), is_cut);
+  const auto helices = std::ranges::count_if(
+      cuts.motions(), [](const Motion& m) { return is_cut(m) && is_helix(m); });
+  return helices > kManyHelices * static_cast<double>(cut);
+}
+
+bool is_upright_arc(const Motion& motion) {
+  return motion.kind == MotionKind::arc && std::abs(dot(motion.axis, motion.tool_axis)) < 0.5;
+}
+
+// Whether an arc is cut by a tool whose distance has no closed form there, so that each one is
+// searched (helix_sweep.h, upright_sweep.h).
+bool has_searched_arc(const CutList& cuts) {
   std::vector<char> is_searched;
   for (const Tool& tool : cuts.tools())
-    is_searched.push_back(!make_tool_shape(tool).cutter.is_rounded());
+    is_searched.push_back(!is_turning(tool.type) && !make_tool_shape(tool).cutter.is_rounded());
   return std::ranges::any_of(cuts.motions(), [&](const Motion& motion) {
-    return is_helix(motion) && motion.tool >= 0 &&
+    return is_cut(motion) && (is_helix(motion) || is_upright_arc(motion)) && motion.tool >= 0 &&
            is_searched[static_cast<std::size_t>(motion.tool)];
   });
 }
@@ -154,9 +176,9 @@ bool has_searched_helix(const CutList& cuts) {
 // a form tool, whose crests are narrower than cells, took 1.1 million instead of 0.12, and 264 s.
 constexpr double kCellBytes = 2.5e3, kCellSeconds = 5e-5, kSearchedSeconds = 10 * kCellSeconds;
 
-std::string needs_text(const detail::SurfaceSurvey& survey, double cell, bool searches_helix) {
+std::string needs_text(const detail::SurfaceSurvey& survey, double cell, bool searches_arc) {
   const double cells = std::max(survey.cells(cell), sweeps_met(survey));
-  const double seconds = cells * (searches_helix ? kSearchedSeconds : kCellSeconds);
+  const double seconds = cells * (searches_arc ? kSearchedSeconds : kCellSeconds);
   return fmt::format("would take about {} cells, perhaps {:.1g} GB and {:.0f} s of one core",
                      count_text(cells), cells * kCellBytes / 1e9, std::ceil(seconds));
 }
@@ -185,8 +207,9 @@ void fit_voxel(const detail::SurfaceSurvey& survey, double cell, MeshChoice& cho
   while (finer_voxel(grid) >= choice.voxel && survey.cells(finer_voxel(grid)) <= kFewGridCells)
     grid = finer_voxel(grid);
   const double finest = grid;
-  while (survey.cells(grid) > kMostGridCells) grid = coarser_grid(grid);
-  if (!choice.is_default || may_suit_tolerance(survey, choice.searches_helix)) {
+  const double most = choice.searches_arc ? kMostSearchedCells : kMostGridCells;
+  while (survey.cells(grid) > most) grid = coarser_grid(grid);
+  if (!choice.is_default || may_suit_tolerance(survey, choice.searches_arc)) {
     const double given = choice.voxel;
     while (survey.cells(choice.voxel) > kMostScanned && next_voxel(choice.voxel) <= choice.radius)
       choice.voxel = next_voxel(choice.voxel);
@@ -195,7 +218,7 @@ void fit_voxel(const detail::SurfaceSurvey& survey, double cell, MeshChoice& cho
                                         given, choice.voxel_reason);
     return;
   }
-  take_grid(choice, needs_text(survey, cell, choice.searches_helix));
+  take_grid(choice, needs_text(survey, cell, choice.searches_arc));
   choice.voxel_reason =
       choice.voxel > finest
           ? fmt::format("{:.6g} mm would take about {} cells", finest,
@@ -215,7 +238,8 @@ MeshChoice choose_mesh(const Job& job, const StockShape& stock, const CutList& c
   if (choice.voxel != 0) return choice;
   choice.fits_voxel = true;
   choice.radius = smallest_radius(cuts, stock.box.hi.z);
-  choice.searches_helix = has_searched_helix(cuts);
+  choice.searches_arc = has_searched_arc(cuts);
+  choice.has_many_helices = has_many_helices(cuts);
   choice.has_winding_helix = has_winding_helix(cuts);
   const VoxelChoice voxel = default_voxel(stock, choice.radius);
   choice.voxel = voxel.voxel;
@@ -225,10 +249,12 @@ MeshChoice choose_mesh(const Job& job, const StockShape& stock, const CutList& c
   choice.tolerance = longest * kToleranceShare;
   choice.tolerance_reason = fmt::format("0.017 % of the longest side, {:.6g} mm", longest);
   choice.is_default = true;
+  choice.most_tolerance = kMostRaised * choice.tolerance;
   if (job.accept > 0 && choice.tolerance > job.accept / 4) {
     choice.tolerance = job.accept / 4;
     choice.tolerance_reason = fmt::format("a quarter of --accept, {:.6g} mm", job.accept);
     choice.is_default = false;
+    choice.most_tolerance = 0;
   }
   return choice;
 }
@@ -245,9 +271,24 @@ void fit_mesh(const ExactField& field, int threads, MeshChoice& choice) {
   choice.cut_cells = survey.crossed_cells(choice.voxel);
   choice.block_sweeps = survey.sweeps;
   if (!choice.is_default) return;
-  if (!is_plain(survey)) choice.most_nodes = kMostNodes;
-  if (choice.has_winding_helix) choice.most_nodes = kMostWindingNodes;
+  choice.makes_new_octrees = survey.cells(cell) <= kMostRetried;
+  if (choice.searches_arc)
+    choice.most_nodes = kMostSearchedNodes;
+  else if (choice.has_winding_helix)
+    choice.most_nodes = kMostWindingNodes;
+  else if (choice.has_many_helices)
+    choice.most_nodes = kMostHelixNodes;
+  else if (!is_plain(survey))
+    choice.most_nodes = kMostNodes;
   choice.fallback_cells = survey.crossed_cells(choice.fallback_voxel);
+}
+
+void raise_tolerance(MeshChoice& choice, double raised) {
+  choice.tolerance_reason = fmt::format(
+      "raised from {:.4g} mm, {}, which takes more than {} cells; --tolerance {:.4g} insists on it",
+      choice.tolerance, choice.tolerance_reason, count_text(static_cast<double>(choice.most_nodes)),
+      choice.tolerance);
+  choice.tolerance = raised;
 }
 
 void give_up_tolerance(MeshChoice& choice, const std::string& why) {

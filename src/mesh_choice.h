@@ -18,12 +18,16 @@ struct MeshChoice {
   double tolerance = 0;  ///< mm, 0 = the grid of the voxels
   std::string tolerance_reason;
   double radius = 0;               ///< mm: the smallest with which a tool cuts, 0 = none has one
-  bool searches_helix = false;     ///< a cut is a helix that costs a search for each point
+  bool searches_arc = false;       ///< a cut is a helix or upright arc that costs a search for each
+                                   ///< point
+  bool has_many_helices = false;   ///< more than a quarter of the cuts
   bool has_winding_helix = false;  ///< a cut of several turns leaves crests between them
   bool fits_voxel = false;         ///< it was not given: fit_mesh() may change it
   bool is_default = false;         ///< nor was the tolerance: likewise
   bool measure = false;            ///< MeshPlan::measure
   std::size_t most_nodes = 0;      ///< MeshPlan::most_nodes: 0 where the tolerance is a wish
+  double most_tolerance = 0;       ///< MeshPlan::most_tolerance
+  bool makes_new_octrees = false;  ///< MeshPlan::makes_new_octrees
   double fallback_voxel = 0;       ///< mm: of the grid where the tolerance is given up
   double fallback_cells = 0;       ///< CarvePlan::cut_cells of that grid
   double cut_cells = 0;            ///< CarvePlan::cut_cells
@@ -36,6 +40,9 @@ MeshChoice choose_mesh(const Job& job, const StockShape& stock, const CutList& c
 /// Looks how large the cut surface is. Voxel and tolerance that were not given get coarser where it
 /// is so large that the run would take long.
 void fit_mesh(const ExactField& field, int threads, MeshChoice& choice);
+
+/// The mesh is within `raised` (mm), because what was chosen takes too many cells.
+void raise_tolerance(MeshChoice& choice, double raised);
 
 /// The mesh within the tolerance was given up for the grid of choice.fallback_voxel.
 void give_up_tolerance(MeshChoice& choice, const std::string& why);

@@ -28,6 +28,8 @@ MeshPlan chosen_plan(const Job& job, const Stock& stock, const MeshChoice& choic
   plan.tolerance = choice.tolerance;
   plan.measure = choice.measure || (job.accept > 0 && choice.tolerance == 0);
   plan.most_nodes = choice.most_nodes;
+  plan.most_tolerance = choice.most_tolerance;
+  plan.makes_new_octrees = choice.makes_new_octrees;
   // A limit that the user has set must hold; the mesher's estimate may err.
   const double left = static_cast<double>(stock.memory_limit()) - stock.memory_expected();
   plan.max_memory = static_cast<std::size_t>(left / (job.carve.max_memory > 0 ? kMeshErr : 1));
@@ -64,6 +66,7 @@ MeshReport MeshMaker::make() {
   const MeshPlan plan = chosen_plan(job_, stock_, choice_);
   MeshReport found = plan.tolerance > 0 ? extract(plan) : extract_grid(plan);
   memory_ = std::max(memory_, stock_.memory_expected() + found.memory);
+  if (found.tolerance > choice_.tolerance) raise_tolerance(choice_, found.tolerance);
   if (found.given_up.empty()) return found;
   give_up_tolerance(choice_, found.given_up);
   release_freed_memory();
@@ -102,7 +105,8 @@ double volume_before(const Job& job, const StockShape& shape, const MeshChoice& 
     plan.keep_grid = false;  // of a stock that only its volume is asked of
     const Stock stock = carve(shape, shape.history.motions, shape.history.tools, plan);
     MeshPlan mesh = mesh_plan(job.mesh);
-    mesh.tolerance = choice.tolerance, mesh.most_nodes = choice.most_nodes;
+    mesh.tolerance = choice.tolerance;
+    mesh.most_nodes = choice.most_nodes, mesh.most_tolerance = choice.most_tolerance;
     MeshReport found;
     MeshAudit audit(mesh.threads);
     extract_mesh(stock, mesh, audit, &found);

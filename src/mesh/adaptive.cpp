@@ -42,21 +42,29 @@ constexpr std::size_t kMostRounds = 24;   ///< of splitting, where a grid may ta
 constexpr std::size_t kCarefulRounds = 4;  ///< of splitting, by one step each
 constexpr int kLateSteps = 3;              ///< of splitting in one round after those
 constexpr std::size_t kFew = 100;          ///< cells are few where nodes are as many times more
-constexpr std::size_t kDrawnRounds = 8;    ///< in which more detail may take the place of splitting
+constexpr double kSplitNodes = 8;          ///< that a failed cell adds
+constexpr double kRaisedShare = 0.7;  ///< of the most nodes, once the tolerance has been raised
+constexpr double kGrown = 1.25;    ///< times its present nodes, which the octree may grow by then
+constexpr double kFullRounds = 5;  ///< with the most nodes: what all rounds together may take
+constexpr double kMoreRounds = 1;  ///< in addition, each time the tolerance is raised for that
+constexpr std::size_t kDrawnRounds = 8;  ///< in which more detail may take the place of splitting
 
 class AdaptiveMesher {
  public:
-  AdaptiveMesher(const ExactField& field, const Lattice& lattice, const MeshPlan& options,
-                 MeshReport& report)
+  /// `tolerance`: mm, the one of `options` or what it was raised to.
+  AdaptiveMesher(const ExactField& field, const Lattice& lattice, double tolerance,
+                 const MeshPlan& options, MeshReport& report)
       : field_(field),
         options_(options),
+        tolerance_(tolerance),
+        most_nodes_((tolerance > options.tolerance ? kRaisedShare : 1) *
+                    static_cast<double>(options.most_nodes)),
         report_(report),
         timer_(report, options.progress),
-        tree_(field, lattice, options.tolerance, options.threads,
-              {options.max_memory, options.most_nodes}),
-        certifier_(field, tree_, options.tolerance, options.threads),
+        tree_(field, lattice, tolerance, options.threads,
+              {options.max_memory, static_cast<std::size_t>(most_nodes_)}),
         surface_(std::in_place, field, tree_,
-                 DualSurface::Options{.shallow = options.tolerance / 8,
+                 DualSurface::Options{.shallow = tolerance / 8,
                                       .sharpen = true,
                                       .remember = true,
                                       .threads = options.threads}) {
@@ -80,18 +88,18 @@ class AdaptiveMesher {
   }
 
   TriMesh mesh() {
-    report_.memory = detail::expected_memory(field_, tree_, options_.tolerance, options_.threads);
-    detail::require_mesh_memory(report_.memory, options_.max_memory, options_.tolerance);
+    report_.memory = detail::expected_memory(field_, tree_, tolerance_, options_.threads);
+    detail::require_mesh_memory(report_.memory, options_.max_memory, tolerance_);
     timer_.expect(kSecondsPerByte * report_.memory / resolve_threads(options_.threads));
     timer_.step("tree");
     tree_.mark_drawn();  // their surface is part of the expected memory
-    detail::require_cells(detail::expected_nodes(report_.memory), options_.most_nodes);
+    detail::require_cells(detail::expected_nodes(report_.memory), most_nodes_);
     first_nodes_ = static_cast<double>(tree_.size());
     find_topology();
-    require_few(0);
+    detail::require_cells(nodes_after_first(0), most_nodes_);
     for (int k = 0; k < kCrowdedRounds && tree_.split(surface_->crowded()) > 0; ++k)
       find_topology();
-    require_few(0);
+    detail::require_cells(nodes_after_first(0), most_nodes_);
     make_triangles();
     while (split_failed()) {
       if (options_.most_nodes > 0 && report_.passes >= kMostRounds)
@@ -108,14 +116,15 @@ class AdaptiveMesher {
     mesh = detail::cut_owner_borders(field_, tree_, mesh, border_room(), options_.threads);
     timer_.step("borders");
     mesh = simplified(mesh);
-    const detail::MeshCertifier::Total total = certifier_.total(mesh);
+    const detail::MeshCertifier::Total total = certifier().total(mesh);
+    report_.tolerance = tolerance_;
     report_.bound = total.bound;
     report_.sampled = total.sampled;
-    report_.volume_excess = certifier_.volume_excess(mesh);
+    report_.volume_excess = certifier().volume_excess(mesh);
     timer_.step("certify");
     TriMesh out = detail::to_tri_mesh(mesh);
-    report_.thin = detail::distinct(detail::lost_features(
-        field_, tree_, tree_.doubtful_edges(), out, options_.tolerance, options_.threads));
+    report_.thin = detail::distinct(detail::lost_features(field_, tree_, tree_.doubtful_edges(),
+                                                          out, tolerance_, options_.threads));
     timer_.step("thin");
     return out;
   }
@@ -128,6 +137,7 @@ class AdaptiveMesher {
     tree_.mark_drawn();
     surface_->find_loops(std::move(grid));
     ++report_.passes;
+    work_ += static_cast<double>(tree_.size());
     timer_.step("loops");
   }
 
@@ -202,60 +212,98 @@ class AdaptiveMesher {
     return bad;
   }
 
-  // Splits cells whose triangles are not within the tolerance. False when none is left that can be
-  // split.
-  bool split_failed() {
+  // What the triangles of a round ask for.
+  struct Failures {
+    std::vector<std::uint64_t> hashes;              ///< of all triangles
+    std::vector<Detail> wanted;                     ///< of all triangles
+    std::vector<std::vector<std::int32_t>> guilty;  ///< cells to split, of all triangles
+    std::size_t cells = 0;                          ///< with duplicates
+  };
+
+  Failures find_failures() const {
     const BaseMesh& base = surface_->mesh();
-    require_room(detail::kCertifyMemory);
     const LabelledMesh mesh = label(base);
-    const double limit = kBaseShare * options_.tolerance;
-    std::vector<std::vector<std::int32_t>> failed(mesh.triangles.size());
-    std::vector<std::uint64_t> hashes(mesh.triangles.size());
-    std::vector<Detail> wanted(mesh.triangles.size(), Detail::flat);
-    using Certifier = detail::MeshCertifier;
+    const double limit = kBaseShare * tolerance_;
+    const detail::MeshCertifier certifier = this->certifier();
+    const std::size_t count = mesh.triangles.size();
+    Failures out{std::vector<std::uint64_t>(count), std::vector<Detail>(count, Detail::flat),
+                 std::vector<std::vector<std::int32_t>>(count)};
     parallel_for_chunks(
-        mesh.triangles.size(), options_.threads, Certifier::kChunk,
+        count, options_.threads, detail::MeshCertifier::kChunk,
         [&](std::size_t begin, std::size_t end) {
           detail::FaceDistances distances(field_);
           for (std::size_t t = begin; t < end; ++t) {
-            hashes[t] = triangle_hash(mesh, t);
-            if (passed_.find(hashes[t]) >= 0) continue;
-            const double bound = certifier_.certified(mesh, t, limit, distances).distance;
+            out.hashes[t] = triangle_hash(mesh, t);
+            if (passed_.find(out.hashes[t]) >= 0) continue;
+            const double bound = certifier.certified(mesh, t, limit, distances).distance;
             if (bound <= limit) continue;
-            if (!misses_crease(mesh, t, distances)) wanted[t] = detail_for(base, t, bound / limit);
-            if (wanted[t] == Detail::flat)
-              failed[t] = detail::guilty_cells(field_, tree_, *surface_, mesh, t, is_late());
+            if (!misses_crease(mesh, t, distances))
+              out.wanted[t] = detail_for(base, t, bound / limit);
+            if (out.wanted[t] == Detail::flat)
+              out.guilty[t] = detail::guilty_cells(field_, tree_, *surface_, mesh, t, is_late());
           }
         });
-    std::size_t refined = 0;
-    for (std::size_t t = 0; t < hashes.size(); ++t)
-      if (wanted[t] != Detail::flat) {
-        surface_->refine(surface_->crossings()[static_cast<std::size_t>(base.crossings[t])],
-                         wanted[t]);
-        ++refined;
-      } else if (failed[t].empty()) {
-        passed_.insert(hashes[t], 0);
-      }
+    for (const auto& cells : out.guilty) out.cells += cells.size();
+    return out;
+  }
+
+  // Raises the tolerance until the cells that fail may be split; throws where it must not be raised
+  // so far.
+  Failures find_failures_that_fit() {
+    Failures found = find_failures();
+    while (!fits(found.cells)) {
+      if (!may_raise()) throw Error("mesh-unresolved", detail::too_many_cells(most_nodes_));
+      if (has_taken_long())
+        full_rounds_ += kMoreRounds;
+      else
+        most_nodes_ = std::max(kRaisedShare * static_cast<double>(options_.most_nodes),
+                               kGrown * static_cast<double>(tree_.size()));
+      tolerance_ *= 2;
+      report_.memory = 0;  // what was expected for the former one
+      tree_.raise_tolerance(tolerance_);
+      found = find_failures();
+    }
+    return found;
+  }
+
+  // Splits cells whose triangles are not within the tolerance. False when none is left that can be
+  // split.
+  bool split_failed() {
+    require_room(detail::kCertifyMemory);
+    const Failures found = find_failures_that_fit();
+    const std::size_t refined = refine(found);
     std::vector<std::int32_t> cells;
     report_.unresolved = 0;
-    for (const auto& f : failed) {
+    for (const auto& f : found.guilty) {
       cells.insert(cells.end(), f.begin(), f.end());
       bool can = f.empty();
       for (const std::int32_t c : f) can = can || tree_.can_split(c);
       report_.unresolved += !can;
     }
     timer_.step("certify");
-    if (first_nodes_ > 0) {
-      require_few(cells.size());
-      const double more = detail::kNodesAFailure * static_cast<double>(cells.size());
-      report_.memory = std::max(report_.memory,
-                                detail::memory_of_nodes(static_cast<double>(tree_.size()) + more));
-    }
+    const double more = detail::kNodesAFailure * static_cast<double>(cells.size());
+    const double bytes = detail::memory_of_nodes(static_cast<double>(tree_.size()) + more);
+    report_.memory = std::max(report_.memory, bytes);
     first_nodes_ = 0;
-    require_fewer(cells.size());
     const std::size_t count = split(std::move(cells));
     timer_.step("tree");
     return count + refined > 0;
+  }
+
+  // Draws the surface more finely where that is enough, and remembers which triangles need no more
+  // looks. Returns how many places are drawn anew.
+  std::size_t refine(const Failures& found) {
+    const BaseMesh& base = surface_->mesh();
+    std::size_t refined = 0;
+    for (std::size_t t = 0; t < found.hashes.size(); ++t)
+      if (found.wanted[t] != Detail::flat) {
+        surface_->refine(surface_->crossings()[static_cast<std::size_t>(base.crossings[t])],
+                         found.wanted[t]);
+        ++refined;
+      } else if (found.guilty[t].empty()) {
+        passed_.insert(found.hashes[t], 0);
+      }
+    return refined;
   }
 
   // Returns how many cells were split. After some rounds their parts are split, too, while they are
@@ -275,27 +323,41 @@ class AdaptiveMesher {
   }
   bool is_few(std::size_t cells) const { return kFew * cells < tree_.size(); }
 
-  // Throws if the octree will probably exceed `most_nodes`. Called before the first failed cells
-  // are split. If the tree has already grown by more than kDense to draw the surface at all,
-  // creases are closer than the cells, and each node takes about three times as long.
-  void require_few(std::size_t failed) const {
+  // Nodes that the octree will probably have in the end, before the first cells that failed are
+  // split. If the tree has already grown by more than kDense to draw the surface at all, creases
+  // are closer than the cells, and each node takes about three times as long: it counts as three.
+  double nodes_after_first(std::size_t failed) const {
     constexpr double kDense = 1.1, kSlow = 3;
     const auto nodes = static_cast<double>(tree_.size());
     const double growth = nodes / first_nodes_, slow = growth > kDense ? kSlow : 1;
-    detail::require_cells(slow * growth * growth * (nodes + 8 * static_cast<double>(failed)),
-                          options_.most_nodes);
+    return slow * growth * growth * (nodes + 8 * static_cast<double>(failed));
   }
 
-  // Throws if the number of failed cells grows in two rounds running and three more such rounds
-  // would exceed `most_nodes` (crests of a winding helix do this).
-  void require_fewer(std::size_t failed) const {
-    if (is_few(failed) || failed <= failed_ || failed_ <= failed_before_ || failed_before_ == 0)
-      return;
-    const auto cells = static_cast<double>(failed);
-    const double growth = cells / static_cast<double>(failed_);
-    detail::require_cells(static_cast<double>(tree_.size()) + 8 * cells * growth * growth * growth,
-                          options_.most_nodes);
+  // The same in a later round. Where the failed cells have grown in two rounds running, three more
+  // such rounds are expected (crests of a winding helix do this).
+  double expected_nodes(std::size_t failed) const {
+    if (first_nodes_ > 0) return nodes_after_first(failed);
+    const auto nodes = static_cast<double>(tree_.size()), cells = static_cast<double>(failed);
+    const bool grows = !is_few(failed_before_) && failed_ > failed_before_ && failed > failed_;
+    const double growth = grows ? cells / static_cast<double>(failed_) : 1;
+    return nodes + kSplitNodes * cells * growth * growth * growth;
   }
+
+  // Whether the cells that failed may be split. A round costs as much as the octree has nodes: if
+  // only few cells fail after many rounds, most triangles are within the tolerance, and doubling it
+  // ends the rounds soon.
+  bool fits(std::size_t failed) const {
+    if (options_.most_nodes == 0 || failed == 0) return true;
+    const bool has_time = !has_taken_long() || (is_few(failed) && !may_raise());
+    return has_time && expected_nodes(failed) <= most_nodes_;
+  }
+  bool has_taken_long() const { return work_ > full_rounds_ * most_nodes_; }
+  // Once more for rounds than for nodes: the mesh is nearly done then.
+  bool may_raise() const {
+    return tolerance_ * (has_taken_long() ? 1 : 2) <= options_.most_tolerance;
+  }
+
+  detail::MeshCertifier certifier() const { return {field_, tree_, tolerance_, options_.threads}; }
 
   // A vertex lies far from the face that the triangle is measured by: what lies between is not seen
   // in these cells, however finely the surface is drawn in them.
@@ -303,7 +365,7 @@ class AdaptiveMesher {
                      detail::FaceDistances& distances) const {
     const auto& x = mesh.triangles[t];
     return std::any_of(x.begin(), x.end(), [&](std::uint32_t v) {
-      return std::abs(distances(mesh.vertices[v], mesh.faces[mesh.labels[t]])) > options_.tolerance;
+      return std::abs(distances(mesh.vertices[v], mesh.faces[mesh.labels[t]])) > tolerance_;
     });
   }
 
@@ -332,7 +394,7 @@ class AdaptiveMesher {
 
   // mm: how far chords may leave the borders between owners on plane faces.
   double border_room() const {
-    return std::max(options_.tolerance, kBorderShare * tree_.lattice().voxel());
+    return std::max(tolerance_, kBorderShare * tree_.lattice().voxel());
   }
 
   LabelledMesh simplified(const LabelledMesh& mesh) {
@@ -340,9 +402,8 @@ class AdaptiveMesher {
     detail::MeasuredTriangles measured;
     detail::ApartMesh small =
         detail::simplify_apart(mesh, voxel, options_.threads, [&](const std::vector<char>& locked) {
-          return detail::simplify(field_, tree_, mesh,
-                                  {options_.tolerance, 0.5 * voxel, border_room()}, locked,
-                                  measured, options_.threads);
+          return detail::simplify(field_, tree_, mesh, {tolerance_, 0.5 * voxel, border_room()},
+                                  locked, measured, options_.threads);
         });
     report_.kept = small.kept;
     timer_.step("simplify");
@@ -351,13 +412,17 @@ class AdaptiveMesher {
 
   const ExactField& field_;
   const MeshPlan& options_;
+  double tolerance_;   ///< mm
+  double most_nodes_;  ///< of the octree; fewer once the tolerance has been raised for their
+                       ///< number, as the mesh is worth less then; 0 = any number
   MeshReport& report_;
   StepTimer timer_;
   CellOctree tree_;
-  detail::MeshCertifier certifier_;
   std::size_t drawn_loops_ = 0;                 ///< of the surface whose triangles were made last
   bool few_failed_ = true;                      ///< cells in the round before
   std::size_t failed_ = 0, failed_before_ = 0;  ///< cells in the round before, and before that one
+  double work_ = 0;                             ///< nodes of all rounds together
+  double full_rounds_ = kFullRounds;            ///< with the most nodes: what work_ may be
   double first_nodes_ = 0;              ///< of the tree as it was made, 0 after the first round
   std::optional<DualSurface> surface_;  ///< until its triangles are final
   detail::FlatMap passed_;              ///< by hashes of triangles within the tolerance
@@ -367,19 +432,26 @@ class AdaptiveMesher {
 
 std::optional<TriMesh> adaptive_mesh(const ExactField& field, double voxel, const MeshPlan& options,
                                      MeshReport& report) {
-  const int levels = detail::fine_levels(field.bounds(), voxel, options.tolerance);
-  try {
-    return AdaptiveMesher(field, Lattice(field.bounds(), voxel, levels), options, report).run();
-  } catch (const Error& error) {
-    const bool may_give_up = error.code() == "mesh-unresolved" || error.code() == "memory";
-    if (!may_give_up || options.most_nodes == 0) throw;
-    // An octree that was given up before its end held between an eighth and all of its nodes.
-    const double tree = detail::kNodeMemory * static_cast<double>(options.most_nodes) / 2;
-    const double taken = report.memory > 0 ? report.memory : tree;
-    report = {};
-    report.memory = taken;
-    report.given_up = error.what();
-    return {};
+  double memory = 0;
+  for (double tolerance = options.tolerance;; tolerance *= 2) {
+    const int levels = detail::fine_levels(field.bounds(), voxel, tolerance);
+    const Lattice lattice(field.bounds(), voxel, levels);
+    try {
+      return AdaptiveMesher(field, lattice, tolerance, options, report).run();
+    } catch (const Error& error) {
+      const bool has_no_mesh = error.code() == "mesh-unresolved";
+      if ((!has_no_mesh && error.code() != "memory") || options.most_nodes == 0) throw;
+      // An octree that was given up before its end held between an eighth and all of its nodes.
+      const double tree = detail::kNodeMemory * static_cast<double>(options.most_nodes) / 2;
+      memory = std::max(memory, report.memory > 0 ? report.memory : tree);
+      // Once the surface is drawn, the tolerance is raised without another octree.
+      const bool may_retry = options.makes_new_octrees && has_no_mesh && report.passes == 0;
+      report = {};
+      if (may_retry && 2 * tolerance <= options.most_tolerance) continue;
+      report.memory = memory;
+      report.given_up = error.what();
+      return {};
+    }
   }
 }
 

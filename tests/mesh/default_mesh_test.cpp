@@ -10,7 +10,9 @@
 #include "support/moves.h"
 #include "support/tools.h"
 
+#include <cmath>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <gtest/gtest.h>
@@ -105,6 +107,60 @@ TEST(DefaultMesh, AToleranceThatTakesTooMuchIsGivenUp) {
   EXPECT_TRUE(collector.mesh().triangles.empty());
   EXPECT_FALSE(report.given_up.empty());
   EXPECT_GT(report.memory, options.max_memory);
+}
+
+// Passes of a ball, 5 mm apart, over the whole block: cells about their crests are small.
+PartField crests() {
+  StockShape shape;
+  shape.box = {{0, 0, 0}, {20, 20, 8}};
+  std::vector<Motion> passes;
+  for (int k = 0; k < 5; ++k) {
+    const double y = 1.3 + 4.3 * k;
+    passes.push_back(line({-10, y, 5}, {30, y + 2, 6}));
+  }
+  const Tool ball = ballmill(6);
+  return {StockSolid(shape), SweepTable(passes, std::span(&ball, 1))};
+}
+
+struct RaisedMesh {
+  MeshReport report;
+  TriMesh mesh;
+};
+
+// A mesh that wishes for a fine tolerance and may have a coarser one.
+RaisedMesh raised_mesh(const PartField& field, std::size_t most_nodes, bool makes_new_octrees) {
+  MeshPlan options;
+  options.tolerance = 0.001;
+  options.most_nodes = most_nodes;
+  options.most_tolerance = 0.032;
+  options.makes_new_octrees = makes_new_octrees;
+  RaisedMesh out;
+  MeshCollector collector;
+  mesh_part(field, 0.5, options, collector, &out.report);
+  out.mesh = std::move(collector.mesh());
+  return out;
+}
+
+void expect_raised(const PartField& field, const RaisedMesh& found) {
+  ASSERT_TRUE(found.report.given_up.empty()) << found.report.given_up;
+  EXPECT_GT(found.report.tolerance, 0.001);
+  EXPECT_LE(found.report.tolerance, 0.032);
+  EXPECT_DOUBLE_EQ(std::exp2(std::round(std::log2(found.report.tolerance / 0.001))),
+                   found.report.tolerance / 0.001);
+  EXPECT_LE(found.report.bound, found.report.tolerance);
+  EXPECT_LE(testing::largest_distance(field, found.mesh), found.report.bound + 1e-5);
+  EXPECT_TRUE(check_mesh(found.mesh).closed);
+}
+
+TEST(DefaultMesh, AnOctreeWithTooManyNodesIsMadeAnewWithACoarserTolerance) {
+  const PartField field = crests();
+  expect_raised(field, raised_mesh(field, 12000, true));
+  EXPECT_FALSE(raised_mesh(field, 12000, false).report.given_up.empty());
+}
+
+TEST(DefaultMesh, TheToleranceIsRaisedWhereTooManyCellsFail) {
+  const PartField field = crests();
+  expect_raised(field, raised_mesh(field, 95000, false));
 }
 
 }  // namespace

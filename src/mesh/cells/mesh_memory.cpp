@@ -98,9 +98,12 @@ void require_mesh_memory(double needed, std::size_t available, double tolerance)
 double expected_nodes(double memory) { return memory / kNodeOfAll; }
 double memory_of_nodes(double nodes) { return nodes * kNodeOfAll; }
 
-void require_cells(double nodes, std::size_t most) {
-  if (most > 0 && nodes > static_cast<double>(most))
-    throw Error("mesh-unresolved", fmt::format("it takes more than {} 000 cells", most / 1000));
+void require_cells(double nodes, double most) {
+  if (most > 0 && nodes > most) throw Error("mesh-unresolved", too_many_cells(most));
+}
+
+std::string too_many_cells(double most) {
+  return fmt::format("it takes more than {:.0f} 000 cells", most / 1000);
 }
 
 void require_room(double bytes, bool has_tolerance) {

@@ -5,6 +5,7 @@
 #include "removal/field/field.h"
 
 #include <cstddef>
+#include <string>
 
 namespace mrsim::detail {
 
@@ -46,7 +47,8 @@ double memory_of_nodes(double nodes);
 
 /// Throws Error "mesh-unresolved" where the octree has more nodes, or will have, than `most`; 0 =
 /// any number.
-void require_cells(double nodes, std::size_t most);
+void require_cells(double nodes, double most);
+std::string too_many_cells(double most);
 
 /// As require_memory for what splitting cells takes beyond the estimate, where the thread has a
 /// limit.

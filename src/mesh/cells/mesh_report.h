@@ -20,14 +20,15 @@ struct ThinFeature {
 };
 
 struct MeshReport {
+  double tolerance = 0;     ///< mm: MeshPlan::tolerance, or what it was raised to
   double bound = 0;         ///< mm: largest certified distance of the mesh from the part; 0 without
                             ///< tolerance, unless it was measured
   double usual = 0;         ///< mm: what 99 % of the triangles of a measured mesh do not exceed
   std::size_t sampled = 0;  ///< triangles whose distance from their face is not proven, but sampled
   double volume_excess = 0;  ///< mm^3 that the mesh holds more than the exact part, by quadrature
                              ///< (docs/mesh.md, Volume); 0 without tolerance
-  double memory = 0;         ///< bytes that the mesher was expected to take once its first cells
-                             ///< were known, or, given up, has taken; 0 without tolerance
+  double memory = 0;         ///< bytes that the mesher was expected to take by its cells, or, given
+                             ///< up, has taken; 0 without tolerance
   std::string given_up;      ///< why there is no mesh within the tolerance; empty: there is
   std::size_t cells = 0;     ///< cells that the surface passes
   std::size_t passes = 0;    ///< rounds of splitting

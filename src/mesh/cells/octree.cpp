@@ -111,7 +111,7 @@ void CellOctree::make_room(std::size_t split) {
   for (const Candidates& list : lists_) listed += list.capacity();
   const double list = sizeof(std::uint32_t) * static_cast<double>(listed) / double(size());
   require_mesh_memory((kNodeMemory + list) * nodes, limits_.memory, tolerance_);
-  require_cells(nodes, limits_.nodes);
+  require_cells(nodes, static_cast<double>(limits_.nodes));
   if (count <= nodes_.capacity()) return;
   // Twice as many, as a vector would take by itself, are too much where memory is short.
   const std::size_t room = std::max(count, size() + size() / 8);

@@ -19,6 +19,12 @@ struct MeshPlan {
   /// octree than these, by what its first cells tell, or more memory, or is not possible. 0 =
   /// never: that is an Error.
   std::size_t most_nodes = 0;
+  /// mm: before it is given up for its nodes, the tolerance is doubled as long as it does not
+  /// exceed this.
+  double most_tolerance = 0;
+  /// Whether another octree may be made for that where one has too many nodes before any surface is
+  /// drawn.
+  bool makes_new_octrees = false;
   Progress progress;
 };
 
