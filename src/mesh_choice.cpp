@@ -54,7 +54,7 @@ constexpr double kMostRetried = 1.2e5;
 constexpr double kManyHelices = 0.25;
 // Nodes of the octree, made in some five seconds of two cores, after which the grid takes its
 // place. Those about the crests of a winding helix take three times as long.
-constexpr std::size_t kMostNodes = 250'000, kMostPlainNodes = 400'000, kMostHelixNodes = 200'000,
+constexpr std::size_t kMostNodes = 250'000, kMostPlainNodes = 450'000, kMostHelixNodes = 200'000,
                       kMostWindingNodes = 80'000, kMostSearchedNodes = 60'000;
 
 double longest_side(const Box3& box) {
@@ -266,7 +266,8 @@ void fit_mesh(const ExactField& field, int threads, MeshChoice& choice) {
   if (choice.is_default) choice.most_nodes = kMostPlainNodes;
   if (field.is_turned(field.all())) return;  // meshed by its section
   const Candidates sweeps = choice.fits_voxel ? field.all() : some_of(field.all());
-  const detail::SurfaceSurvey survey = detail::survey_surface(field, sweeps, threads);
+  const detail::SurfaceSurvey survey =
+      detail::survey_surface(field, sweeps, threads, choice.searches_arc ? 64 : 16);
   if (choice.fits_voxel) fit_voxel(survey, cell, choice);
   choice.cut_cells = survey.crossed_cells(choice.voxel);
   choice.block_sweeps = survey.sweeps;
@@ -285,9 +286,8 @@ void fit_mesh(const ExactField& field, int threads, MeshChoice& choice) {
 
 void raise_tolerance(MeshChoice& choice, double raised) {
   choice.tolerance_reason = fmt::format(
-      "raised from {:.4g} mm, {}, which takes more than {} cells; --tolerance {:.4g} insists on it",
-      choice.tolerance, choice.tolerance_reason, count_text(static_cast<double>(choice.most_nodes)),
-      choice.tolerance);
+      "raised from {:.4g} mm, {}, which takes too many cells; --tolerance {:.4g} insists on it",
+      choice.tolerance, choice.tolerance_reason, choice.tolerance);
   choice.tolerance = raised;
 }
 

@@ -45,7 +45,7 @@ constexpr std::size_t kFew = 100;          ///< cells are few where nodes are as
 constexpr double kSplitNodes = 8;          ///< that a failed cell adds
 constexpr double kRaisedShare = 0.7;  ///< of the most nodes, once the tolerance has been raised
 constexpr double kGrown = 1.25;    ///< times its present nodes, which the octree may grow by then
-constexpr double kFullRounds = 5;  ///< with the most nodes: what all rounds together may take
+constexpr double kFullRounds = 4;  ///< with the most nodes: what all rounds together may take
 constexpr double kMoreRounds = 1;  ///< in addition, each time the tolerance is raised for that
 constexpr std::size_t kDrawnRounds = 8;  ///< in which more detail may take the place of splitting
 

@@ -24,10 +24,10 @@ struct Count {
   double sheets = 0;                    ///< in the same, of the surface
 };
 
-// One in sixteen, evenly spread, whatever the order.
-bool is_tried(const Box3& box, double block) {
+// One in so many, evenly spread, whatever the order.
+bool is_tried(const Box3& box, double block, int one_in) {
   const auto cell = [&](double lo) { return static_cast<std::int64_t>(std::floor(lo / block)); };
-  return ((cell(box.lo.x) * 7 + cell(box.lo.y) * 13 + cell(box.lo.z) * 29) & 15) == 0;
+  return ((cell(box.lo.x) * 7 + cell(box.lo.y) * 13 + cell(box.lo.z) * 29) & (one_in - 1)) == 0;
 }
 
 // By eight points of a box: whether faces of different directions meet there, since normals
@@ -83,20 +83,20 @@ double sheets_in(const ExactField& field, const Box3& box, const Candidates& swe
 
 // Counts the blocks `depth` halvings below the box, which is at `level` of the descent.
 void count_blocks(const ExactField& field, ExactField::Descent& descent, const Box3& box,
-                  std::size_t level, int depth, Candidates& left, Count& count) {
+                  std::size_t level, int depth, int one_in, Candidates& left, Count& count) {
   if (descent.enter(level, box, kSurfaceBand, depth == 0) != ExactField::Region::mixed) return;
   if (depth == 0) {
     descent.candidates(level, left);
     count.blocks += !left.empty();
     count.sweeps += left.size();
-    if (left.empty() || !is_tried(box, box.hi.x - box.lo.x)) return;
+    if (left.empty() || !is_tried(box, box.hi.x - box.lo.x, one_in)) return;
     ++count.tried;
     count.creasing += has_creases(field, box, left) ? left.size() : 1;
     count.sheets += sheets_in(field, box, left);
     return;
   }
   for (int k = 0; k < 8; ++k)
-    count_blocks(field, descent, octant(box, k), level + 1, depth - 1, left, count);
+    count_blocks(field, descent, octant(box, k), level + 1, depth - 1, one_in, left, count);
 }
 
 struct Part {
@@ -121,7 +121,8 @@ double SurfaceSurvey::cells(double voxel) const {
   return static_cast<double>(blocks) * (block / voxel) * (block / voxel);
 }
 
-SurfaceSurvey survey_surface(const ExactField& field, const Candidates& list, int threads) {
+SurfaceSurvey survey_surface(const ExactField& field, const Candidates& list, int threads,
+                             int one_in) {
   const Box3 cube = cube_about(field.bounds());
   std::vector<Part> parts;
   const auto whole = field.descent(0.5 * (cube.lo + cube.hi), list);
@@ -133,7 +134,7 @@ SurfaceSurvey survey_surface(const ExactField& field, const Candidates& list, in
       const Part& part = parts[k];
       Candidates left;
       const auto own = field.descent(0.5 * (part.box.lo + part.box.hi), part.candidates);
-      count_blocks(field, *own, part.box, 1, depth - kApart, left, counts[k]);
+      count_blocks(field, *own, part.box, 1, depth - kApart, one_in, left, counts[k]);
     });
     survey = {};
     survey.block = (cube.hi.x - cube.lo.x) / static_cast<double>(1 << depth);

@@ -24,9 +24,10 @@ struct SurfaceSurvey {
 };
 
 /// Looks at smaller and smaller blocks until they are some ten thousand, or 1/128 of the longest
-/// side. `list`: field.all(), or an even choice of them, which gives the area well,
-/// not how many matter. Same result for any number of threads. Cost: some hundredths of a second,
-/// and some microseconds a sweep.
-SurfaceSurvey survey_surface(const ExactField& field, const Candidates& list, int threads);
+/// side. `list`: field.all(), or an even choice of them, which gives the area well, not how many
+/// matter. One block in `one_in`, a power of two, is sampled for creases and sheets. Same result
+/// for any number of threads. Cost: some hundredths of a second, and some microseconds a sweep.
+SurfaceSurvey survey_surface(const ExactField& field, const Candidates& list, int threads,
+                             int one_in = 16);
 
 }  // namespace mrsim::detail
