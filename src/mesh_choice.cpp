@@ -47,9 +47,9 @@ constexpr double kFewSweeps = 20, kMostSweeps = 6.5e5, kMostSearched = 6e4;
 // Average number of creasing sweeps in a block up to which a part counts as plain (pockets, holes):
 // its cells take half the time.
 constexpr double kPlainSweeps = 1.5;
-// Cells of the wished size up to which another octree is worth its time where the first one has too
-// many nodes: on more of them, or where creases are closer, it mostly has as well.
-constexpr double kMostRetried = 1.2e5;
+// Cells of the wished size, and creasing sweeps in a block, up to which another octree is worth its
+// time where the first one has too many nodes: above them it mostly has as well.
+constexpr double kMostRetried = 1.2e5, kMostRetriedCreasing = 6;
 // Share of the cuts above which helices are many.
 constexpr double kManyHelices = 0.25;
 // Nodes of the octree, made in some five seconds of two cores, after which the grid takes its
@@ -272,7 +272,8 @@ void fit_mesh(const ExactField& field, int threads, MeshChoice& choice) {
   choice.cut_cells = survey.crossed_cells(choice.voxel);
   choice.block_sweeps = survey.sweeps;
   if (!choice.is_default) return;
-  choice.makes_new_octrees = survey.cells(cell) <= kMostRetried;
+  choice.makes_new_octrees =
+      survey.cells(cell) <= kMostRetried && survey.creasing <= kMostRetriedCreasing;
   if (choice.searches_arc)
     choice.most_nodes = kMostSearchedNodes;
   else if (choice.has_winding_helix)
