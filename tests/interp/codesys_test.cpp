@@ -126,5 +126,13 @@ TEST(CodesysLanguage, WordsThatShapeTheSpeedAreTold) {
   EXPECT_EQ(told, 3);
 }
 
+TEST(CodesysLanguage, BracesBehindAWordOrAName) {
+  EXPECT_EQ(codesys("N1G1X{2*3}Y{4}F100\nG1X{1}\n"), "l6,4,0 l1,4,0") << "no blank between words";
+  const std::string sub = "{3}\nN2 M30\nSUBPROGRAM ";
+  const std::string body = "{#A : LREAL}\nN10 G1 X#A F100\nEND_SUBPROGRAM\n";
+  for (const std::string name : {"SQ", "CNC2", "G1X2Y"})
+    EXPECT_EQ(codesys("N1 " + name + sub + name + body), "l3,0,0") << name;
+}
+
 }  // namespace
 }  // namespace mrsim

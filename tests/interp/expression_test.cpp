@@ -286,6 +286,7 @@ TEST(Expression, FaultsHaveTheirPlace) {
                          {"#[1.5]", "variable-number", 0, "whole number"},
                          {"FOO[1]", "function-unknown", 0, "FOO is no function"},
                          {"ATAN[1]", "function-arguments", 0, "ATAN[y]/[x]"},
+                         {"SIN 30", "expression", 0, "SIN[...]"},
                          {"1+", "expression", 2, "ends too early"},
                          {"1.2.3", "number-malformed", 0, "second point"}})
     check(linuxcnc_rules(), linuxcnc, row);
@@ -301,6 +302,7 @@ TEST(Expression, FaultsHaveTheirPlace) {
                          {"FIELD[2,0]", "variable-unset", 0, "index 1"},
                          {"R1>0 AND R2<3", "expression", 11, "brackets"},
                          {"NAME+1", "expression", 0, "cannot be combined"},
+                         {"SIN 30", "expression", 0, "SIN(...)"},
                          {"R1/(R2-3)", "expression", 2, "R1 = 10, R2 = 3"}})
     check(sinumerik_rules(), sinumerik, row);
   Variables fagor(VariableForm::fagor);

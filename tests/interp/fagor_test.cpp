@@ -149,5 +149,15 @@ TEST(FagorLanguage, InstructionsOfThe8070) {
   EXPECT_EQ(fagor("#CS ON [1][MODE 1, 0,0,0, 0,45,0]\n"), " | not-supported");
 }
 
+// They were comments: the program ran on.
+TEST(FagorLanguage, JumpsToAComputedBlock) {
+  const std::string blocks = "N10 G1 X1 F9\nN20 G1 X2 F9\nM30\n";
+  EXPECT_EQ(fagor("(P1=2)\n(GOTO N(P1*10))\n" + blocks), "l2,0,0");
+  EXPECT_EQ(fagor("(P1=20)\n(GOTO NP1)\n" + blocks), "l2,0,0");
+  EXPECT_EQ(fagor("(P1=10)\nG91\nN10 G1 X1 F9\nN20 Y1\n(RPT NP1,N(P1+10)) N1\nM30\n"),
+            "l1,0,0 l1,1,0 l2,1,0 l2,2,0");
+  EXPECT_EQ(fagor("(GOTO NEXT SIDE)\n" + blocks), "l1,0,0 l2,0,0") << "a comment";
+}
+
 }  // namespace
 }  // namespace mrsim

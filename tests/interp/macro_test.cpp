@@ -171,5 +171,35 @@ TEST(Macros, AssignmentsAreToldOf) {
             "2:VA=5 2:VB=2 6:R1=5 ");
 }
 
+// Branches of several lines (30i-B): nothing stands behind their THEN.
+TEST(Macro, BranchesOfSeveralLines) {
+  const auto path = [](const std::string& text) { return run(Dialect::fanuc, text + "M30\n"); };
+  const std::string ladder =
+      "N5 IF[#1 EQ 1]THEN (ONE)\nG1 X1 F9\nN6 ELSEIF [#1 EQ 2] THEN\nG1 X2 F9\n#1=1\nELSE\n"
+      "G1 X3 F9\nENDIF\nY1\n";
+  EXPECT_EQ(path("#1=1\n" + ladder), "1,0,0 1,1,0 ");
+  EXPECT_EQ(path("#1=2\n" + ladder), "2,0,0 2,1,0 ");
+  EXPECT_EQ(path("#1=7\n" + ladder), "3,0,0 3,1,0 ");
+  EXPECT_EQ(path("#1=0\nWHILE[#1 LT 3]DO1\n#1=#1+1\nIF[#1 EQ 2]THEN\nIF[#1 GT 1]THEN\nG1 Y#1 F9\n"
+                 "ENDIF\nELSE\nG1 X#1 F9\nENDIF\nEND1\n"),
+            "1,0,0 1,2,0 3,2,0 ");
+  EXPECT_EQ(path("#1=3\nIF[#1 EQ 1]THEN\nG1 X1 F9\nENDIF\nIF[#1 EQ 3]THEN #2=5.\nG1 X#2 F9\n"),
+            "5,0,0 ");
+  const auto told = [](const char* text) {
+    return codes(read_text(text, at_origin(Dialect::fanuc)));
+  };
+  EXPECT_EQ(told("#1=3\nIF[#1 EQ 1]THEN\nG1 X1 F9\nM30\n"), "structure");
+  EXPECT_EQ(told("G1 X1 F9\nELSE\nX2\nENDIF\nM30\n"), "structure");
+}
+
+// The control reads a block skip there.
+TEST(Macro, ADivisionWithoutBracketsIsToldOf) {
+  const auto told = [](const char* text) {
+    return codes(read_text(text, at_origin(Dialect::fanuc)), Severity::warning);
+  };
+  EXPECT_EQ(told("#1=10\nG1 X#1/2 F9\nM30\n"), "block-skip-inside");
+  EXPECT_EQ(told("#1=10\nG1 X[#1/2] F9\nG0 Z#1 /2 M9\nZ50./2M9\nM30\n"), "");
+}
+
 }  // namespace
 }  // namespace mrsim

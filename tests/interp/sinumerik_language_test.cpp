@@ -247,5 +247,25 @@ TEST(SinumerikLanguage, IsvarAsksForAVariable) {
   EXPECT_EQ(moves("IF ISVAR(\"$MN_X\")\nX4\nENDIF\n"), " | expression");
 }
 
+// Of a path the last part counts: no other folder is opened.
+TEST(SinumerikLanguage, CallsByPath) {
+  const std::string sub = "\nM30\n%_N_HOLES_SPF\nG1 X1 F9\nM17\n";
+  for (const std::string call :
+       {"CALL \"/_N_WKS_DIR/_N_PART_WPD/_N_HOLES_SPF\"", "CALL \"/_N_SPF_DIR/\"<<\"_N_HOLES_SPF\"",
+        "EXTCALL(\"USB:\\PARTS\\HOLES.SPF\")", "EXTCALL \"/user/sinumerik/HOLES.MPF\"",
+        "PCALL /_N_WKS_DIR/_N_PART_WPD/_N_HOLES_SPF"})
+    EXPECT_EQ(path_text(read_text(call + sub, at_origin(Dialect::sinumerik))), "l1,0,0") << call;
+}
+
+TEST(SinumerikLanguage, ANameInPlaceOfATextIsToldOf) {
+  const auto told = [](const char* text) {
+    const Program p = read_text(text, at_origin(Dialect::sinumerik));
+    return p.diagnostics.empty() ? std::string() : p.diagnostics.front().text;
+  };
+  EXPECT_EQ(told("CALL HOLES\nM30\n"),
+            "CALL needs the name of a program as text: CALL \"HOLES\", or HOLES alone");
+  EXPECT_EQ(told("GOTOF 'LB1'\nLB1: M30\n"), "GOTOF needs a label: GOTOF LAB1");
+}
+
 }  // namespace
 }  // namespace mrsim

@@ -22,6 +22,12 @@ bool is_address(const Tokens& tokens, std::size_t at, std::string_view letter) {
          tokens[at + 1].glued;
 }
 
+// N10, N(P1*10) or NP1: a block.
+bool is_block(const Tokens& tokens, std::size_t at) {
+  if (is_address(tokens, at, "N") || is_address(tokens, at, "NP")) return true;
+  return at + 1 < tokens.size() && tokens[at].is("N") && tokens[at + 1].is("(");
+}
+
 // A comparison, as every condition has one.
 bool asks(const Tokens& tokens) {
   const std::array comparisons{"EQ", "NE", "GT", "GE", "LT", "LE"};
@@ -59,7 +65,7 @@ std::string bracket_statement(std::string_view text) {
   if (first == "IF" && (asks(tokens) || has(tokens, "GOTO"))) return "IF";
   if ((first == "RET" || first == "MDOFF") && tokens.size() == 1) return std::string(first);
   const std::array to_block{"GOTO", "RPT"};
-  if (std::ranges::find(to_block, first) != to_block.end() && is_address(tokens, 1, "N"))
+  if (std::ranges::find(to_block, first) != to_block.end() && is_block(tokens, 1))
     return std::string(first);
   const std::array to_program{"CALL", "PCALL", "MCALL", "SUB", "EXEC"};
   if (std::ranges::find(to_program, first) != to_program.end() && tokens.size() > 1 &&

@@ -161,6 +161,11 @@ bool Evaluator::word(Value& out) {
     return true;
   }
   if (rules_.plain_names) return plain_variable(from, out);
+  if (row)
+    return fail("expression",
+                fmt::format("{0} needs its value in brackets: {0}{1}...{2}", row->name, rules_.open,
+                            rules_.close),
+                from, end);
   if (!spelled(Spelling::names))
     return fail("expression", fmt::format("{} is not known in an expression", name), from, end);
   p_ = end;

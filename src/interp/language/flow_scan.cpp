@@ -3,6 +3,7 @@
 #include "interp/text/characters.h"
 #include "interp/text/line_scan.h"
 
+#include <algorithm>
 #include <utility>
 
 namespace mrsim {
@@ -44,6 +45,13 @@ constexpr Keyword kOwords[] = {
     {"ENDREPEAT", FlowWord::loop_end, FlowWord::loop_repeat},
     {"BREAK", FlowWord::loop_break},
     {"CONTINUE", FlowWord::loop_continue},
+};
+
+constexpr Keyword kMacroBranches[] = {
+    {"IF", FlowWord::branch},
+    {"ELSEIF", FlowWord::branch_else_if},
+    {"ELSE", FlowWord::branch_else},
+    {"ENDIF", FlowWord::branch_end},
 };
 
 constexpr Keyword kSinumerikWords[] = {
@@ -88,6 +96,12 @@ bool ends_here(std::string_view line, std::size_t p) {
 }
 
 }  // namespace
+
+bool ends_block(std::string_view line, std::size_t p) {
+  for (p = skip_blanks(line, p); at(line, p) == '('; p = skip_blanks(line, p))
+    p = std::min(line.find(')', p), line.size() - 1) + 1;
+  return p >= line.size() || line[p] == ';';
+}
 
 std::size_t closing_bracket(std::string_view line, std::size_t open) {
   int depth = 0;
@@ -171,38 +185,60 @@ std::string oword_keyword(std::string_view line, std::size_t& p) {
 
 namespace {
 
+// Behind an IF or ELSEIF: a condition and a THEN that nothing follows, as branches of several
+// lines have it.
+bool opens_lines(std::string_view line, std::size_t& p) {
+  p = skip_blanks(line, p);
+  const std::size_t close = at(line, p) == '[' ? closing_bracket(line, p) : std::string_view::npos;
+  if (close == std::string_view::npos) return false;
+  p = close + 1;
+  const std::string name = letters_at(line, p);
+  return name.size() >= 2 && std::string_view("THEN").starts_with(name) && ends_block(line, p);
+}
+
+FoundWord scan_macro_block(std::string_view line, std::size_t p) {
+  const char c = upper(at(line, p));
+  FoundWord found;
+  found.at = p;
+  if (c == 'O' || (c == ':' && names_program(line, p))) {
+    ++p;
+    found.name = digits_at(line, p);
+    if (!found.name.empty()) found.word = FlowWord::section;
+  } else if (c == 'W' || c == 'D' || c == 'E' || c == 'I') {
+    std::string name = letters_at(line, p);
+    for (const Keyword& known : kMacroBranches)
+      if (known.name == name) {
+        const bool asks = c == 'I' || known.word == FlowWord::branch_else_if;
+        if (!asks || opens_lines(line, p)) found.word = known.word;
+        found.behind = p;
+        return found;
+      }
+    if (name.starts_with("WH") && name.size() <= 5) {
+      p = skip_blanks(line, p);
+      const std::size_t close = at(line, p) == '[' ? closing_bracket(line, p) : p;
+      if (close == std::string_view::npos || at(line, p) != '[') return found;
+      p = close + 1;
+      found.word = FlowWord::loop_while;
+      name = letters_at(line, p);
+    }
+    if (name == "DO") {
+      if (found.word == FlowWord::none) found.word = FlowWord::loop_do;
+    } else if (name == "END" || name == "EN") {
+      found.word = FlowWord::loop_end;
+    } else {
+      found.word = FlowWord::none;
+    }
+    found.name = digits_at(line, p);
+    if (found.name.empty()) found.word = FlowWord::none;
+  }
+  found.behind = p;
+  return found;
+}
+
 void scan_macro_line(std::string_view line, std::vector<FoundWord>& out) {
   for (std::size_t from = 0; from < line.size(); from = end_of_block(line, from) + 1) {
     long number = -1;
-    std::size_t p = behind_number(line, from, number);
-    const char c = upper(at(line, p));
-    FoundWord found;
-    found.at = p;
-    if (c == 'O' || (c == ':' && names_program(line, p))) {
-      ++p;
-      found.name = digits_at(line, p);
-      if (!found.name.empty()) found.word = FlowWord::section;
-    } else if (c == 'W' || c == 'D' || c == 'E') {
-      std::string name = letters_at(line, p);
-      if (name.starts_with("WH") && name.size() <= 5) {
-        p = skip_blanks(line, p);
-        const std::size_t close = at(line, p) == '[' ? closing_bracket(line, p) : p;
-        if (close == std::string_view::npos || at(line, p) != '[') continue;
-        p = close + 1;
-        found.word = FlowWord::loop_while;
-        name = letters_at(line, p);
-      }
-      if (name == "DO") {
-        if (found.word == FlowWord::none) found.word = FlowWord::loop_do;
-      } else if (name == "END" || name == "EN") {
-        found.word = FlowWord::loop_end;
-      } else {
-        found.word = FlowWord::none;
-      }
-      found.name = digits_at(line, p);
-      if (found.name.empty()) found.word = FlowWord::none;
-    }
-    found.behind = p;
+    FoundWord found = scan_macro_block(line, behind_number(line, from, number));
     if (found.word != FlowWord::none) out.push_back(std::move(found));
   }
 }

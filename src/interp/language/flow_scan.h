@@ -23,6 +23,9 @@ void scan_flow(OutlineForm form, std::string_view line, std::vector<FoundWord>& 
 /// Where the words of a block begin behind blanks, "/2" and "N10". `number`: the N word, or -1.
 std::size_t behind_number(std::string_view line, std::size_t from, long& number);
 
+/// FANUC: nothing but blanks and comments stands between `p` and the end of the block.
+bool ends_block(std::string_view line, std::size_t p);
+
 /// The bracket that closes the one at `open`, or npos.
 std::size_t closing_bracket(std::string_view line, std::size_t open);
 

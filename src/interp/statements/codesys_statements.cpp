@@ -42,6 +42,16 @@ int g_word(std::string_view line, std::size_t p) {
   return end == p + 1 || more ? -1 : number;
 }
 
+// G1X or N10G1X, the words before an expression in braces: no name of a subprogram.
+bool is_words(std::string_view name) {
+  if (name.size() < 2 || is_digit(name.back())) return name.size() < 2;
+  if (name == "EF" || name == "FF") return true;
+  std::size_t p = 0;
+  while (p + 1 < name.size() && (name[p] == 'N' || name[p] == 'G') && is_digit(name[p + 1]))
+    for (++p; p < name.size() && is_digit(name[p]);) ++p;
+  return p > 0 && p + 1 == name.size();
+}
+
 std::optional<VariableType> codesys_type(const std::string& name) {
   if (name == "LREAL") return VariableType::real;
   if (name == "BOOL") return VariableType::boolean;
@@ -89,7 +99,7 @@ bool CodesysStatements::starts_statement(std::string_view line, std::size_t p) {
   const std::string name = name_at(line, p);
   if (name == "LET") return true;
   p = behind_blanks(line, p);
-  return name.size() > 2 && name != "SUBPROGRAM" && p < line.size() && line[p] == '{';
+  return !is_words(name) && name != "SUBPROGRAM" && p < line.size() && line[p] == '{';
 }
 
 bool CodesysStatements::starts_function(std::string_view line, std::size_t p) const {

@@ -1,8 +1,10 @@
 #include "interp/statements/macro_statements.h"
 
+#include "interp/language/flow_scan.h"
 #include "interp/text/characters.h"
 
 #include <cmath>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -25,6 +27,10 @@ int local_of(char c) {
   return c >= 'A' && c <= 'Z' ? kLocals[static_cast<std::size_t>(c - 'A')] : 0;
 }
 
+bool is_branch(const std::string& name) {
+  return name == "ELSEIF" || name == "ELSE" || name == "ENDIF";
+}
+
 bool abbreviates(const std::string& name, std::string_view whole) {
   return name.size() >= 2 && whole.starts_with(name);
 }
@@ -41,7 +47,7 @@ bool MacroStatements::starts_statement(std::string_view line, std::size_t p) {
     if (abbreviates(name, whole)) return true;
   for (const std::string_view output : kOutputs)
     if (name == output) return true;
-  return name == "IF" || name == "DO" || name == kSetNames;
+  return name == "IF" || name == "DO" || is_branch(name) || name == kSetNames;
 }
 
 std::size_t MacroStatements::end_of_block(std::size_t p) const {
@@ -53,7 +59,9 @@ std::size_t MacroStatements::end_of_block(std::size_t p) const {
 bool MacroStatements::statement(std::size_t from) {
   std::size_t p = from;
   const std::string name = letters(p);
-  if (name == "IF") return if_statement(p);
+  if (name == "IF") return if_statement(from, p);
+  if (name == "ELSEIF" && std::exchange(arriving_, false)) return if_statement(from, p);
+  if (is_branch(name)) return branch(from, std::nullopt);
   if (abbreviates(name, "WHILE")) return while_statement(from, p);
   if (abbreviates(name, "GOTO")) return go_to(p);
   if (abbreviates(name, "END")) return loop_end(from);
@@ -72,8 +80,8 @@ bool MacroStatements::statement(std::size_t from) {
   return true;
 }
 
-// IF [...] GOTO 10, IF [...] THEN #1 = 2
-bool MacroStatements::if_statement(std::size_t p) {
+// IF [...] GOTO 10, IF [...] THEN #1 = 2, and IF [...] THEN with its blocks below it.
+bool MacroStatements::if_statement(std::size_t from, std::size_t p) {
   bool holds = false;
   if (!condition(p, holds)) return false;
   std::size_t behind = p;
@@ -81,6 +89,7 @@ bool MacroStatements::if_statement(std::size_t p) {
   if (abbreviates(word, "GOTO")) {
     if (holds) return go_to(behind);
   } else if (abbreviates(word, "THEN")) {
+    if (ends_block(block_.line, behind)) return branch(from, holds);
     if (holds) {
       reader_.set_position(behind);
       return true;
@@ -90,6 +99,23 @@ bool MacroStatements::if_statement(std::size_t p) {
   }
   reader_.set_position(end_of_block(behind));
   return true;
+}
+
+// IF [...] THEN, ELSEIF [...] THEN, ELSE, ENDIF of the 30i-B. `holds`: the condition; none at ELSE
+// and ELSEIF behind the blocks of one that held.
+bool MacroStatements::branch(std::size_t from, std::optional<bool> holds) {
+  const FlowEntry* const entry = entry_at(from);
+  if (!entry) return false;
+  const ProgramOutline& all = places_.outline();
+  if (!holds && entry->word != FlowWord::branch_end) return jump_behind(all.entry(entry->last));
+  if (holds.value_or(true)) {
+    reader_.set_position(end_of_block(entry->behind));
+    return true;
+  }
+  const FlowEntry& next = all.entry(entry->next);
+  if (next.word != FlowWord::branch_else_if) return jump_behind(next);
+  arriving_ = true;
+  return reader_.jump(next.at);
 }
 
 bool MacroStatements::while_statement(std::size_t from, std::size_t p) {

@@ -46,7 +46,8 @@ class MacroStatements : public Statements {
     bool simple = false;    ///< by G65
   };
 
-  bool if_statement(std::size_t p);
+  bool if_statement(std::size_t from, std::size_t p);
+  bool branch(std::size_t from, std::optional<bool> holds);
   bool while_statement(std::size_t at, std::size_t p);
   bool loop_end(std::size_t at);
   bool go_to(std::size_t p);
@@ -60,6 +61,7 @@ class MacroStatements : public Statements {
   bool probing(long number, const Word& code);
   bool macro_call(const Word& code);
 
+  bool arriving_ = false;  ///< at an ELSEIF, because the conditions before it are false
   std::vector<ModalCall> modal_calls_;  ///< G66 in G66: the last one runs
   std::vector<MacroLevel> levels_;
 };

@@ -36,7 +36,10 @@ bool SinumerikStatements::starts_statement(std::string_view line, std::size_t p)
   }
   for (const std::string_view keyword : kKeywords)
     if (name == keyword) return true;
-  if (name == "CALL") return is_letter(next) || next == '(';
+  if (name == "CALL") {  // a text alone is read elsewhere
+    const bool joined = next == '"' && line.find("<<", p) != line.npos;
+    return is_letter(next) || next == '(' || joined;
+  }
   if (name == "RET" || name == "EXECSTRING") return next == '(';
   if (next != '(' || name.size() < 2 || find_function(name).code != Code::unknown) return false;
   SubprogramName wanted;
@@ -176,6 +179,8 @@ bool SinumerikStatements::go_to(const std::string& word, std::size_t p) {
     target = upper_case(value.text);
     decided_ = true;
   }
+  if (target.empty())
+    return fail("jump-target", fmt::format("{0} needs a label: {0} LAB1", word), from, p);
   const bool forward = word != "GOTOB", backward = word != "GOTOF";
   Place to;
   if (find_target(target, forward, backward, to)) {

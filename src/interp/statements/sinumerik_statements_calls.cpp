@@ -93,6 +93,15 @@ bool SinumerikStatements::call_statement(std::size_t from, std::size_t p) {
   std::vector<ProcedureArgument> given;
   if (name.text == "CALL") {
     Value value;
+    std::size_t behind = p;
+    if (const std::string plain = name_at(behind); !plain.empty() &&
+                                                   !variables_.is_defined(plain) &&
+                                                   skip_blanks(behind) >= block_.line.size())
+      return fail(
+          "expression",
+          fmt::format("CALL needs the name of a program as text: CALL \"{0}\", or {0} alone",
+                      plain),
+          p, behind);
     if (!evaluator_.expression(block_.line, p, value)) return report(evaluator_.fault());
     if (value.kind != Value::Kind::text)
       return fail("expression", "CALL needs the name of a program as text", from, p);
@@ -123,11 +132,7 @@ bool SinumerikStatements::call_by_path(std::size_t from, std::size_t p) {
                             [](char c) { return c == '"' || c == ' ' || c == '\t' || c == '\r'; }),
              path.end());
   SubprogramName name;
-  name.text = upper_case(path.substr(path.rfind('/') + 1));
-  if (name.text.starts_with("_N_")) name.text.erase(0, 3);
-  for (const std::string_view kind : {"_SPF", "_MPF", ".SPF", ".MPF"})
-    if (name.text.size() > kind.size() && name.text.ends_with(kind))
-      name.text.resize(name.text.size() - kind.size());
+  name.text = program_of_path(path);
   if (name.text.empty()) return fail("statement", "PCALL needs the path of a program", from, end);
   std::vector<ProcedureArgument> given;
   if (at(end) == '(' && !arguments(end, given)) return false;
@@ -140,10 +145,13 @@ bool SinumerikStatements::call_program(const SubprogramName& name, long repeats,
   return call(name, {}, repeats, word);
 }
 
+// CALL and EXTCALL may name a path, of which the last part counts.
 bool SinumerikStatements::call(const SubprogramName& name,
                                const std::vector<ProcedureArgument>& given, long repeats,
                                const Word& word, bool modal) {
-  const auto place = reader_.locate(name, word);
+  SubprogramName program = name;
+  if (name.text.find_first_of("/\\") != name.text.npos) program.text = program_of_path(name.text);
+  const auto place = reader_.locate(program, word);
   if (!place) return false;
   CallRequest request;
   request.file = place->file;

@@ -38,4 +38,12 @@ std::string word_at(std::string_view line, std::size_t& p) {
   return upper_case(line.substr(from, std::min<std::size_t>(p - from, 64)));
 }
 
+std::string program_of_path(std::string_view path) {
+  std::string name = upper_case(path.substr(path.find_last_of("/\\") + 1));
+  if (name.starts_with("_N_")) name.erase(0, 3);
+  for (const std::string_view kind : {"_SPF", "_MPF", ".SPF", ".MPF"})
+    if (name.size() > kind.size() && name.ends_with(kind)) name.resize(name.size() - kind.size());
+  return name;
+}
+
 }  // namespace mrsim

@@ -23,4 +23,7 @@ std::size_t blanks(std::string_view line, std::size_t p);
 /// The name at `p`, which ends behind it, in upper case.
 std::string word_at(std::string_view line, std::size_t& p);
 
+/// The program that a path names, in upper case: HOLES of /_N_WKS_DIR/_N_PART_WPD/_N_HOLES_SPF.
+std::string program_of_path(std::string_view path);
+
 }  // namespace mrsim

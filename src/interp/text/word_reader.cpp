@@ -186,9 +186,25 @@ bool WordReader::skip_rest(Block& block) {
   const int level = is_digit(at(end)) ? at(end++) - '0' : 0;
   while (blank(at(end)) && end < line_.size()) ++end;
   if (!is_letter(at(end))) return false;
+  warn_of_division(block, end);
   block.inner_skip = level;
   p_ = (skip_ >> level & 1U) != 0 ? line_.size() : end;
   return true;
+}
+
+// "X#1/2 F9": who writes that means a division.
+void WordReader::warn_of_division(const Block& block, std::size_t end) {
+  const Word& last = block.words.back();
+  const auto from = static_cast<std::size_t>(last.column);
+  const bool variable = line_.substr(from, p_ - from).find('#') != line_.npos;
+  if (!variable || blank(line_[p_ - 1]) || !is_digit(at(p_ + 1))) return;
+  Word word;
+  word.column = last.column;
+  word.length = static_cast<int>(end - from);
+  reporter_.add(Severity::warning, "block-skip-inside",
+                "this / skips the rest of the block where its switch is on, it divides nothing: a "
+                "division stands in brackets, X[#1/2]; a skip has a blank before it",
+                word);
 }
 
 void WordReader::read_comment(Block& block, char close) {

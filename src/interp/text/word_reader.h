@@ -25,6 +25,7 @@ class WordReader : public LineParser {
   Step step(Block& block);
   bool head_of_block(Block& block);
   bool skip_rest(Block& block);
+  void warn_of_division(const Block& block, std::size_t end);
   void letter_word(Block& block);
   bool ends_block() const;
   void slashes(Block& block);
