@@ -404,6 +404,11 @@ std::string tool_like(ToolType type, double diameter, double tip, double taper) 
   return fmt::format("{} {:g} tip {:g} taper {:g}", static_cast<int>(type), diameter, tip, taper);
 }
 
+// T1, whose comment has a line below it.
+std::string below(const char* tool, const char* line) {
+  return first_tool(fmt::format("(T1 {})\n({})\nT1 M6\n{}", tool, line, kCut));
+}
+
 // A line with an angle alone was ignored: the tool was upright, a drill had 118 degrees.
 TEST(ToolNotes, AnAngleInALineOfItsOwn) {
   const std::string cut = kCut, call = "T1 M6\n" + cut;
@@ -450,9 +455,6 @@ TEST(ToolNotes, SizesInALineOfTheirOwn) {
   }
   EXPECT_NE(first_tool("(BULL NOSE MILL)\n(D1 R1)\n" + call).find("no diameter"),
             std::string::npos);
-  const auto below = [&](const char* tool, const char* line) {
-    return first_tool(fmt::format("(T1 {})\n({})\n{}", tool, line, call));
-  };
   for (const char* const line : {"CR0.5", "0.5 CORNER RADIUS", "TIP RADIUS 0.5", "CORNER RAD .5",
                                  "NOSE RADIUS 0.5", "RE 0.5", "R=.5"})
     EXPECT_EQ(below("10MM ENDMILL", line), bull) << line;
@@ -483,10 +485,6 @@ TEST(ToolNotes, SizesInALineOfTheirOwn) {
 
 // Below a tool's comment, what the work is like: it was read as the tool's.
 TEST(ToolNotes, LinesAboutTheWork) {
-  const std::string call = "T1 M6\n" + std::string(kCut);
-  const auto below = [&](const char* tool, const char* line) {
-    return first_tool(fmt::format("(T1 {})\n({})\n{}", tool, line, call));
-  };
   const auto asks = [&](const char* tool, const char* line, const char* about) {
     EXPECT_NE(below(tool, line).find(about), std::string::npos) << tool << ", " << line;
   };
@@ -520,6 +518,22 @@ TEST(ToolNotes, LinesAboutTheWork) {
   asks("10MM ENDMILL", "BALL NOSE FINISHING", "different kinds");
   asks("SPOT DRILL D10 90 DEG", "TAPER 3 DEG", "two angles");
   asks("CHAMFER MILL D10 90 DEG", "TAPER 3 DEG", "two angles");
+}
+
+// A plain end mill may rough a slot or go along an edge of any form; the cutter of that form has
+// its own name or size.
+TEST(ToolNotes, ShapesOfTheWorkBelowAPlainEndMill) {
+  using enum ToolType;
+  for (const char* const work : {"DOVETAIL SLOT", "ROUGH DOVETAIL", "T-SLOT", "ROUGH T-SLOT",
+                                 "ROUND OVER", "ROUND OVER EDGES", "FINISH T SLOT SIDES"}) {
+    EXPECT_EQ(below("10MM ENDMILL", work), tool_like(endmill, 10, 0, 0)) << work;
+    EXPECT_EQ(first_tool(fmt::format("({})\n(10MM ENDMILL)\nT1 M6\n{}", work, kCut)),
+              tool_like(endmill, 10, 0, 0))
+        << work;
+  }
+  for (const char* const tool : {"DOVETAIL CUTTER", "T-SLOT CUTTER", "ROUND OVER BIT",
+                                 "DOVETAIL 60 DEG", "T-SLOT MILL", "WOODRUFF"})
+    EXPECT_NE(below("10MM ENDMILL", tool).find("different kinds"), std::string::npos) << tool;
 }
 
 // What F-Engrave writes of its V-bit.

@@ -1,11 +1,14 @@
 // What several comments say of one tool, put together.
 #include "core/rounding.h"
 #include "core/units.h"
+#include "interp/comments/comment_tokens.h"
 #include "interp/comments/insert_code.h"
 #include "interp/comments/tool_hint.h"
 #include "interp/comments/tool_sizes.h"
 
+#include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -15,6 +18,36 @@
 
 namespace mrsim {
 namespace {
+
+// Words about the work that may stand beside the shape that a cutter leaves.
+constexpr std::string_view kWork[] = {
+    "DOVETAIL", "DOVETAILS", "DOVE",     "TAIL",      "T",         "TSLOT",  "TEE",     "SLOT",
+    "SLOTS",    "ROUND",     "OVER",     "ROUNDOVER", "ROUNDING",  "CORNER", "CORNERS", "EDGE",
+    "EDGES",    "ROUGH",     "ROUGHING", "FINISH",    "FINISHING", "SEMI",   "PRE",     "CUT",
+    "CUTS",     "PASS",      "OP",       "GROOVE",    "TOP",       "BOTTOM", "SIDE",    "SIDES",
+    "LEFT",     "RIGHT",     "FRONT",    "BACK",      "OUTSIDE",   "INSIDE", "UPPER",   "LOWER",
+    "THE",      "FOR",       "OF",       "IN",        "ON",        "WALL",   "WALLS",   "FLOOR",
+    "CENTER",   "CENTRE",    "OPEN",     "MACHINE",   "MACHINING", "CLEAR",  "KEYSEAT"};
+
+// "ROUGH T-SLOT", "ROUND OVER": no word of a cutter, and no size of one.
+bool may_be_work(const ToolHint& line) {
+  using enum ToolTrade;
+  const bool shape = line.trade == dovetail || line.trade == rounding || line.trade == disc;
+  if (!shape || line.names_tool || !line.id.empty() || !line.diameters.empty()) return false;
+  const std::string folded = fold_comment(line.text);
+  const std::vector<CommentToken> tokens = comment_tokens(folded);
+  return std::ranges::all_of(tokens, [](const CommentToken& t) {
+    return t.kind == CommentToken::Kind::sign ||
+           std::ranges::find(kWork, t.text) != std::end(kWork);
+  });
+}
+
+// "10MM END MILL": it cuts slots and edges of any form, before or beside the cutter of that form.
+bool is_plain_mill(const ToolHint& tool) {
+  return tool.firm && tool.trade == ToolTrade::mill && !tool.diameters.empty() &&
+         (tool.type == ToolType::endmill || tool.type == ToolType::bullmill ||
+          tool.type == ToolType::ballmill);
+}
 
 void merge_kind(ToolHint& into, const ToolHint& more) {
   const bool plain = into.type == ToolType::endmill;  // "CR=2" makes a bull-nose mill of it
@@ -168,6 +201,11 @@ void merge_sizes(ToolHint& into, const ToolHint& line) {
 }  // namespace
 
 void merge_hint(ToolHint& into, const ToolHint& more) {
+  if (is_plain_mill(into) && may_be_work(more)) return;
+  if (is_plain_mill(more) && may_be_work(into)) {
+    into = more;
+    return;
+  }
   if (into.only_angle() && !more.only_angle()) {
     const ToolHint line = std::exchange(into, more);
     return merge_hint(into, line);
