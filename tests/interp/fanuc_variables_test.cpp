@@ -100,14 +100,50 @@ TEST(FanucVariables, CountersAndOutputsKeepWhatIsSet) {
 
 // Loops that make a tool longer cut deeper on the machine, and cut all at one depth here.
 TEST(FanucRegisters, ALengthThatChangesBetweenCuts) {
-  const auto run_lengths = [](const std::string& first, const std::string& second) {
-    const std::string cut = "G43 H1 G0 Z9.\nG1 Z0 F9.\nG0 Z9.\n";
-    return codes(read_text(first + cut + second + cut, at_origin(Dialect::fanuc)));
+  const auto run_lengths = [](const std::string& first, const std::string& second,
+                              const std::string& h = "H1") {
+    const auto cut = [](const std::string& number) {
+      return "G43 " + number + " G0 Z9.\nG1 Z0 F9.\nG0 Z9.\n";
+    };
+    return codes(read_text(first + cut("H1") + second + cut(h), at_origin(Dialect::fanuc)));
   };
   EXPECT_EQ(run_lengths("G10 L11 P1 R0\n", "G10 L11 P1 R-1.\n"), "not-supported");
   EXPECT_EQ(run_lengths("", "G91 G10 L11 P1 R-1.\nG90\n"), "not-supported");
   EXPECT_EQ(run_lengths("G10 L10 P1 R0\nG10 L10 P1 R80.\n", "G10 L10 P1 R80.\n"), "");
   EXPECT_EQ(run_lengths("G10 L10 P1 R90.\n", "G10 L10 P2 R80.\n"), "");
+  EXPECT_EQ(run_lengths("", "G10 L11 P1 R-1.\n"), "not-supported") << "the first wear counts";
+  EXPECT_EQ(run_lengths("#10001=0\n", "#10001=#10001-1\n"), "not-supported");
+  EXPECT_EQ(run_lengths("#11001=80\n", "#11001=80\n"), "");
+  EXPECT_EQ(run_lengths("", "#11001=80\n"), "not-supported");
+  EXPECT_EQ(run_lengths("G10 P1 R80.\n", "G10 P1 R79.\n"), "not-supported") << "memory A";
+}
+
+TEST(FanucRegisters, AnOffsetOfALatheThatChangesBetweenCuts) {
+  const auto told = [](const std::string& set, const std::string& second = "T0101") {
+    const std::string cut = "\nG0 X20. Z1.\nG1 Z-5. F.1\nG0 X30.\nZ1.\n";
+    return codes(read_text("G10 P1 X0 Z0\nT0101" + cut + set + second + cut,
+                           at_origin(Dialect::fanuc, MachineKind::lathe)));
+  };
+  EXPECT_EQ(told("G10 P1 U-0.5\n"), "not-supported");
+  EXPECT_EQ(told("G10 P1 X-0.5\n"), "not-supported");
+  EXPECT_EQ(told("G10 P1 X0 Z0\n"), "");
+  EXPECT_EQ(told("G10 P2 U-0.5\n"), "");
+  EXPECT_EQ(told("G10 P2 U-0.5\n", "T0202"), "");
+  EXPECT_EQ(told("G10 P10001 X-180.\n"), "not-supported");
+}
+
+// Another tool's length, and one that no cut follows, change nothing.
+TEST(FanucRegisters, ALengthThatChangesBehindAnotherTool) {
+  const auto told = [](const std::string& text) {
+    return codes(read_text(text, at_origin(Dialect::fanuc)));
+  };
+  const std::string first = "G10 L10 P1 R80.\nG10 L10 P2 R90.\nG43 H1\nG1 Z0 F9.\nG0 Z9.\n";
+  EXPECT_EQ(told(first + "G10 L10 P2 R91.\nG43 H2\nG1 Z0\nG0 Z9.\n"), "");
+  EXPECT_EQ(told(first + "G91 G10 L11 P2 R0.1\nG90 G43 H2\nG1 Z0\nG0 Z9.\n"), "");
+  EXPECT_EQ(told(first + "G43 H2\nG1 Z0\nG0 Z9.\nG10 L10 P1 R81.\nM30\n"), "");
+  EXPECT_EQ(told(first + "G10 L10 P1 R81.\nG10 L10 P1 R80.\nG43 H1\nG1 Z0\nG0 Z9.\n"), "");
+  EXPECT_EQ(told(first + "G10 L10 P1 R81.\nG43 H2\nG1 Z0\nG0 Z9.\nG43 H1\nG1 Z0\n"),
+            "not-supported");
 }
 
 }  // namespace

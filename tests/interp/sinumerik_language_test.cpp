@@ -247,6 +247,19 @@ TEST(SinumerikLanguage, IsvarAsksForAVariable) {
   EXPECT_EQ(moves("IF ISVAR(\"$MN_X\")\nX4\nENDIF\n"), " | expression");
 }
 
+// As of FANUC's lengths: the machine cuts deeper, and here all passes are at one depth.
+TEST(SinumerikLanguage, ALengthThatChangesBetweenCuts) {
+  const auto told = [](const std::string& set, const std::string& second = "T1 M6\n") {
+    const std::string cut = "D1 G0 Z9\nG1 Z0 F9\nG0 Z9\n";
+    return codes(read_text("T1 M6\n$TC_DP3[2,1]=90 $TC_DP12[1,1]=0\n" + cut + set + second + cut,
+                           at_origin(Dialect::sinumerik)));
+  };
+  EXPECT_EQ(told("$TC_DP12[1,1]=$TC_DP12[1,1]-0.5\n"), "not-supported");
+  EXPECT_EQ(told("$TC_DP3[1,1]=80\n"), "not-supported");
+  EXPECT_EQ(told("$TC_DP3[2,1]=91\n"), "");
+  EXPECT_EQ(told("$TC_DP12[1,1]=0\n"), "");
+}
+
 // Of a path the last part counts: no other folder is opened.
 TEST(SinumerikLanguage, CallsByPath) {
   const std::string sub = "\nM30\n%_N_HOLES_SPF\nG1 X1 F9\nM17\n";

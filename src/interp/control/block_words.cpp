@@ -30,6 +30,15 @@ void BlockWords::put_back(const BlockPlace& place) {
   call = place.call;
 }
 
+Motion BlockWords::motion_at(int column) const {
+  Motion place;
+  place.file = file;
+  place.line = line_number;
+  place.column = column + 1;
+  place.call = call;
+  return place;
+}
+
 std::optional<long> BlockWords::number_after(const Word& word) const {
   const std::string_view code = line.substr(0, line.find(';'));
   int depth = 0;  // in brackets stand comments and expressions

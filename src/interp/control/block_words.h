@@ -6,6 +6,7 @@
 #include "interp/text/block.h"
 #include "interp/text/codes.h"
 #include <mrsim/events.h>
+#include <mrsim/types.h>
 
 #include <algorithm>
 #include <array>
@@ -34,6 +35,8 @@ class BlockWords : public Block {
   /// No word is found any more, or that of an address.
   void forget_words();
   BlockPlace place() const { return {file, line_number, call}; }
+  /// The place of a column of it, 0-based, for Reporter::add_at.
+  Motion motion_at(int column) const;
   /// The block at `place` again, without words.
   void put_back(const BlockPlace& place);
   void forget(Address a) { slots_[static_cast<std::size_t>(a)].epoch = 0; }

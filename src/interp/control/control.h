@@ -4,6 +4,7 @@
 #pragma once
 
 #include "interp/control/block_words.h"
+#include "interp/control/set_lengths.h"
 #include "interp/control/state.h"
 #include "interp/text/reporter.h"
 #include <mrsim/options.h>
@@ -66,16 +67,11 @@ struct Control {
   std::vector<OffsetRegister> registers;     ///< the same
   /// Wears that the program sets where no register tells the radius: the tool's own stands.
   std::map<std::string, double> bare_wears;
-  /// A length, or its wear, that the program has set: mm, and `cuts` at that time.
-  struct SetLength {
-    double value = 0;
-    std::size_t cuts = 0;
-  };
-  std::map<std::string, SetLength> set_lengths;  ///< by register and kind: H1 L11
-  std::size_t cuts = 0;                          ///< lines and arcs that were given on
-  std::map<long, double> told_noses;             ///< mm, by the number of a lathe's offset
-  std::map<std::string, double> kept_values;     ///< SINUMERIK's markers and outputs: $AC_MARKER[1]
-  int register_changes = 0;                      ///< how often the program has set one
+  SetLengths lengths;
+  std::size_t cuts = 0;                       ///< lines and arcs that were given on
+  std::map<long, double> told_noses;          ///< mm, by the number of a lathe's offset
+  std::map<std::string, double> kept_values;  ///< SINUMERIK's markers and outputs: $AC_MARKER[1]
+  int register_changes = 0;                   ///< how often the program has set one
   bool skips_data = false;   ///< blocks up to G11 set what is not read: lives, parameters
   bool paused = false;       ///< M0, or a tool changed by hand, and no motion since
   bool level_plane = false;  ///< G68.2 without a tilt is in force

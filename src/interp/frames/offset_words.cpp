@@ -9,6 +9,9 @@
 namespace mrsim {
 namespace {
 
+constexpr int kSharedLength = 2;     // kind of length beside those of L10 and L11, 0 and 1
+constexpr double kGeometry = 10000;  // P of G10 from there on: geometry of a lathe's tool
+
 WorkOffset& work_entry(std::vector<WorkOffset>& list, const std::string& name) {
   for (WorkOffset& offset : list)
     if (offset.name == name) return offset;
@@ -72,7 +75,14 @@ bool OffsetWords::turned_offset(const Word& where) {
   const Word* p = peek('P');
   if (const Word* r = take('R'); r && p && r->value > 0)
     control_.told_noses[static_cast<long>(p->value) % 100] = r->value * length_unit(*r);
-  for (const char c : {'X', 'Y', 'Z', 'U', 'V', 'W', 'C', 'Q'}) take(c);
+  const double number = p ? p->value : 0;
+  const bool wear = number < kGeometry;  // P10001 is the place of the tip, P1 its wear
+  for (const char c : {'X', 'Z', 'U', 'W'})
+    if (const Word* word = take(c); word && number > 0 && number < 2 * kGeometry)
+      keep_length(static_cast<int>(number) % 100, 2 * wear + (c == 'Z' || c == 'W'), wear,
+                  {word->value * length_unit(*word), modal_.incremental || c == 'U' || c == 'W',
+                   fmt::format("{} of G10 P{:g}", text_of(*word), number)});
+  for (const char c : {'Y', 'V', 'C', 'Q'}) take(c);
   note_once("tool-length", "positions are read as those of the tool's tip, whatever its offset",
             where, "length");
   return true;
@@ -177,7 +187,16 @@ bool OffsetWords::tool_register(int l, int p, const Word& where) {
   if (z || !radius)
     note_once("tool-length", "positions are read as those of the tool's tip, whatever its length",
               where, "length");
-  if (!radius) return is(Dialect::ngc) || set_length(l, p, where);
+  if (!radius) {
+    if (!is(Dialect::ngc))
+      keep_length(
+          p, l == 11, l == 11,
+          {r->value * length_unit(*r), modal_.incremental, fmt::format("G10 L{} P{}", l, p)});
+    return true;
+  }
+  if (!peek('L'))  // memory A: one offset a number, for H and D
+    keep_length(p, kSharedLength, false,
+                {r->value * length_unit(*r), modal_.incremental, fmt::format("G10 P{}", p)});
   const std::string name = fmt::format("D{}", p);
   double& value = l == 13 ? control_.change_wear(name) : control_.change_register(name).radius;
   const double mm = r->value * length_unit(*r);
@@ -185,21 +204,18 @@ bool OffsetWords::tool_register(int l, int p, const Word& where) {
   return true;
 }
 
-// Lengths have no effect here. One that changes between cuts is to make the next cut deeper.
-bool OffsetWords::set_length(int l, int p, const Word& where) {
-  const Word& r = *peek('R');
-  const auto [at, fresh] = control_.set_lengths.try_emplace(fmt::format("H{} L{}", p, l));
-  const double mm = r.value * length_unit(r);
-  const double value = modal_.incremental ? at->second.value + mm : mm;
-  const bool changes = std::abs(value - at->second.value) > kRounding;
-  if (changes && (modal_.incremental || !fresh) && control_.cuts > at->second.cuts)
-    return error("not-supported",
-                 fmt::format("G10 L{} changes H{} behind a cut, and positions are read as those of "
-                             "the tool's tip: write the depth into Z, or shift the zero by G52 Z",
-                             l, p),
-                 where);
-  at->second = {value, control_.cuts};
-  return true;
+// Lengths move nothing here. What one was before the program's first setting is not known; a wear
+// is taken to have been 0.
+void OffsetWords::keep_length(int number, int kind, bool wear, const Length& length) {
+  const SetLengths::Register which{0, number};
+  SetLengths::Setting setting{length.mm, length.incremental && !wear, length.name,
+                              block_.motion_at(block_.oneshot->column)};
+  const SetLengths::Setting* before = control_.lengths.find(which, kind);
+  if (length.incremental && before) {
+    setting.mm += before->mm;
+    setting.relative = before->relative;
+  }
+  control_.lengths.set(which, kind, wear ? std::optional(0.0) : std::nullopt, std::move(setting));
 }
 
 }  // namespace mrsim

@@ -21,7 +21,12 @@ class OffsetWords : public ControlPart {
   void meet_unknown(const Frame& frame);
   bool tool_life(const Word& where);
   bool parameters(const Word& where);
-  bool set_length(int l, int p, const Word& where);
+  struct Length {
+    double mm = 0;
+    bool incremental = false;
+    std::string name;
+  };
+  void keep_length(int number, int kind, bool wear, const Length& length);
   bool tool_register(int l, int p, const Word& where);
   std::string work_name(int l, int p) const;
 

@@ -1,6 +1,7 @@
 #include "interp/moves/motion_emitter.h"
 
 #include "core/rounding.h"
+#include "core/text_io.h"
 #include "interp/tools/tool_changer.h"
 #include "interp/tools/tool_text.h"
 
@@ -108,6 +109,7 @@ void MotionEmitter::emit(Motion motion, const CornerSpec& corner) {
   if (lathe()) turn_to_plus(motion);
   if (motion.kind != MotionKind::rapid) {
     note_zero();
+    check_length();
     farthest_cut_ = std::max(
         {farthest_cut_, std::abs(motion.end.x), std::abs(motion.end.y), std::abs(motion.end.z)});
     motion.tool = control_.tool.index;
@@ -188,6 +190,32 @@ void MotionEmitter::note_zero() {
   if (lathe() && frames_.program.plain) height += frames_.program.shift.z + frames_.local.z;
   program_.zero_height = control_.cuts == 0 ? height : std::max(program_.zero_height, height);
   ++control_.cuts;
+}
+
+// H or D of the length in force, 0: none; of a lathe the offset of T0101.
+double MotionEmitter::length_number() const {
+  if (is(Dialect::sinumerik)) return modal_.edge;
+  if (lathe()) return std::fmod(std::max(0.0, control_.tool.written), 100);
+  return modal_.length == Code::length_off ? 0 : modal_.length_number;
+}
+
+// Loops that make a tool longer cut deeper on the machine, and here all at one depth.
+void MotionEmitter::check_length() {
+  const bool siemens = is(Dialect::sinumerik);
+  const double number = length_number();
+  const int tool = control_.tool.index;
+  if (number == 0 || !control_.lengths.unmet(tool, number)) return;
+  SetLengths::Register which{0, number};
+  if (siemens && tool >= 0)
+    which.first = parse_number(program_.tools[static_cast<std::size_t>(tool)].id).value_or(-1);
+  for (const SetLengths::Setting& set : control_.lengths.cut(tool, number, which))
+    reporter_.once_at(
+        Severity::error, "not-supported",
+        fmt::format("{} changes a length behind a cut of its tool, which cuts again in line {}, "
+                    "and positions are read as those of the tool's tip: write the depth into Z, or "
+                    "shift the zero by {}",
+                    set.name, block_.line_number, siemens ? "TRANS Z" : "G52 Z"),
+        set.at, fmt::format("length {} {}", set.at.file, set.at.line));
 }
 
 // Cuts from an unknown place are not swept. One alone is the way to the first point.

@@ -43,6 +43,8 @@ class MotionEmitter : public ControlPart {
 
  private:
   void note_zero();
+  double length_number() const;
+  void check_length();
   void turn_to_plus(Motion& motion);
   bool may_stand_below() const;
   void refuse_undescribed_tool(const Motion& motion);

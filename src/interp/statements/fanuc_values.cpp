@@ -148,6 +148,13 @@ bool FanucValues::read_register(int number, double& out, std::string& why) const
   const int kind = number / 1000;
   if (lathe() || kind < 10 || kind > 13 || number % 1000 == 0 || !tools_) return false;
   const std::string name = fmt::format("{}{}", kind < 12 ? 'H' : 'D', number % 1000);
+  if (kind < 12) {
+    const SetLengths::Setting* set = control_.lengths.find({0, number % 1000}, kind == 10);
+    if (set && !set->relative) {
+      out = set->mm / scale();
+      return true;
+    }
+  }
   const OffsetRegister* reg = tools_->find_register(name);
   if (!reg && kind == 12 && control_.bare_wears.contains(name)) {
     out = control_.bare_wear(name) / scale();
@@ -161,13 +168,19 @@ bool FanucValues::read_register(int number, double& out, std::string& why) const
   return true;
 }
 
-// Lengths, #10001 and #11001, are those of the real tools.
+// Lengths, #10001 and #11001, move nothing here: see SetLengths.
 bool FanucValues::write_register(double number, const Value& value) {
   const int kind = static_cast<int>(number / 1000), index = static_cast<int>(number) % 1000;
-  if (lathe() || (kind != 12 && kind != 13) || index == 0 || !value.is_number()) return false;
+  if (lathe() || kind < 10 || kind > 13 || index == 0 || !value.is_number()) return false;
+  const double mm = value.number * scale();
+  if (kind < 12) {
+    const bool wear = kind == 10;
+    control_.lengths.set({0, index}, wear, wear ? std::optional(0.0) : std::nullopt,
+                         {mm, false, fmt::format("#{:.0f}", number), block_.motion_at(0)});
+    return true;
+  }
   const std::string name = fmt::format("D{}", index);
-  double& place = kind == 12 ? control_.change_wear(name) : control_.change_register(name).radius;
-  place = value.number * scale();
+  (kind == 12 ? control_.change_wear(name) : control_.change_register(name).radius) = mm;
   return true;
 }
 

@@ -35,7 +35,14 @@ bool SinumerikVariables::tool_value(std::string_view name, std::span<const Value
     out = tool_radius() / data_scale();
     return true;
   }
-  if (indices.size() != 2 || (name != "$TC_DP3" && name != "$TC_DP6")) return false;
+  if (indices.size() != 2) return false;
+  const double kind = name.starts_with("$TC_DP") ? parse_number(name.substr(6)).value_or(0) : 0;
+  if (const auto set =
+          control_.lengths.find({indices[0].number, indices[1].number}, static_cast<int>(kind))) {
+    out = set->mm / data_scale();
+    return true;
+  }
+  if (name != "$TC_DP3" && name != "$TC_DP6") return false;
   const std::string id = fmt::format("{:g}", indices[0].number);
   const std::string wanted = fmt::format("T{}.D{:g}", id, indices[1].number);
   for (const OffsetRegister& reg : control_.registers)
@@ -118,8 +125,7 @@ bool SinumerikVariables::frame_value(std::string_view name, std::span<const Valu
   return value.has_value();
 }
 
-// The tool's data: radius and its wear decide the compensation; lengths are those of the real
-// tools.
+// The tool's data: radius and its wear decide the compensation; for lengths see SetLengths.
 bool SinumerikVariables::write_tool(std::string_view key, std::span<const Value> indices,
                                     const Value& value) {
   if (!value.is_number() || indices.size() != 2 || !indices[0].is_number() ||
@@ -134,6 +140,11 @@ bool SinumerikVariables::write_tool(std::string_view key, std::span<const Value>
   const auto at = std::find_if(control_.registers.begin(), control_.registers.end(),
                                [&](const OffsetRegister& reg) { return reg.name == name; });
   if (number == 15 && mm != 0 && at == control_.registers.end()) return false;  // wear of what?
+  const bool wear = number >= 12 && number <= 14;
+  if (wear || (number >= 3 && number <= 5))
+    control_.lengths.set({indices[0].number, indices[1].number}, static_cast<int>(number),
+                         wear ? std::optional(0.0) : std::nullopt,
+                         {mm, false, fmt::format("{} of {}", key, name), block_.motion_at(0)});
   if (number == 6) control_.change_register(name).radius = mm;
   if (number == 15 && at != control_.registers.end()) control_.change_register(name).wear = mm;
   return true;

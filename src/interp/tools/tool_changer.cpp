@@ -178,10 +178,7 @@ bool ToolChanger::select(const Word& word) {
   tool_.written = word.string ? -1 : word.value;
   tool_.pending.active = true;
   tool_.pending.id = id_of(word);
-  tool_.pending.at.file = block_.file;
-  tool_.pending.at.line = block_.line_number;
-  tool_.pending.at.column = word.column + 1;
-  tool_.pending.at.call = block_.call;
+  tool_.pending.at = block_.motion_at(word.column);
   notes_.call(tool_.pending.id);
   return true;
 }
@@ -206,10 +203,7 @@ void ToolChanger::take_commented(const Word& where) {
     return;
   }
   tool_.pending.id = id;
-  tool_.pending.at.file = block_.file;
-  tool_.pending.at.line = block_.line_number;
-  tool_.pending.at.column = where.column + 1;
-  tool_.pending.at.call = block_.call;
+  tool_.pending.at = block_.motion_at(where.column);
   change();
 }
 
