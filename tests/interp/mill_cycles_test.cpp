@@ -7,6 +7,8 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <utility>
+#include <vector>
 
 namespace mrsim {
 namespace {
@@ -244,6 +246,65 @@ TEST(MillCycles, ASpigotFromACornerIsRefused) {
                       at_origin(Dialect::sinumerik)),
             Severity::error),
       "not-supported");
+}
+
+// The list of the old manual, with the depth as a level, and that of the current masks, with the
+// depth below the reference, the width in per cent and the plane: the same motions.
+TEST(MillCycles, OldAndCurrentListsMoveAlike) {
+  const auto path = [](const std::string& cycle) {
+    const Program p =
+        read_text("T1 D1 M6\nG0 X0 Y0 Z50\n" + cycle + "\nM30\nBEG:\nG1 X0 Y0\nY20\nX20\nFIN:\n",
+                  at_origin(Dialect::sinumerik));
+    EXPECT_EQ(codes(p), "") << cycle;
+    EXPECT_GT(p.motions.size(), 5U) << cycle;
+    return path_text(p);
+  };
+  const std::pair<const char*, const char*> lists[] = {
+      {"POCKET1(50,0,2,-6,,60,40,8,3,4,30,200,800,3,2,0.2,0,6)",
+       "POCKET1(50,0,2,,6,60,40,8,3,4,30,200,800,3,2,0.2,0,6)"},
+      {"POCKET2(50,0,2,-6,,22,3,4,200,800,3,3,0.1,0)",
+       "POCKET2(50,0,2,,6,22,3,4,200,800,3,3,0.1,0)"},
+      {"POCKET3(50,0,2,-6,60,40,8,3,4,30,2.5,0.3,0.2,800,200,0,21,4,,,,2,1)",
+       "POCKET3(50,0,2,6,60,40,8,3,4,30,2.5,0.3,0.2,800,200,0,21,40,,,,2,1,0,1,2,11100,11,111)"},
+      {"POCKET3(50,0,2,-6,60,40,8,0,0,0,2.5,0.3,0.2,800,200,1,12)",
+       "POCKET3(50,0,2,6,60,40,8,-30,20,0,2.5,0.3,0.2,800,200,1,12,,,,,,,0,1,2,14100,11,111)"},
+      {"POCKET4(50,0,2,-6,22,3,4,3,0.3,0.2,800,200,0,21,6,,,2,1)",
+       "POCKET4(50,0,2,6,22,3,4,3,0.3,0.2,800,200,0,21,60,,,2,1,0,1,2,10100,11,11)"},
+      {"SLOT1(50,0,2,-4,,4,20,14,1,2,10,0,90,200,800,2,3,0.2,0,4)",
+       "SLOT1(50,0,2,4,,4,20,14,1,2,10,0,90,200,800,2,3,0.2,0,4,,,,,,0,1,2,0,11,1)"},
+      {"SLOT2(50,0,2,-4,,2,70,14,1,2,20,0,180,200,800,2,2,0.1,0,4)",
+       "SLOT2(50,0,2,4,,2,70,14,1,2,20,0,180,200,800,2,2,0.1,0,4,,,200,0,1,2,0,11,1)"},
+      {"LONGHOLE(50,0,2,-4,,4,20,1,2,10,0,0,200,800,2)",
+       "LONGHOLE(50,0,2,4,,4,20,1,2,10,0,0,200,800,2,1,0,0,11,1)"},
+      {"CYCLE61(50,3,2,0,0,0,50,30,1.5,8,0,800,31)",
+       "CYCLE61(50,3,2,3,0,0,50,30,1.5,80,0,800,31,0,1,11)"},
+      {"CYCLE72(\"BEG:FIN\",50,0,2,-4,2,0.3,0.2,500,200,11,41,1,7,200,1,7)",
+       "CYCLE72(\"BEG:FIN\",50,0,2,4,2,0.3,0.2,500,200,11,41,1,7,200,1,7,0,1,2,101,11,1)"},
+      {"CYCLE76(50,0,2,-6,,40,30,4,3,4,30,3,0.3,0.2,800,200,0,1,60,56)",
+       "CYCLE76(50,0,2,,6,40,30,4,3,4,30,3,0.3,0.2,800,200,0,1,60,56,1,2,1100,1,101)"},
+      {"CYCLE77(50,0,2,-6,,30,2,1,3,0.2,0.1,800,200,0,1,50)",
+       "CYCLE77(50,0,2,,6,30,2,1,3,0.2,0.1,800,200,0,1,50,1,2,1100,1,101)"},
+      {"CYCLE90(50,0,2,-10,,30,26,2,500,3,0,4,3)", "CYCLE90(50,0,2,,10,30,26,2,500,3,0,4,3)"},
+      {"CYCLE899(50,0,2,-6,60,24,1,2,30,3,6,0,0,800,0,1)",
+       "CYCLE899(50,0,2,6,60,24,1,2,30,3,60,0,0,800,0,1,1100,11,11)"},
+  };
+  for (const auto& [old, current] : lists) EXPECT_EQ(path(current), path(old)) << current;
+}
+
+// The face of the old cycle, along X to and fro, and that of the current one.
+TEST(MillCycles, TheTwoFacingCyclesClearTheSameFace) {
+  const auto levels = [](const std::string& cycle) {
+    const Program p =
+        read_text("T1 D1 M6\nG0 X0 Y0 Z50\n" + cycle + "\nM30\n", at_origin(Dialect::sinumerik));
+    EXPECT_EQ(codes(p), "");
+    std::vector<double> out;
+    for (const Motion& m : p.motions)
+      if (m.kind != MotionKind::rapid && (out.empty() || out.back() != m.end.z))
+        out.push_back(m.end.z);
+    return out;
+  };
+  EXPECT_EQ(levels("CYCLE71(50,3,2,0,0,0,50,30,0,1.5,6,5,0,800,31,1)"), (std::vector{1.5, 0.0}));
+  EXPECT_EQ(levels("CYCLE61(50,3,2,0,0,0,50,30,1.5,6,0,800,31)"), (std::vector{1.5, 0.0}));
 }
 
 }  // namespace
