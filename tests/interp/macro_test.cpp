@@ -201,5 +201,16 @@ TEST(Macro, ADivisionWithoutBracketsIsToldOf) {
   EXPECT_EQ(told("#1=10\nG1 X[#1/2] F9\nG0 Z#1 /2 M9\nZ50./2M9\nM30\n"), "");
 }
 
+// The holes were drilled, and the macro never ran.
+TEST(Macro, ADrillingCycleUnderG66IsRefused) {
+  const auto told = [](const std::string& text) {
+    return codes(
+        read_text(text + "M30\nO10\nG91 G1 Z1. F9\nG90\nM99\n", at_origin(Dialect::fanuc)));
+  };
+  EXPECT_EQ(told("G66 P10\nG81 X5. Z-1. R1. F9\nG67\nG80\n"), "not-supported");
+  EXPECT_EQ(told("G66 P10\nG1 X5. F9\nG67\nG81 X5. Z-1. R1. F9\nG80\n"), "");
+  EXPECT_EQ(told("G81 X5. Z-1. R1. F9\nG80\nG66 P10\nG1 X5. F9\nG67\n"), "");
+}
+
 }  // namespace
 }  // namespace mrsim

@@ -247,5 +247,15 @@ TEST(Okuma, ModesOfLathes) {
   EXPECT_EQ(osp_named("VZOFZ=5\nG1 X2 F1\n"), "l1,0,0 | variable-unset");
 }
 
+// NE of NEND was read as the comparison "not equal".
+TEST(Okuma, AConditionEndsWithItsBracket) {
+  const std::string end = "\nGOTO NA1\nNEND G1 Y1\nM02\n";
+  for (const std::string jump :
+       {"IF [VC1 GE 2] NEND", "IF[VC1 GE 2]GOTO NEND", "IF [VC1 EQ 2] NEND"})
+    EXPECT_EQ(osp_milled("VC1=0\nNA1 VC1=VC1+1\nG1 X=VC1 F9\n" + jump + end),
+              "l1,0,0 l2,0,0 l2,1,0")
+        << jump;
+}
+
 }  // namespace
 }  // namespace mrsim

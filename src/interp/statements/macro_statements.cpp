@@ -167,7 +167,9 @@ bool MacroStatements::collect(const Word* code, bool first, Arguments& out) {
     if (local > 33) return error("macro-arguments", "more than ten groups I J K (alarm 129)", word);
     if (local < 0 || (local == 0 && first))
       return error("macro-arguments",
-                   fmt::format("{} is no argument of a macro (alarm 129)", text_of(word)), word);
+                   fmt::format("{} is no argument of a macro (alarm 129){}", text_of(word),
+                               c == 'G' ? ": write it into a block of its own" : ""),
+                   word);
     if (local == 0) continue;
     out.values[static_cast<std::size_t>(local)] = word.value;
     out.given |= std::uint64_t(1) << local;
@@ -305,8 +307,16 @@ void MacroStatements::end_block(bool moved) {
           block_.words.front());
     return;
   }
-  const ModalCall* const call = moved ? modal_call(false) : nullptr;
-  if (call) run_modal(*call, call->arguments);
+  const ModalCall* const call = modal_call(false);
+  if (!call) return;
+  if (moved) {
+    run_modal(*call, call->arguments);
+  } else if (modal_.drill.number != 0 && (peek('X') || peek('Y') || peek('Z'))) {
+    error("not-supported",
+          "a hole of a drilling cycle while G66 is in force: whether it calls the macro is not "
+          "known; write G67 before the cycle",
+          block_.words.front());
+  }
 }
 
 }  // namespace mrsim

@@ -41,6 +41,17 @@ bool OspStatements::starts_statement(std::string_view line, std::size_t p) {
          name == "MODIN" || name == "MODOUT" || MacroStatements::starts_statement(line, p);
 }
 
+// The brackets of IF alone: in IF [VC1 GE 2] NEND the block NEND follows, and no comparison by NE.
+bool OspStatements::bracketed(std::size_t& p, bool& holds) {
+  p = skip_blanks(p);
+  if (at(p) != '[') return condition(p, holds);
+  double value = 0;
+  decided_ = true;
+  if (!evaluator_.number_operand(block_.line, p, value)) return report(evaluator_.fault());
+  holds = value != 0;
+  return true;
+}
+
 bool OspStatements::statement(std::size_t from) {
   std::size_t p = from;
   if (draws_blank(block_.line, from)) {
@@ -57,7 +68,7 @@ bool OspStatements::statement(std::size_t from) {
   if (name == "IF") {
     std::size_t behind = p;
     bool holds = false;
-    if (!condition(behind, holds)) return false;
+    if (!bracketed(behind, holds)) return false;
     behind = skip_blanks(behind);
     std::size_t next = behind;
     if (letters(next) == "GOTO" && upper(at(skip_blanks(next))) == 'N') behind = skip_blanks(next);

@@ -189,9 +189,12 @@ bool ProgramFlow::call_word(const Word& word, int m) {
   if (is(Dialect::ngc)) return true;
   for (const char c : {'Q', 'H'})
     if (block_.m98 && peek(c) && !(c == 'H' && block_.length_changed) && !take_block(c))
-      return error("not-supported",
-                   fmt::format("M{} with {} (a call of a block number) is not supported yet", m, c),
-                   word);
+      return error(
+          "not-supported",
+          fmt::format("M{0} with {1} (a call of a block number) is not supported yet: begin "
+                      "that program with GOTO and the number, and leave {1} out",
+                      m, c),
+          word);
   return true;
 }
 
