@@ -307,5 +307,21 @@ TEST(Frames, SurfaceSpeedsAndTheirFeeds) {
   }
 }
 
+// --least-increments: X1000 was 1 mm, and in G52 and G68 1000 mm; R90000 no angle at all.
+TEST(Frames, WordsOfFramesCountLeastIncrements) {
+  InterpOptions options = at_origin(Dialect::fanuc);
+  options.least_increments = true;
+  const auto path = [&](const std::string& text) {
+    return path_text(read_text(text + "\nM30\n", options));
+  };
+  EXPECT_EQ(path("G52 X5000\nG1 X1000 F9"), "l6,0,0");
+  EXPECT_EQ(path("G68 X1000 Y0 R90.\nG1 X2000 Y0 F9"), "l1,1,0");
+  EXPECT_EQ(path("G68 X0 Y0 R90000\nG1 X2000 Y0 F9"), "l0,2,0");
+  EXPECT_EQ(path("G51 X1000 Y0 Z0 P2.\nG1 X2000 F9"), "l3,0,0");
+  EXPECT_EQ(path("G51.1 X1000\nG1 X3000 F9"), "l-1,0,0");
+  EXPECT_EQ(path("G16 G1 X10000 Y90000 F9"), "l0,10,0");
+  EXPECT_EQ(path("G1 X10000 ,A45000 F9"), "l10,10,0");
+}
+
 }  // namespace
 }  // namespace mrsim

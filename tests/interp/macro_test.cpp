@@ -212,5 +212,18 @@ TEST(Macro, ADrillingCycleUnderG66IsRefused) {
   EXPECT_EQ(told("G81 X5. Z-1. R1. F9\nG80\nG66 P10\nG1 X5. F9\nG67\n"), "");
 }
 
+// They were whole millimetres, beside X5000 in a block of its own as 5.
+TEST(Macro, ArgumentsCountLeastIncrementsToo) {
+  InterpOptions options = at_origin(Dialect::fanuc);
+  options.least_increments = true;
+  const auto path = [&](const std::string& call) {
+    return path_text(
+        read_text("#100=7\n" + call + "\nM30\nO7\nG1 X#24 Y#4 Z#1 F#9\nX#11\nM99\n", options));
+  };
+  EXPECT_EQ(path("G65 P7 X5000 I2000 A1000 H2 F100"), "l5,2,1 l2,2,1");
+  EXPECT_EQ(path("G65 P7 X5. I#100 A[1+1] H2 F100"), "l5,7,2 l2,7,2");
+  EXPECT_EQ(path("G20\nG65 P7 X5000 I0 A0 H2. F100"), "l12.7,0,0 l50.8,0,0");
+}
+
 }  // namespace
 }  // namespace mrsim

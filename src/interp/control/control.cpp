@@ -10,6 +10,7 @@
 namespace mrsim {
 namespace {
 
+constexpr double kAngleIncrement = 1e-3;   // degrees that a number without a point counts
 constexpr double kLargestLead[] = {6, 2};  // in mm and in inches; above, E counts threads an inch
 
 }  // namespace
@@ -105,6 +106,11 @@ double ControlPart::length_unit(const Word& word) const {
   const double unit = modal_.inch ? 25.4 : 1.0;
   if (!options_.least_increments || word.point || !is(Dialect::fanuc)) return unit;
   return unit * modal_.least_increment();
+}
+
+double ControlPart::angle_value(const Word& word) const {
+  const bool counts = options_.least_increments && !word.point && is(Dialect::fanuc);
+  return counts ? word.value * kAngleIncrement : word.value;
 }
 
 double ControlPart::axis_value(int axis, const Word& word, bool incremental) const {

@@ -122,6 +122,8 @@ class ControlPart {
   Basis stock_basis() const;
   /// mm of a length of 1 in `word`.
   double length_unit(const Word& word) const;
+  /// What the word says in degrees.
+  double angle_value(const Word& word) const;
   /// What the word says in mm; X of a lathe as a radius.
   double axis_value(int axis, const Word& word, bool incremental) const;
 

@@ -256,7 +256,7 @@ bool AxisWords::fanuc_polar_target(Target& out, const Vec3& from) {
   if (from_tool) pole = in_plane(b, from);
   const bool adds = modal_.incremental && (!from_tool || position_.has_polar_angle);
   if (angle)
-    position_.polar_angle = angle->value + (adds ? last_polar_angle(b) : 0);
+    position_.polar_angle = angle_value(*angle) + (adds ? last_polar_angle(b) : 0);
   else if (!position_.has_polar_angle)
     position_.polar_angle = last_polar_angle(b);
   position_.has_polar_angle = true;
@@ -282,7 +282,7 @@ const Word* AxisWords::motion_word(const Target& to) const {
 bool AxisWords::angle_target(Target& out, const Vec3& from) {
   const Word* ang = take(angle_address());
   const Basis b = basis();
-  const SinCos sc = sincos_deg(ang->value);
+  const SinCos sc = sincos_deg(angle_value(*ang));
   const Vec2 direction{sc.cos, sc.sin}, s = in_plane(b, from), e = in_plane(b, out.programmed);
   const bool has_u = named_along(out, b.u), has_v = named_along(out, b.v);
   if (has_u == has_v)

@@ -161,7 +161,7 @@ void FrameWords::arguments(Vec3& values, unsigned& named, bool lengths) {
     const Word* word = take("XYZ"[i]);
     if (!word) continue;
     named |= 1U << i;
-    component(values, i) = lengths ? word->value * scale() : word->value;
+    component(values, i) = lengths ? word->value * length_unit(*word) : word->value;
   }
 }
 

@@ -28,7 +28,7 @@ bool FrameWords::fanuc(const Word& word) {
                      word);
       if (!center_of_mach(values, word)) return false;
       const bool adds = modal_.incremental || take('I');
-      turn_about(r->value, kNormal[modal_.plane], values, adds, word);
+      turn_about(angle_value(*r), kNormal[modal_.plane], values, adds, word);
       break;
     }
     case Code::rotation_off:
@@ -163,7 +163,7 @@ bool FrameWords::center_of_mach(Vec3& center, const Word& word) {
   if (!a && !b) return true;
   if (!a || !b) return error("value-missing", "G68 of Mach needs A and B, its centre", word);
   if (modal_.plane != 0) return error("not-supported", "G68 A B of Mach is read in G17 only", word);
-  center = {a->value * scale(), b->value * scale(), 0};
+  center = {a->value * length_unit(*a), b->value * length_unit(*b), 0};
   return true;
 }
 

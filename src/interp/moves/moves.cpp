@@ -251,7 +251,7 @@ void Moves::finish() {
 bool Moves::hold_angle(const Word& ang) {
   take(angle_address());
   pending_angle_.active = true;
-  pending_angle_.angle = ang.value;
+  pending_angle_.angle = angle_value(ang);
   pending_angle_.motion = motion_template(block_.motion_code ? *block_.motion_code : ang,
                                           MotionKind::line, lead_in_force());
   pending_angle_.corner = out_.corner_spec();
@@ -264,7 +264,7 @@ bool Moves::two_angle_lines(const Target& to, const Vec3& from, const Frame& fra
   const Basis b = basis();
   if (!named_along(to, b.u) || !named_along(to, b.v))
     return error("angle-coordinates", "the second angle needs both end coordinates", ang);
-  const SinCos a = sincos_deg(pending_angle_.angle), c = sincos_deg(ang.value);
+  const SinCos a = sincos_deg(pending_angle_.angle), c = sincos_deg(angle_value(ang));
   const Vec2 d1{a.cos, a.sin}, d2{c.cos, c.sin};
   const Vec2 s = in_plane(b, from), e = in_plane(b, to.programmed);
   const double det = cross(d1, d2);

@@ -149,6 +149,15 @@ bool MacroStatements::go_to(std::size_t p) {
   return jump_always(to);
 }
 
+// --least-increments: an argument without a point counts those of its address.
+double MacroStatements::argument_value(const Word& word) const {
+  const auto c = static_cast<char>(word.address);
+  if (!options_.least_increments || word.point) return word.value;
+  if (c >= 'A' && c <= 'C') return angle_value(word);
+  const bool length = std::string_view("IJKQRUVWXYZ").find(c) != std::string_view::npos;
+  return length ? word.value * modal_.least_increment() : word.value;
+}
+
 // The words behind G65 as local variables. I J K more than once: argument list II.
 bool MacroStatements::collect(const Word* code, bool first, Arguments& out) {
   int triples = 0;
@@ -171,7 +180,7 @@ bool MacroStatements::collect(const Word* code, bool first, Arguments& out) {
                                c == 'G' ? ": write it into a block of its own" : ""),
                    word);
     if (local == 0) continue;
-    out.values[static_cast<std::size_t>(local)] = word.value;
+    out.values[static_cast<std::size_t>(local)] = argument_value(word);
     out.given |= std::uint64_t(1) << local;
   }
   return true;

@@ -51,6 +51,7 @@ class MacroStatements : public Statements {
   bool while_statement(std::size_t at, std::size_t p);
   bool loop_end(std::size_t at);
   bool go_to(std::size_t p);
+  double argument_value(const Word& word) const;
   bool collect(const Word* code, bool first, Arguments& out);
   bool call_macro(const SubprogramName& program, long repeats, const Arguments& arguments,
                   const Kept& kept, const MacroLevel& level, const Word& where);
