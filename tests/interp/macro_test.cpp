@@ -185,11 +185,16 @@ TEST(Macro, BranchesOfSeveralLines) {
             "1,0,0 1,2,0 3,2,0 ");
   EXPECT_EQ(path("#1=3\nIF[#1 EQ 1]THEN\nG1 X1 F9\nENDIF\nIF[#1 EQ 3]THEN #2=5.\nG1 X#2 F9\n"),
             "5,0,0 ");
-  const auto told = [](const char* text) {
+  const auto told = [](const std::string& text) {
     return codes(read_text(text, at_origin(Dialect::fanuc)));
   };
   EXPECT_EQ(told("#1=3\nIF[#1 EQ 1]THEN\nG1 X1 F9\nM30\n"), "structure");
   EXPECT_EQ(told("G1 X1 F9\nELSE\nX2\nENDIF\nM30\n"), "structure");
+  for (const char* const holds : {"1 EQ 1", "1 EQ 2"})
+    EXPECT_EQ(told(fmt::format("#1=0\nIF[{}]THEN #1=5. ELSE #1=6.\nG1 X9 F9\nM30\n", holds)),
+              "not-supported")
+        << "no ELSE was read behind a condition that is false";
+  EXPECT_EQ(told("#1=0\nIF[1 EQ 1]THEN #1=5. (OR ELSE 6)\nG1 X#1 F9\nM30\n"), "");
 }
 
 // The control reads a block skip there.

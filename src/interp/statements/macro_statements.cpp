@@ -3,6 +3,7 @@
 #include "interp/language/flow_scan.h"
 #include "interp/text/characters.h"
 
+#include <algorithm>
 #include <cmath>
 #include <utility>
 
@@ -80,6 +81,16 @@ bool MacroStatements::statement(std::size_t from) {
   return true;
 }
 
+// Where ELSE stands in the rest of the block, outside of comments; else the end of the line.
+std::size_t MacroStatements::else_at(std::size_t p) const {
+  const std::size_t end = end_of_block(p);
+  for (; p < end; ++p) {
+    if (at(p) == '(') p = std::min(block_.line.find(')', p), end);
+    if (!is_letter(at(p - 1)) && upper_case(block_.line.substr(p, 4)) == "ELSE") return p;
+  }
+  return block_.line.size();
+}
+
 // IF [...] GOTO 10, IF [...] THEN #1 = 2, and IF [...] THEN with its blocks below it.
 bool MacroStatements::if_statement(std::size_t from, std::size_t p) {
   bool holds = false;
@@ -90,6 +101,11 @@ bool MacroStatements::if_statement(std::size_t from, std::size_t p) {
     if (holds) return go_to(behind);
   } else if (abbreviates(word, "THEN")) {
     if (ends_block(block_.line, behind)) return branch(from, holds);
+    if (const std::size_t other = else_at(behind); other < block_.line.size())
+      return fail("not-supported",
+                  "ELSE in the block of its IF is not supported: write THEN, ELSE and ENDIF at the "
+                  "ends of blocks of their own",
+                  other, other + 4);
     if (holds) {
       reader_.set_position(behind);
       return true;

@@ -46,6 +46,7 @@ class MacroStatements : public Statements {
     bool simple = false;    ///< by G65
   };
 
+  std::size_t else_at(std::size_t p) const;
   bool if_statement(std::size_t from, std::size_t p);
   bool branch(std::size_t from, std::optional<bool> holds);
   bool while_statement(std::size_t at, std::size_t p);
