@@ -186,6 +186,21 @@ TEST(MeshFormats, AskForMemoryWhereTheWholeMeshIsWritten) {
   EXPECT_EQ(written(MeshFormat::ply), "");
 }
 
+TEST(MeshFormats, AskForTheMemoryOfWhatTheyRead) {
+  const TriMesh m = sphere_mesh(200, 10);
+  std::vector<std::pair<MeshFormat, std::string>> files;
+  for (const MeshFormat format :
+       {MeshFormat::obj, MeshFormat::off, MeshFormat::ply, MeshFormat::threemf, MeshFormat::glb})
+    files.push_back({format, bytes_as(format, m)});
+  for (const bool ascii : {false, true})
+    files.push_back({MeshFormat::stl, bytes_of([&](const ByteSink& out) {
+                       encode_mesh(MemoryMesh(m), MeshFormat::stl, {.ascii = ascii}, out);
+                     })});
+  const MemoryLimit limit(1);
+  for (const auto& [format, bytes] : files)
+    EXPECT_EQ(parse_code(bytes, format), "memory") << int(format);
+}
+
 TEST(MeshFormats, RefuseCoordinatesBeyondTenKilometres) {
   for (const MeshFormat format : kFormats) {
     TriMesh box = box_mesh({0, 0, 0}, {1, 2, 3});

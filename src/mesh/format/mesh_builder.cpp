@@ -1,6 +1,5 @@
 #include "mesh/format/mesh_builder.h"
 
-#include "core/memory_limit.h"
 #include "mesh/solid/half_edges.h"
 #include "mesh/solid/weld.h"
 
@@ -13,6 +12,11 @@ namespace mrsim::detail {
 namespace {
 
 constexpr std::size_t kMostCorners = 512;  // ears take the square of it
+
+// Bytes: a vertex with its colour, a triangle with its owner; and the half edges by which take()
+// looks for borders.
+constexpr std::size_t kVertexBytes = 15, kTriangleBytes = 16, kHalfEdges = 48,
+                      kHalfEdgesOfVertex = 4;
 
 using Polygon = std::vector<std::uint32_t>;
 
@@ -82,8 +86,11 @@ void MeshBuilder::expect(std::size_t vertices, std::size_t triangles) const {
                 fmt::format("{} has more than 50 million triangles, instances counted; export a "
                             "coarser mesh",
                             name_));
-  // A vector that grows holds its numbers three times for a moment.
-  const double held = 3 * 12.0 * double(vertices) + 3 * 16.0 * double(triangles);
+  // A vector that grows holds its numbers three times for a moment; the half edges come later.
+  const double v = double(vertices), t = double(triangles);
+  const double held =
+      std::max(3 * (kVertexBytes * v + kTriangleBytes * t),
+               (kVertexBytes + kHalfEdgesOfVertex) * v + (kTriangleBytes + kHalfEdges) * t);
   if (vertices + triangles > 100'000) require_memory(held, "reading " + name_);
 }
 
@@ -97,6 +104,7 @@ void MeshBuilder::add_vertex(double x, double y, double z) {
     fail("nan", fmt::format("vertex {} has a coordinate that is not a number", vertex_count() + 1));
   if (largest > kFarthest)
     fail("too-far", fmt::format("vertex {} has {}", vertex_count() + 1, too_far(largest)));
+  require_growth(mesh_.vertices, kVertexBytes, name_);
   mesh_.vertices.push_back({float(x), float(y), float(z)});
 }
 
@@ -117,6 +125,7 @@ void MeshBuilder::add_face(std::span<const std::int64_t> corners, std::int32_t o
   has_owners_ = has_owners_ || owner >= 0;
   for (const auto& t : triangulate(mesh_, std::move(loop))) {
     if (t[0] == t[1] || t[1] == t[2] || t[2] == t[0]) continue;
+    require_growth(mesh_.triangles, kTriangleBytes, name_);
     mesh_.triangles.push_back(t);
     mesh_.owners.push_back(owner);
   }
@@ -129,6 +138,10 @@ TriMesh MeshBuilder::take() {
   if (mesh_.colors.size() != mesh_.vertices.size()) mesh_.colors.clear();
   if (mesh_.colors.empty()) mesh_.legend.clear();
   drop_unused_vertices(mesh_);
+  // Welding takes as much, once the half edges have gone.
+  require_memory(
+      double(kHalfEdges * mesh_.triangles.size() + kHalfEdgesOfVertex * mesh_.vertices.size()),
+      "reading " + name_);
   if (has_boundary(mesh_)) mesh_ = weld(mesh_);
   if (mesh_.triangles.empty()) fail("empty", "all its triangles are without area");
   return std::move(mesh_);

@@ -1,12 +1,14 @@
 // What the readers of indexed formats have in common: polygons to triangles, checks, welding.
 #pragma once
 
+#include "core/memory_limit.h"
 #include "mesh/format/text_scan.h"
 #include <mrsim/types.h>
 
 #include <cstdint>
 #include <span>
 #include <string>
+#include <vector>
 
 namespace mrsim::detail {
 
@@ -17,8 +19,17 @@ inline constexpr double kFarthest = 1e7;
 /// Text of the error for a coordinate beyond it.
 std::string too_far(double coordinate);
 
+/// Before a vector of a file's items grows: throws Error "memory" where its next room, twice as
+/// large, does not fit beside the one it has. `bytes`: of an item, with what grows along with it.
+template <class T>
+void require_growth(const std::vector<T>& items, std::size_t bytes, const std::string& name) {
+  constexpr std::size_t kSmall = 4096;
+  if (items.size() == items.capacity() && items.size() >= kSmall)
+    require_memory(2.0 * double(bytes) * double(items.size()), "reading " + name);
+}
+
 /// Builds a mesh from untrusted numbers. Every fault is an Error "<format>-index", "-nan",
-/// "-polygon", "-empty" that names the file.
+/// "-polygon", "-empty" that names the file, or "memory" (core/memory_limit.h).
 class MeshBuilder {
  public:
   /// `format` is the beginning of error codes, "obj".
@@ -27,8 +38,8 @@ class MeshBuilder {
 
   void add_vertex(double x, double y, double z);
   /// Before `vertices` and `triangles` are added: throws Error "<format>-too-large" above 50
-  /// million triangles or the vertices these have at most, and "memory" (core/memory_limit.h). A
-  /// file of few bytes can hold many instances of one mesh.
+  /// million triangles or the vertices these have at most, and "memory". A file of few bytes can
+  /// hold many instances of one mesh.
   void expect(std::size_t vertices, std::size_t triangles) const;
   /// A polygon of vertex indices, split into triangles by its ears; polygons of fewer than three
   /// different corners are left out.

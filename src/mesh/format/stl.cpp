@@ -1,12 +1,14 @@
 #include "mesh/format/stl.h"
 
 #include "core/bytes.h"
+#include "core/memory_limit.h"
 #include "mesh/format/item_writer.h"
 #include "mesh/format/mesh_builder.h"
 #include "mesh/format/text_scan.h"
 #include "mesh/solid/half_edges.h"
 #include "mesh/solid/weld.h"
 
+#include <bit>
 #include <cmath>
 
 #include <fmt/format.h>
@@ -23,18 +25,55 @@ constexpr std::size_t kTrailingAllowed = kTriangle - 1;
 
 using Corners = std::array<std::array<float, 3>, 3>;
 
-void add_triangle(TriMesh& mesh, Welder& welder, const Corners& c) {
-  if (c[0] == c[1] || c[1] == c[2] || c[2] == c[0]) return;
-  mesh.triangles.push_back({welder.add(c[0]), welder.add(c[1]), welder.add(c[2])});
-}
+// The mesh of a file's triangles, welded. Asks for its memory.
+class Solid {
+ public:
+  explicit Solid(const std::string& name) : name_(name) {}
 
-TriMesh finished(TriMesh&& mesh, Welder& welder, const std::string& name) {
-  mesh.vertices = welder.take();
-  if (mesh.triangles.empty())
-    throw Error("stl-empty",
-                fmt::format("{} holds no triangles; export the solid again from CAD", name));
-  return std::move(mesh);
-}
+  // `triangles` that the file has the bytes of.
+  void reserve(std::size_t triangles) {
+    constexpr double kWelded = 16;  // a solid has half as many points, each with 32 bytes
+    require_memory((sizeof mesh_.triangles[0] + kWelded) * double(triangles), "reading " + name_);
+    mesh_.triangles.reserve(triangles);
+  }
+  void add(const Corners& c) {
+    if (c[0] == c[1] || c[1] == c[2] || c[2] == c[0]) return;
+    detail::require_growth(mesh_.triangles, sizeof mesh_.triangles[0], name_);
+    mesh_.triangles.push_back({point(c[0]), point(c[1]), point(c[2])});
+  }
+  std::size_t triangles() const { return mesh_.triangles.size(); }
+
+  TriMesh take() {
+    mesh_.vertices = welder_.take();
+    if (mesh_.triangles.empty())
+      throw Error("stl-empty",
+                  fmt::format("{} holds no triangles; export the solid again from CAD", name_));
+    return std::move(mesh_);
+  }
+
+ private:
+  std::uint32_t point(const std::array<float, 3>& corner) {
+    const std::size_t before = welder_.size();
+    const std::uint32_t index = welder_.add(corner);
+    if (welder_.size() > before) require_welder(welder_.size());
+    return index;
+  }
+  // A welder doubles its points and their slots when they are a power of two; what is reserved for
+  // triangles and not yet in use comes on top.
+  void require_welder(std::size_t points) {
+    constexpr std::size_t kSmall = 4096;
+    constexpr double kGrown = 2 * 12 + 4 * 4;
+    if (points < kSmall || !std::has_single_bit(points)) return;
+    require_memory(
+        kGrown * double(points) + double(sizeof mesh_.triangles[0] *
+                                         (mesh_.triangles.capacity() - mesh_.triangles.size())),
+        "reading " + name_);
+  }
+
+  const std::string& name_;
+  TriMesh mesh_;
+  Welder welder_;
+};
 
 [[noreturn]] void fail_truncated(const std::string& name, std::uint64_t claimed, std::size_t size) {
   const std::size_t room = size < kHeader ? 0 : (size - kHeader) / kTriangle;
@@ -58,9 +97,8 @@ TriMesh parse_binary(std::string_view bytes, const std::string& name) {
                 fmt::format("{} has {} bytes after the {} triangles its header claims; header and "
                             "content disagree, export it again",
                             name, bytes.size() - needed, claimed));
-  TriMesh mesh;
-  mesh.triangles.reserve(claimed);  // the bytes are there
-  Welder welder;
+  Solid solid(name);
+  solid.reserve(claimed);
   for (std::size_t i = 0; i < claimed; ++i) {
     const char* at = bytes.data() + kHeader + i * kTriangle + 12;
     Corners corners;
@@ -75,9 +113,9 @@ TriMesh parse_binary(std::string_view bytes, const std::string& name) {
                                   name, i + 1));
         if (std::fabs(x) > detail::kFarthest) fail_far(name, i + 1, x);
       }
-    add_triangle(mesh, welder, corners);
+    solid.add(corners);
   }
-  return finished(std::move(mesh), welder, name);
+  return solid.take();
 }
 
 [[noreturn]] void fail_syntax(const std::string& name, std::size_t line, std::string_view wanted,
@@ -110,7 +148,7 @@ float coordinate(TextScan& scan, const std::string& name) {
   fail_syntax(name, scan.line(), "a number", found);
 }
 
-void parse_facet(TextScan& scan, const std::string& name, TriMesh& mesh, Welder& welder) {
+void parse_facet(TextScan& scan, const std::string& name, Solid& solid) {
   expect(scan, "normal", name);
   for (int i = 0; i < 3; ++i)  // often nan for slivers, and never needed
     if (scan.word().empty()) fail_syntax(name, scan.line(), "a number", "");
@@ -121,17 +159,16 @@ void parse_facet(TextScan& scan, const std::string& name, TriMesh& mesh, Welder&
     expect(scan, "vertex", name);
     for (float& x : corner) {
       x = coordinate(scan, name);
-      if (std::fabs(x) > detail::kFarthest) fail_far(name, mesh.triangles.size() + 1, x);
+      if (std::fabs(x) > detail::kFarthest) fail_far(name, solid.triangles() + 1, x);
     }
   }
   expect(scan, "endloop", name);
   expect(scan, "endfacet", name);
-  add_triangle(mesh, welder, corners);
+  solid.add(corners);
 }
 
 TriMesh parse_ascii(std::string_view bytes, const std::string& name) {
-  TriMesh mesh;
-  Welder welder;
+  Solid solid(name);
   TextScan scan(bytes);
   bool in_solid = false;
   for (;;) {
@@ -141,13 +178,13 @@ TriMesh parse_ascii(std::string_view bytes, const std::string& name) {
       in_solid = !in_solid;  // several solids in one file are one stock
       scan.rest_of_line();   // its name
     } else if (in_solid && detail::equals_ignoring_case(word, "facet")) {
-      parse_facet(scan, name, mesh, welder);
+      parse_facet(scan, name, solid);
     } else {
       fail_syntax(name, scan.line(), in_solid ? "facet or endsolid" : "solid", word);
     }
   }
   if (in_solid) fail_syntax(name, scan.line(), "endsolid", "");
-  return finished(std::move(mesh), welder, name);
+  return solid.take();
 }
 
 bool starts_with_solid(std::string_view bytes) {

@@ -50,7 +50,7 @@ struct Object {
 class ModelReader {
  public:
   ModelReader(std::string_view xml, const std::string& name)
-      : xml_(xml, name), builder_("3mf", name) {}
+      : name_(name), xml_(xml, name), builder_("3mf", name) {}
   TriMesh read();
 
  private:
@@ -65,6 +65,7 @@ class ModelReader {
   void place(std::int64_t id, const std::vector<Transform>& chain, const Visitor& visit);
   void add_mesh(const Object& object, const std::vector<Transform>& chain);
 
+  const std::string& name_;
   XmlScan xml_;
   detail::MeshBuilder builder_;
   OriginReader origin_;
@@ -120,6 +121,8 @@ std::optional<double> unit_in_mm(std::string_view unit) {
 }
 
 void ModelReader::read_triangle() {
+  constexpr std::size_t kTriangle = sizeof object_->triangles[0] + sizeof object_->owners[0];
+  detail::require_growth(object_->triangles, kTriangle, name_);
   object_->triangles.push_back({integer("v1"), integer("v2"), integer("v3")});
   const auto base = xml_.attribute("p1");
   const auto index = base ? detail::to_integer(*base) : std::nullopt;
@@ -149,6 +152,7 @@ void ModelReader::read_metadata() {
 void ModelReader::open_tag() {
   const std::string_view tag = xml_.name();
   if (tag == "vertex" && object_) {
+    detail::require_growth(object_->vertices, sizeof(Vec3), name_);
     object_->vertices.push_back({number("x"), number("y"), number("z")});
   } else if (tag == "triangle" && object_) {
     read_triangle();
