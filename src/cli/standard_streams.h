@@ -10,9 +10,10 @@ namespace mrsim::cli {
 /// numbers and with them what is printed. Reading and writing them fail as before.
 void keep_standard_streams();
 
-/// Text to the standard output.
+/// Text to the standard output. Where its reader has gone, the program ends by SIGPIPE, without its
+/// temporary files; so do the next two.
 void print(const std::string& text);
-/// Flushes it: a full disk or a closed pipe is an Error, not a short answer. Returns `code`.
+/// Flushes it: a full disk or a closed stream is an Error, not a short answer. Returns `code`.
 int finish_output(int code);
 
 /// Text to the standard error, beside the work: that nobody hears it is no fault of the run.

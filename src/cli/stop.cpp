@@ -95,7 +95,9 @@ void wait_for_signals() {
 
 void watch_signals() {
   const sigset_t set = stop_signals();
-  ::pthread_sigmask(SIG_BLOCK, &set, nullptr);
+  sigset_t blocked = set;
+  ::sigaddset(&blocked, SIGPIPE);  // a write fails instead (standard_streams.cpp)
+  ::pthread_sigmask(SIG_BLOCK, &blocked, nullptr);
   try {
     std::thread(wait_for_signals).detach();
   } catch (const std::system_error&) {  // no thread: signals end the process at once

@@ -7,8 +7,9 @@ namespace mrsim::cli {
 
 /// Takes SIGINT and SIGTERM from now on. Once one has come, stop_code() tells it; a run that has
 /// not ended within 0.2 s, or a second signal, ends the process with that code. Nothing is lost by
-/// that: drafts have no names, and what is just being published is settled by the next run. Call it
-/// before the process has other threads.
+/// that: drafts have no names, and what is just being published is settled by the next run. SIGPIPE
+/// is blocked: writing to a pipe without a reader fails. Call it before the process has other
+/// threads.
 void watch_signals();
 
 /// 130 (SIGINT), 143 (SIGTERM) or 129 (SIGHUP) once the user has asked for the end, else 0.

@@ -63,6 +63,14 @@ int show(const std::string& page, bool opens, int code) {
   return finish_output(code);
 }
 
+// A page whose name reaches nobody is of no use to anybody, unless it is opened.
+int show(TemporaryPlace& page, bool opens, int code) {
+  if (opens) page.keep();
+  show(page.path(), opens, code);
+  page.keep();
+  return code;
+}
+
 // `words`: "mrsim" and what was typed after "view".
 int view_run(const std::vector<const char*>& words, bool opens) {
   Arguments arguments = run_arguments(words);
@@ -74,8 +82,7 @@ int view_run(const std::vector<const char*>& words, bool opens) {
   arguments.compare.report = page.path();
   const int code = run_simulate(arguments);
   if (code != kDone && code != kRejected) return code;
-  page.keep();
-  return show(page.path(), opens, code);
+  return show(page, opens, code);
 }
 
 // A part takes what bounds its memory, and no options of a run.
@@ -87,8 +94,7 @@ int view_part(const std::vector<const char*>& words, bool opens) {
   limit_memory(typed);
   TemporaryPlace page(TemporaryPlace::Kind::page);
   write_part_page(part, page.path());
-  page.keep();
-  return show(page.path(), opens, kDone);
+  return show(page, opens, kDone);
 }
 
 }  // namespace

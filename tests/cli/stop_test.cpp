@@ -80,6 +80,26 @@ TEST_F(Stop, LeavesNoTemporaryFileAndNoProgram) {
   EXPECT_EQ(std::system(gone.c_str()), 0);
 }
 
+// "| head -1": a page whose name nobody reads is gone. Messages that nobody reads are no end of a
+// run.
+TEST_F(Stop, LeavesNoPageWhoseReaderHasGone) {
+  std::filesystem::create_directory(folder_ / "tmp");
+  const std::string piped = "TMPDIR=$PWD/tmp bash -c '\"$0\" \"$@\" | true; exit ${PIPESTATUS[0]}'";
+  for (const char* what : {"block.stl", "PRIMER_2F.MPF --stock block.stl --voxel 1 -q"}) {
+    const Outcome outcome = run("view --no-open " + std::string(what), piped);
+    EXPECT_EQ(outcome.code, 128 + 13) << what << outcome.err;
+    EXPECT_TRUE(std::filesystem::is_empty(folder_ / "tmp")) << what;
+  }
+  const Outcome closed =
+      run("view --no-open block.stl", "TMPDIR=$PWD/tmp sh -c '\"$0\" \"$@\" >&-'");
+  EXPECT_EQ(closed.code, 1) << closed.err;
+  EXPECT_TRUE(std::filesystem::is_empty(folder_ / "tmp"));
+  const Outcome unheard = run("PRIMER_2F.MPF --stock block.stl --voxel 1 -o part.stl",
+                              "bash -c 'exec 2> >(true); sleep 0.3; \"$0\" \"$@\"'");
+  EXPECT_EQ(unheard.code, 0);
+  EXPECT_TRUE(exists("part.stl"));
+}
+
 TEST_F(Stop, EndsAComparisonWithinASecond) {
   expect_stopped("compare block.stl bar.stl --density 300 --json c.json", "TERM", 143);
   expect_valid("compare", "c.json");
