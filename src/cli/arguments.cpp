@@ -31,21 +31,11 @@ bool is_typed(const std::string& option, const std::vector<std::string>& words) 
   return false;
 }
 
-// A value of a job that its option refuses is shown in the file. A job without places is made from
-// another file.
-void show_in_job(const Error& fault, const JobFile& job, const std::string& path,
-                 const std::vector<std::string>& typed) {
-  const std::string_view what = fault.what();
-  for (const JobOption& option : job.options) {
-    if (option.line == 0 || is_typed(option.option, typed)) continue;
-    if (!what.starts_with(option.option + " ") && !what.starts_with(option.option.substr(2) + " "))
-      continue;
-    Diagnostic diagnostic;
-    diagnostic.code = fault.code();
-    diagnostic.text = what;
-    diagnostic.place = {path, option.line, option.column};
-    throw PlacedError(diagnostic, fault.kind());
-  }
+JobPlaces places_of(const JobFile& job, const std::string& path,
+                    const std::vector<std::string>& typed) {
+  JobPlaces out{path, job.options};
+  std::erase_if(out.options, [&](const JobOption& o) { return is_typed(o.option, typed); });
+  return out;
 }
 
 // Pictures of a run take its options, but for its files and the moments of its parts.
@@ -257,11 +247,12 @@ Arguments parse_job_command(const CommandLine& line, const std::string& path, in
     Arguments out =
         parse_command(line, static_cast<int>(pointers.size()), pointers.data(), refused);
     out.named_inputs.push_back({path, "the job"});
+    out.job = places_of(job, path, typed);
     return out;
   } catch (const PlacedError&) {
     throw;
   } catch (const Error& fault) {
-    show_in_job(fault, job, path, typed);
+    show_in_job(fault, places_of(job, path, typed));
     throw;
   }
 }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "cli/compare_command.h"
+#include "cli/job_places.h"
 #include <mrsim/mrsim.h>
 
 #include <string>
@@ -20,6 +21,7 @@ struct Arguments {
   InterpOptions interp;                 ///< with the tools of --tools and --tool
   std::vector<std::string> outputs;     ///< -o
   std::vector<NamedPath> named_inputs;  ///< files read besides `input` and `stock`
+  JobPlaces job;                        ///< the job that these are from, if any
   std::string stock;
   StockOptions stock_options;
   CarveOptions carve;

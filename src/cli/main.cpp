@@ -43,6 +43,17 @@ int run(const Arguments& arguments) {
   return kInternal;
 }
 
+int run_of_job(const Arguments& arguments) {
+  try {
+    return run(arguments);
+  } catch (const PlacedError&) {
+    throw;
+  } catch (const Error& fault) {
+    show_in_job(fault, arguments.job);
+    throw;
+  }
+}
+
 int fail(const std::string& text, const char* code, int exit_code) {
   say(format_error(text, code, has_colours(stderr)));
   return exit_code;
@@ -55,7 +66,7 @@ int run_guarded(int argc, const char* const* argv) {
     if (argc > 1 && std::string_view(argv[1]) == "tools") return run_tools(argc - 1, argv + 1);
     if (argc > 1 && std::string_view(argv[1]) == "rest") return run_rest(argc - 1, argv + 1);
     if (argc > 1 && std::string_view(argv[1]) == "view") return run_view(argc - 1, argv + 1);
-    return run(typed_arguments(argc, argv));
+    return run_of_job(typed_arguments(argc, argv));
   } catch (const PlacedError& error) {
     say(format_diagnostic(error.diagnostic(), has_colours(stderr)));
     return exit_code_of(error);

@@ -90,6 +90,28 @@ TEST_F(JobRun, ValuesThatAnOptionRefusesAreShownInTheFile) {
   expect_failure("odd.toml --max-memory 4Y", 2, "mrsim: error: --max-memory \"4Y\"");
 }
 
+// What is known when the run has begun: lines, sizes, files that are missing or no outputs.
+TEST_F(JobRun, ValuesThatTheRunRefusesAreShownInTheFile) {
+  const std::string program = "program = \"PRIMER_2F.MPF\"\n";
+  const std::string rest = "voxel = 2\noutputs = \"part.stl\"\n";
+  for (const char* line :
+       {"until = \"#99999\"", "until = \"99999\"", "until = \"x:7\"", "until = \"#0\"",
+        "stock = \"none.stl\"", "stock = \"box:1,2\"", "tools = \"none.toml\"",
+        "nominal = \"none.stl\"", "machine_file = \"none.toml\"", "tolerance = 1e-9",
+        "report = \"PRIMER_2F.MPF\"", "json = \"none/r.json\""}) {
+    const bool has_stock = std::string(line).starts_with("stock");
+    write("odd.toml", program + line + "\n" + rest + (has_stock ? "" : "stock = \"block.stl\"\n"));
+    const std::size_t column = std::string(line).find('=') + 3;
+    const Outcome outcome = run("odd.toml");
+    EXPECT_TRUE(outcome.code == 1 || outcome.code == 2) << line << outcome.err;
+    EXPECT_TRUE(contains(outcome.err, "odd.toml:2:" + std::to_string(column) + ": error"))
+        << line << "\n"
+        << outcome.err;
+  }
+  write("odd.toml", program + "until = \"#99999\"\nstock = \"block.stl\"\n" + rest);
+  expect_failure("odd.toml --until 88888", 2, "mrsim: error: --until 88888");
+}
+
 TEST_F(JobRun, FaultsAreShownInTheFile) {
   write("bad.toml", "program = \"PRIMER_2F.MPF\"\nvoxle = 1\n");
   expect_failure("bad.toml", 1, "bad.toml:2:1");
