@@ -166,7 +166,7 @@ void add_history(Sheet& sheet, const JobResult& result) {
       sheet.row("", fmt::format("{}  {}", tool_name(result, tool.tool), text(tool.removal)));
 }
 
-void add_time(Sheet& sheet, const JobResult& result) {
+void add_time(Sheet& sheet, const JobResult& result, bool is_part_alone) {
   double total = 0;
   std::string stages;
   for (const auto& [stage, seconds] : result.stage_seconds) {
@@ -175,7 +175,8 @@ void add_time(Sheet& sheet, const JobResult& result) {
   }
   sheet.row("time", fmt::format("{:.3f} s", total), stages);
   sheet.row("memory", size_text(static_cast<double>(result.peak_memory)) + " at most",
-            size_text(static_cast<double>(result.expected_memory)) + " were expected");
+            size_text(static_cast<double>(result.expected_memory)) + " were expected" +
+                (is_part_alone ? "" : " of the part alone"));
 }
 
 }  // namespace
@@ -281,7 +282,8 @@ std::string format_report(const Arguments& arguments, const JobResult& result, b
   sheet.title("part");
   add_part(sheet, arguments, result);
   add_history(sheet, result);
-  add_time(sheet, result);
+  const CompareRequest& compare = arguments.compare;
+  add_time(sheet, result, compare.nominal.empty() && compare.report.empty());
   return head + sheet.text();
 }
 

@@ -19,7 +19,41 @@ class Memory : public CliTest {
       }
     write("raster.MPF", text + "G0 Z9\nM30\n");
   }
+
+  // rough.off, 23 x 23 x 8 mm.
+  void write_rough_stock() {
+    constexpr int kSide = 100;
+    std::string corners, faces;
+    const auto at = [](int i, int j) { return std::to_string(i * (kSide + 1) + j); };
+    for (int i = 0; i <= kSide; ++i)
+      for (int j = 0; j <= kSide; ++j) {
+        const bool is_rim = i % kSide == 0 || j % kSide == 0;
+        const int height = is_rim ? 0 : (7 * i * i + 5 * j * j + 3 * i * j) % 11;
+        corners += std::to_string(0.23 * i) + " " + std::to_string(0.23 * j) + " " +
+                   std::to_string(0.05 * height) + "\n";
+        if (i == kSide || j == kSide) continue;
+        faces += "3 " + at(i, j) + " " + at(i + 1, j) + " " + at(i + 1, j + 1) + "\n3 " + at(i, j) +
+                 " " + at(i + 1, j + 1) + " " + at(i, j + 1) + "\n";
+      }
+    const int apex = (kSide + 1) * (kSide + 1);
+    const auto side = [&](const std::string& from, const std::string& to) {
+      faces += "3 " + to + " " + from + " " + std::to_string(apex) + "\n";
+    };
+    for (int k = 0; k < kSide; ++k) {
+      side(at(k, 0), at(k + 1, 0)), side(at(kSide, k), at(kSide, k + 1));
+      side(at(k + 1, kSide), at(k, kSide)), side(at(0, k + 1), at(0, k));
+    }
+    write("rough.off", "OFF\n" + std::to_string(apex + 1) + " " +
+                           std::to_string(2 * kSide * kSide + 4 * kSide) + " 0\n" + corners +
+                           "11.5 11.5 -8\n" + faces);
+  }
 };
+
+TEST_F(Memory, IsExpectedOfThePartAloneWhereMoreIsMade) {
+  const std::string cut = "PRIMER_2F.MPF --stock block.stl --voxel 1 -v -o part.stl";
+  EXPECT_FALSE(contains(run(cut).out, "of the part alone"));
+  EXPECT_TRUE(contains(run(cut + " --report r.html").out, "were expected of the part alone"));
+}
 
 TEST_F(Memory, IsWithinAFactorOfWhatWasExpected) {
   if (!kIsPlain) GTEST_SKIP();
@@ -69,6 +103,20 @@ TEST_F(Memory, RefusesVoxelsBeforeItOpensTheirModule) {
   const double peak = number_after(read("run.json"), "\"peak\":");
   EXPECT_GT(peak, 1e6);
   EXPECT_LT(peak, 35e6);
+}
+
+// Nor one whose stock takes what the module would leave of the limit.
+TEST_F(Memory, ReadsAStockBeforeItOpensTheModuleOfVoxels) {
+  if (!kIsPlain) GTEST_SKIP();
+  write_rough_stock();
+  const Outcome outcome =
+      run("raster.MPF --stock rough.off --tool ballmill:d=6 --voxel 0.02 --threads 2 "
+          "--max-memory 45M -o part.vdb --json run.json");
+  EXPECT_EQ(outcome.code, 1) << outcome.err;
+  EXPECT_TRUE(contains(outcome.err, "[memory]")) << outcome.err;
+  const double peak = number_after(read("run.json"), "\"peak\":");
+  EXPECT_GT(peak, 1e6);
+  EXPECT_LT(peak, 47.2e6);  // 50.8 before
 }
 
 TEST_F(Memory, ALittleStackIsAnError) {
@@ -137,30 +185,7 @@ TEST_F(Memory, LimitsMeshesOfThinWalls) {
 // A stock whose mesh has details finer than the voxel: nearly all of its cells are split.
 TEST_F(Memory, LimitsStocksOfFineDetail) {
   if (!kIsPlain) GTEST_SKIP();
-  constexpr int kSide = 100;
-  std::string corners, faces;
-  const auto at = [](int i, int j) { return std::to_string(i * (kSide + 1) + j); };
-  for (int i = 0; i <= kSide; ++i)
-    for (int j = 0; j <= kSide; ++j) {
-      const bool is_rim = i % kSide == 0 || j % kSide == 0;
-      const int height = is_rim ? 0 : (7 * i * i + 5 * j * j + 3 * i * j) % 11;
-      corners += std::to_string(0.23 * i) + " " + std::to_string(0.23 * j) + " " +
-                 std::to_string(0.05 * height) + "\n";
-      if (i == kSide || j == kSide) continue;
-      faces += "3 " + at(i, j) + " " + at(i + 1, j) + " " + at(i + 1, j + 1) + "\n3 " + at(i, j) +
-               " " + at(i + 1, j + 1) + " " + at(i, j + 1) + "\n";
-    }
-  const int apex = (kSide + 1) * (kSide + 1);
-  const auto side = [&](const std::string& from, const std::string& to) {
-    faces += "3 " + to + " " + from + " " + std::to_string(apex) + "\n";
-  };
-  for (int k = 0; k < kSide; ++k) {
-    side(at(k, 0), at(k + 1, 0)), side(at(kSide, k), at(kSide, k + 1));
-    side(at(k + 1, kSide), at(k, kSide)), side(at(0, k + 1), at(0, k));
-  }
-  write("rough.off", "OFF\n" + std::to_string(apex + 1) + " " +
-                         std::to_string(2 * kSide * kSide + 4 * kSide) + " 0\n" + corners +
-                         "11.5 11.5 -8\n" + faces);
+  write_rough_stock();
   write("slot.nc", "G90 G21 G17\nT1 M6\nG0 X5 Y5 Z5\nG1 Z-1 F500\nX18\nG0 Z5\nM30\n");
   const std::string cut =
       "slot.nc --stock rough.off --tool 1=endmill:d=4 --voxel 0.5 --threads 2 -v -o part.stl";
