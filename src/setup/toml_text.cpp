@@ -1,5 +1,7 @@
 #include "setup/toml_text.h"
 
+#include "core/memory_limit.h"
+
 #include <cstddef>
 
 namespace mrsim {
@@ -59,6 +61,12 @@ void require_flat_keys(std::string_view text) {
 }  // namespace
 
 toml::table parse_toml(std::string_view text) {
+  constexpr double kParsed = 28;  // bytes for each, measured: with the tools that they become
+  constexpr std::size_t kSmall = 100'000;
+  if (text.size() > kSmall) {
+    const double bytes = double(text.size());
+    require_memory(kParsed * bytes, "what a TOML file of " + size_text(bytes) + " says");
+  }
   require_flat_keys(text);
   return toml::parse(text);
 }

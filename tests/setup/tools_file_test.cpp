@@ -1,6 +1,8 @@
 #include "setup/tools_file.h"
 
+#include "core/memory_limit.h"
 #include "core/units.h"
+#include "support/error_code.h"
 
 #include <gtest/gtest.h>
 
@@ -104,6 +106,15 @@ TEST(ToolsFile, RefusesWhatMakesNoTool) {
                   "diameter=1\n")
                 .find("given twice"),
             std::string::npos);
+}
+
+TEST(ToolsFile, AsksForTheMemoryOfALongOne) {
+  std::string text;
+  for (int id = 0; text.size() < 200'000; ++id)
+    text += "[[tool]]\nid = " + std::to_string(id) + "\ntype = \"drill\"\ndiameter = 1\n";
+  EXPECT_EQ(fault(text), "");
+  const MemoryLimit limit(1);
+  EXPECT_EQ(testing::error_code([&] { parse_tools(text, "t.toml"); }), "memory");
 }
 
 TEST(ToolsFile, BrokenSyntaxIsPlaced) {
