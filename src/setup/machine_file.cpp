@@ -142,8 +142,13 @@ class MachineReader {
     if (zeros == nullptr)
       fail(node.source().begin, "machine-value",
            "zero must name a work offset: zero.G54 = [x, y, z]");
-    for (const auto& [name, value] : *zeros)
+    for (const auto& [name, value] : *zeros) {
+      if (!is_program_word(name.str()))
+        fail(name.source().begin, "machine-key",
+             fmt::format("\"{}\" is no work offset; write it in capitals, like zero.G54",
+                         name.str()));
       machine.places.zero.push_back({std::string(name.str()), place(name.str(), value)});
+    }
   }
   bool read_word(MachineData& machine, const toml::key& key, const toml::node& node) const {
     if (key.str() == kZero)

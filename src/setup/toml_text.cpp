@@ -71,4 +71,8 @@ toml::table parse_toml(std::string_view text) {
   return toml::parse(text);
 }
 
+bool is_program_word(std::string_view name) {
+  return !name.empty() && !(name.front() >= 'a' && name.front() <= 'z');
+}
+
 }  // namespace mrsim

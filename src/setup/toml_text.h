@@ -12,4 +12,9 @@ namespace mrsim {
 /// which takes all of the stack. Throws Error "memory" as well (core/memory_limit.h).
 toml::table parse_toml(std::string_view text);
 
+/// Whether a word of a program can be `name`, which is compared with them as it stands ("G54",
+/// "D1", "T4.D1"): an empty one or one in small letters would count for nothing. Behind the first
+/// letter, names of tools have small ones.
+bool is_program_word(std::string_view name);
+
 }  // namespace mrsim

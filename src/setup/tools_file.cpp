@@ -39,6 +39,12 @@ class Reader {
   }
   [[noreturn]] void fail_key(const toml::key& key, const std::string& where,
                              const Words& known) const;
+  void require_word(const toml::key& key, const char* example) const {
+    if (!is_program_word(key.str()))
+      fail(key.source().begin, "tools-key",
+           fmt::format("\"{}\" is no word of a program; write it in capitals, like {}", key.str(),
+                       example));
+  }
   std::string_view line_at(std::size_t number) const;
 
   double number(std::string_view key, const toml::node& node) const;
@@ -243,6 +249,7 @@ void Reader::read_tools(const toml::node& node) {
 
 void Reader::read_offsets(const toml::node& node) {
   for (const auto& [name, entry] : table("offsets", node)) {
+    require_word(name, "D1");
     OffsetRegister offset;
     offset.name = name.str();
     for (const auto& [key, value] : table(name.str(), entry)) {
@@ -261,6 +268,7 @@ void Reader::read_offsets(const toml::node& node) {
 
 void Reader::read_work(const toml::node& node) {
   for (const auto& [name, entry] : table("work", node)) {
+    require_word(name, "G54");
     WorkOffset work;
     work.name = name.str();
     for (const auto& [key, value] : table(name.str(), entry)) {

@@ -46,6 +46,7 @@ TEST(MachineFile, ReadsThePlacesOfTheMachine) {
 
 TEST(MachineFile, RefusesWhatItDoesNotUnderstand) {
   EXPECT_EQ(code_of("[machine]\nrapids = 1"), "machine-key");
+  EXPECT_EQ(code_of("[machine]\nzero.g54 = [1, 2, 3]"), "machine-key");
   EXPECT_EQ(code_of("[machine]\nlimits = [1, 2]"), "machine-value");
   EXPECT_EQ(code_of("[machine]\nlimits = { x = 5 }"), "machine-value");
   EXPECT_EQ(code_of("[machine]\nlimits = { x = [1, 2, 3] }"), "machine-value");

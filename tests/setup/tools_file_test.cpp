@@ -108,6 +108,14 @@ TEST(ToolsFile, RefusesWhatMakesNoTool) {
             std::string::npos);
 }
 
+// They count for nothing, since programs are compared in capitals.
+TEST(ToolsFile, NamesInSmallLettersAreErrors) {
+  for (const char* text :
+       {"[work.g54]\nx = 5\n", "[work.\"\"]\nx = 5\n", "[offsets.d1]\nradius = 5\n"})
+    EXPECT_NE(fault(text).find("tools-key"), std::string::npos) << text << fault(text);
+  EXPECT_EQ(fault("[work.\"G54.1 P2\"]\nx = 5\n[offsets.\"Tball.D1\"]\nradius = 5\n"), "");
+}
+
 TEST(ToolsFile, AsksForTheMemoryOfALongOne) {
   std::string text;
   for (int id = 0; text.size() < 200'000; ++id)
