@@ -1,7 +1,7 @@
 // The command line as values.
 #pragma once
 
-#include "cli/compare_command.h"
+#include "cli/compare_request.h"
 #include "cli/job_places.h"
 #include <mrsim/mrsim.h>
 

@@ -1,5 +1,6 @@
 // `mrsim check`: programs, folders and the standard input, in one process.
 #include "cli/commands.h"
+#include "cli/figures.h"
 #include "cli/findings.h"
 #include "cli/report.h"
 #include "cli/standard_streams.h"

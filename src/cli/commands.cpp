@@ -1,6 +1,7 @@
 #include "cli/commands.h"
 
 #include "cli/compare_command.h"
+#include "cli/figures.h"
 #include "cli/findings.h"
 #include "cli/report.h"
 #include "cli/shortage.h"

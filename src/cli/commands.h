@@ -3,6 +3,7 @@
 #pragma once
 
 #include "cli/arguments.h"
+#include "cli/exit_codes.h"
 #include "core/output_place.h"
 
 #include <functional>
@@ -10,10 +11,6 @@
 #include <vector>
 
 namespace mrsim::cli {
-
-/// Exit codes: docs/reliability.md, table 1.
-inline constexpr int kDone = 0, kFailed = 1, kUsage = 2, kInternal = 3, kRejected = 4,
-                     kCollision = 5;
 
 /// What an Error that reaches main ends with; where the user stopped the run, that code.
 int exit_code_of(const Error& error);
@@ -61,5 +58,13 @@ int run_picture_frames(const Arguments& arguments);
 int run_trace(const Arguments& arguments);
 int run_check(const Arguments& arguments);
 int run_render(const Arguments& arguments);
+
+/// Commands with options of their own; argv[0] is the command. They throw Errors of kind usage.
+/// `mrsim rest`: what is left to cut of a part.
+int run_rest(int argc, const char* const* argv);
+/// `mrsim tools FILE`: what a tool table or library holds, listed and drawn.
+int run_tools(int argc, const char* const* argv);
+/// `mrsim view`: the page of a run or of a part, in a temporary file, opened.
+int run_view(int argc, const char* const* argv);
 
 }  // namespace mrsim::cli

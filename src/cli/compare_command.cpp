@@ -3,7 +3,6 @@
 #include "cli/commands.h"
 #include "cli/idle_options.h"
 #include "cli/option_values.h"
-#include "cli/report.h"
 #include "cli/standard_streams.h"
 #include "cli/stop.h"
 #include "cli/terminal.h"
@@ -95,13 +94,6 @@ void write_results(const CompareRequest& request, const TriMesh& part, const Tri
   write_files_atomically(files);
 }
 
-Alignment alignment_value(const std::string& text) {
-  if (text.empty() || text == "none") return Alignment::none;
-  if (text == "bbox") return Alignment::bbox;
-  if (text == "icp") return Alignment::icp;
-  fail_usage(fmt::format("--align is none, bbox or icp, not \"{}\"", text));
-}
-
 // --json and --junit of a comparison that has ended with an error. They replace no input and no
 // other output either.
 void tell_failure(const CompareRequest& request, const Failure& failure) {
@@ -113,35 +105,7 @@ void tell_failure(const CompareRequest& request, const Failure& failure) {
                    kept);
 }
 
-const char* tool_kind(MachineKind kind) { return kind == MachineKind::lathe ? "lathe" : "mill"; }
-
 }  // namespace
-
-CompareRequest named_request(const TypedOptions& typed) {
-  CompareRequest out;
-  out.nominal = typed.text("--nominal");
-  out.report = typed.text("--report");
-  out.json = typed.text("--json");
-  out.junit = typed.text("--junit");
-  out.deviation = typed.text("--deviation");
-  return out;
-}
-
-CompareRequest compare_request(const TypedOptions& typed) {
-  CompareRequest out = named_request(typed);
-  if (typed.has("--accept")) out.options.accept = parse_acceptance(typed.text("--accept"));
-  out.options.align = alignment_value(typed.text("--align"));
-  typed.read("--density", out.options.density, number_value);
-  if (typed.has("--density") && !(out.options.density > 0))
-    fail_usage(
-        fmt::format("--density {} must be above 0, in samples a mm2", typed.text("--density")));
-  typed.read("--deflection", out.deflection, positive_value);
-  const std::string& colors = typed.text("--colors");
-  if (!colors.empty() && colors != "standard" && colors != "safe")
-    fail_usage(fmt::format("--colors is standard or safe, not \"{}\"", colors));
-  if (colors == "safe") out.scheme = DeviationScheme::safe;
-  return out;
-}
 
 NamedNominal prepare_comparison(const CompareRequest& request) {
   NamedNominal out;
@@ -239,72 +203,6 @@ int run_compare(int argc, const char* const* argv) {
   named.deviation = typed.text("--output");
   return run_told([&] { return compare_files(typed_request(typed)); },
                   [&](const Failure& failure) { tell_failure(named, failure); });
-}
-
-std::vector<ReportCollision> collisions_of(const JobResult& result) {
-  const Program& program = result.program;
-  std::vector<double> seconds(program.motions.size());  // before each motion
-  for (std::size_t i = 1; i < std::min(seconds.size(), result.cycle.seconds.size() + 1); ++i)
-    seconds[i] = seconds[i - 1] + result.cycle.seconds[i - 1];
-  std::vector<ReportCollision> out;
-  for (const Collision& c : result.collisions.lines) {
-    const Motion& m = program.motions[c.motion];
-    ReportCollision shown;
-    shown.part = tool_part_name(c.part);
-    shown.tool = program.tools[static_cast<std::size_t>(m.tool)].id;
-    shown.file = program.files[static_cast<std::size_t>(m.file)];
-    shown.line = m.line;
-    shown.rapid = m.kind == MotionKind::rapid;
-    shown.depth = c.depth;
-    shown.volume = c.volume;
-    shown.seconds = seconds[c.motion];
-    shown.place = c.place;
-    shown.motion = c.motion + 1;
-    shown.motions = c.motions;
-    for (const Diagnostic& d : program.diagnostics)
-      if (d.place.line == m.line && d.place.file == shown.file && !d.source_line.empty())
-        shown.text = d.source_line;
-    out.push_back(shown);
-  }
-  // Of depths that are printed alike the one that meets more material is worse.
-  const auto order = [](const ReportCollision& c) {
-    return std::pair(-std::llround(c.depth / 1e-3), -c.volume);
-  };
-  std::stable_sort(out.begin(), out.end(), [&](const ReportCollision& a, const ReportCollision& b) {
-    return order(a) < order(b);
-  });
-  return out;
-}
-
-ReportFacts facts_of(const JobResult& result, const std::string& program) {
-  ReportFacts out;
-  out.title = std::filesystem::path(program).filename().string();
-  out.facts = {{"Program", program},
-               {"Machine", tool_kind(result.program.machine)},
-               {"Stock", result.stock.description},
-               {"Voxel", fmt::format("{:.4g} mm, {}", result.voxel, result.voxel_reason)},
-               {"Moves", fmt::format("{} rapids, {} lines, {} arcs", result.rapid_motions,
-                                     result.line_motions, result.arc_motions)},
-               {"Volume", grouped(result.volume, 3) + " mm³"},
-               {"Removed", grouped(result.removed_volume, 3) + " mm³"},
-               {"Cycle", duration(result.cycle.total)},
-               {"Memory", fmt::format("{:.0f} MB", double(result.peak_memory) / 1e6)}};
-  if (result.stock_repair.wrapped)
-    out.facts.emplace_back("Stock's repair",
-                           fmt::format("wrapped, at most {:.3g} mm beside its surface, {} openings "
-                                       "closed",
-                                       result.stock_repair.most, result.stock_repair.openings));
-  if (result.mesh_bound > 0)
-    out.facts.emplace_back("Mesh",
-                           fmt::format("within {:.4g} mm of the exact part{}", result.mesh_bound,
-                                       result.mesh_sampled > 0 ? ", by samples in places" : ""));
-  out.times = result.stage_seconds;
-  out.tools = result.program.tools;
-  out.diagnostics = result.program.diagnostics;
-  out.collisions = collisions_of(result);
-  out.more_collisions = result.collisions.more;
-  out.run = {&result.program, &result.cycle, &result.stock, &result.play};
-  return out;
 }
 
 }  // namespace mrsim::cli

@@ -1,7 +1,7 @@
 // `mrsim compare`, and the comparison at the end of a run (--nominal).
 #pragma once
 
-#include <mrsim/compare.h>
+#include "cli/compare_request.h"
 #include <mrsim/mrsim.h>
 #include <mrsim/solid_files.h>
 
@@ -9,24 +9,6 @@
 #include <vector>
 
 namespace mrsim::cli {
-
-class TypedOptions;
-
-/// What a comparison is asked for.
-struct CompareRequest {
-  std::string part, nominal;
-  CompareOptions options;
-  double deflection = 0;  ///< mm, 0 = by the tolerance
-  std::string report, json, junit, deviation;
-  DeviationScheme scheme = DeviationScheme::standard;
-  std::vector<std::string> folders;  ///< where programs are looked for
-  bool quiet = false;
-};
-
-/// The files alone, whatever else was typed.
-CompareRequest named_request(const TypedOptions& typed);
-/// Throws Error of kind usage.
-CompareRequest compare_request(const TypedOptions& typed);
 
 struct NamedNominal {
   TriMesh mesh;
@@ -50,10 +32,5 @@ TriMesh color_by_deviation(const CompareRequest& request, const TriMesh& part);
 
 /// The command: argv[0] is "compare".
 int run_compare(int argc, const char* const* argv);
-
-/// The lines of a run that collide, the deepest first.
-std::vector<ReportCollision> collisions_of(const JobResult& result);
-/// What a run tells the report.
-ReportFacts facts_of(const JobResult& result, const std::string& program);
 
 }  // namespace mrsim::cli

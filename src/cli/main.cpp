@@ -4,13 +4,10 @@
 #include "cli/commands.h"
 #include "cli/compare_command.h"
 #include "cli/diagnostics.h"
-#include "cli/rest_command.h"
 #include "cli/shortage.h"
 #include "cli/standard_streams.h"
 #include "cli/stop.h"
 #include "cli/terminal.h"
-#include "cli/tools_command.h"
-#include "cli/view_command.h"
 #include "core/heap.h"
 
 #include <csignal>

@@ -1,5 +1,3 @@
-#include "cli/rest_command.h"
-
 #include "cli/commands.h"
 #include "cli/idle_options.h"
 #include "cli/option_values.h"

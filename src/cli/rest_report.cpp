@@ -1,6 +1,6 @@
 #include "cli/rest_report.h"
 
-#include "cli/report.h"
+#include "cli/figures.h"
 #include "core/text_io.h"
 
 #include <cmath>

@@ -1,8 +1,9 @@
 #include "cli/run_json.h"
 
-#include "cli/commands.h"
-#include "cli/compare_command.h"
+#include "cli/exit_codes.h"
+#include "cli/figures.h"
 #include "cli/report.h"
+#include "cli/run_facts.h"
 #include "core/memory_limit.h"
 #include "core/text_io.h"
 

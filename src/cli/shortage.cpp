@@ -1,6 +1,7 @@
 #include "cli/shortage.h"
 
-#include "cli/commands.h"
+#include "cli/exit_codes.h"
+#include <mrsim/types.h>
 
 #include <cstdio>
 #include <new>

@@ -4,6 +4,7 @@
 #include "cli/findings.h"
 #include "cli/report.h"
 #include "cli/rest_report.h"
+#include "cli/run_facts.h"
 #include "cli/run_json.h"
 #include "cli/shortage.h"
 #include "cli/standard_streams.h"

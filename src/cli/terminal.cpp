@@ -1,6 +1,6 @@
 #include "cli/terminal.h"
 
-#include "cli/report.h"
+#include "cli/figures.h"
 #include "cli/standard_streams.h"
 #include "cli/stop.h"
 

@@ -1,5 +1,3 @@
-#include "cli/tools_command.h"
-
 #include "cli/commands.h"
 #include "cli/findings.h"
 #include "cli/option_values.h"

@@ -1,5 +1,3 @@
-#include "cli/view_command.h"
-
 #include "cli/commands.h"
 #include "cli/option_values.h"
 #include "cli/standard_streams.h"

@@ -1,0 +1,17 @@
+// What the page of a report says of a run.
+#pragma once
+
+#include <mrsim/compare.h>
+#include <mrsim/mrsim.h>
+
+#include <string>
+#include <vector>
+
+namespace mrsim::cli {
+
+/// The lines of a run that collide, the deepest first.
+std::vector<ReportCollision> collisions_of(const JobResult& result);
+/// What a run tells the report.
+ReportFacts facts_of(const JobResult& result, const std::string& program);
+
+}  // namespace mrsim::cli
