@@ -25,7 +25,7 @@ struct ChildOutcome {
 /// Runs `work` in a copy of this process and collects the bytes that it writes. Whatever happens
 /// there, a crash or an endless loop, this process goes on. `work` must not use other threads.
 /// Throws Error "process" where the system gives no process, "memory" where the limit of this
-/// process (core/memory_limit.h) leaves less than the work or its bytes take.
+/// process (memory_limit.h) leaves less than the work or its bytes take.
 ChildOutcome run_in_child(const ChildLimits& limits,
                           const std::function<void(const ByteSink& sink)>& work);
 

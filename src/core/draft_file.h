@@ -14,7 +14,7 @@ namespace mrsim {
 /// Before it is published nobody sees the file, and however the program ends, nothing of it is
 /// left. File systems without unnamed files are the exception: there the draft lies beside its
 /// place under a name that begins with .mrsim-; the destructor removes it, and where the program is
-/// killed, the next run into that folder does (core/publish.h). Written bytes are sent to the disk
+/// killed, the next run into that folder does (publish.h). Written bytes are sent to the disk
 /// at once, so that finish() does not have to wait for all of them. What is meant for a device,
 /// FIFO or socket is kept until it is published. Throws Error "output-folder", "output-unwritable",
 /// "output-full".
@@ -44,7 +44,7 @@ class DraftFile {
   /// SHA-256 of all bytes. Requires: finish() was called.
   std::string sha256() const;
 
-  /// Takes its place alone; several drafts together: publish() in core/publish.h. Requires:
+  /// Takes its place alone; several drafts together: publish() in publish.h. Requires:
   /// finish() was called.
   void publish();
   /// Gets a name in its folder. Requires: its place is a file.

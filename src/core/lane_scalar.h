@@ -1,5 +1,5 @@
 // A "register" of one number. Numeric code that is written once for any number of lanes
-// (core/trig_lanes.inl, removal/simd/*.inl) uses it for a single point, and as the reference that
+// (trig_lanes.inl, removal/simd/*.inl) uses it for a single point, and as the reference that
 // the SIMD versions must equal.
 #pragma once
 

@@ -11,7 +11,7 @@ class DraftFile;
 
 /// Devices, FIFOs and sockets are written first; then the files take their places. Where one
 /// cannot, those before it are put back and the Error is thrown. A journal beside the files
-/// (core/publish_journal.h) lets the next run undo what a dead one began; a lock keeps two runs
+/// (publish_journal.h) lets the next run undo what a dead one began; a lock keeps two runs
 /// apart. Requires: finish() was called for each.
 void publish(std::span<DraftFile* const> drafts);
 

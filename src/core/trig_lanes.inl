@@ -1,5 +1,5 @@
 // Sines and arc tangents for one number (V = double) or for several at once (V = a SIMD register).
-// Included once per instruction set, with V, M and the functions of core/lane_scalar.h in scope.
+// Included once per instruction set, with V, M and the functions of lane_scalar.h in scope.
 //
 // Only + - * / min max floor and comparisons, in one written order: every instruction set gives the
 // same bits.

@@ -1,4 +1,4 @@
-// core/parallel.h on one thread, for builds without TBB.
+// parallel.h on one thread, for builds without TBB.
 #include "core/parallel.h"
 
 namespace mrsim {

@@ -1,4 +1,4 @@
-// core/parallel.h with threads of its own for each loop, for ThreadSanitizer: it sees how these
+// parallel.h with threads of its own for each loop, for ThreadSanitizer: it sees how these
 // begin and end, and what a loop orders, but does not see into the TBB library.
 #include "core/parallel.h"
 

@@ -19,7 +19,7 @@ struct MemoryPlan {
   bool in_slabs = false;
 };
 
-/// Throws Error "memory" where the limit in force (core/memory_limit.h) does not leave what a
+/// Throws Error "memory" where the limit in force (memory_limit.h) does not leave what a
 /// SweepTable of these would take, estimated from some of the motions.
 void require_table(std::span<const Motion> motions, std::span<const Tool> tools,
                    const SweepSelection& selection);
