@@ -2,7 +2,7 @@
 //   carve_bench --benchmark_filter=raster-100000 --benchmark_repetitions=5
 //   --benchmark_report_aggregates_only=true
 #include "cases.h"
-#include "core/heap.h"
+#include "core/process/heap.h"
 #include "programs.h"
 #include "removal/part/stock.h"
 

@@ -1,7 +1,7 @@
 // A million samples against a million triangles, ours and CGAL's plain AABB tree in one run. The
 // surface is a wavy sphere, the samples lie within 0.05 mm of it.
 #include "compare/sampling.h"
-#include "core/vec.h"
+#include "core/numbers/vec.h"
 #include "mesh/solid/half_edges.h"
 
 #include <cmath>

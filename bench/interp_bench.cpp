@@ -1,6 +1,6 @@
 // How fast programs are read: blocks a second on one core, and memory that does not grow with the
 // program. Run: interp_bench --benchmark_counters_tabular=true
-#include "core/trig.h"
+#include "core/numbers/trig.h"
 #include "interp/interpreter.h"
 
 #include <cstdio>

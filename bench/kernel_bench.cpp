@@ -1,7 +1,7 @@
 // Nanoseconds for one distance, one sweep and one point, by kind of tool and of move: lists of 256
 // sweeps about one point (distances), as the carver's and the mesher's samples ask them.
 // MRSIM_SIMD=scalar (or avx2) in the environment gives the ratio of the kernels.
-#include "core/units.h"
+#include "core/numbers/units.h"
 #include "removal/simd/sweep_kernels.h"
 #include "removal/sweep/sweep_table.h"
 

@@ -2,7 +2,7 @@
 // VolumeToMesh, made manifold) on the same stock in the same run. Milliseconds of each step are
 // printed.
 //   mesh_bench --benchmark_filter=raster-1000000 --benchmark_repetitions=3
-#include "core/heap.h"
+#include "core/process/heap.h"
 #include "mesh/mesh_part.h"
 #include "programs.h"
 #include "reference/grid_mesh.h"

@@ -1,9 +1,9 @@
 #include "programs.h"
 
-#include "core/error.h"
-#include "core/trig.h"
-#include "core/units.h"
-#include "core/vec.h"
+#include "core/numbers/trig.h"
+#include "core/numbers/units.h"
+#include "core/numbers/vec.h"
+#include "core/process/error.h"
 #include "support/shapes.h"
 #include "support/tools.h"
 

@@ -1,4 +1,4 @@
-# Manual and completion, filled from the table of options (src/core/option_table.cpp).
+# Manual and completion, filled from the table of options (src/core/words/option_table.cpp).
 add_executable(option_texts cmake/option_texts.cpp)
 target_link_libraries(option_texts PRIVATE mrsim_core mrsim_flags)
 function(mrsim_option_text kind template output)

@@ -1,6 +1,6 @@
 // Fills the manual and the completion of bash from the table of options, when mrsim is built:
 //   option_texts manual|completion TEMPLATE FILE VERSION
-#include "core/option_table.h"
+#include "core/words/option_table.h"
 
 #include <fstream>
 #include <set>

@@ -1,8 +1,8 @@
 #include "assumed_sizes.h"
 
-#include "core/rounding.h"
-#include "core/tip_orientation.h"
-#include "core/trig.h"
+#include "core/numbers/rounding.h"
+#include "core/numbers/trig.h"
+#include "core/words/tool_types.h"
 #include "part_findings.h"
 #include "removal/forms/sweep_motion.h"
 #include "removal/part/default_stock.h"

@@ -1,6 +1,6 @@
 // The compare part of the facade that needs every stage: parts from .vdb, programs beside parts.
-#include "core/error.h"
-#include "core/text_io.h"
+#include "core/process/error.h"
+#include "core/text/text_io.h"
 #include "cuts.h"
 #include "mesh/draw/palette.h"
 #include "mesh/extract.h"

@@ -1,7 +1,7 @@
 #include "cut_pieces.h"
 
-#include "core/trig.h"
-#include "core/vec.h"
+#include "core/numbers/trig.h"
+#include "core/numbers/vec.h"
 #include "removal/history/cut_extent.h"
 #include "removal/part/default_stock.h"
 

@@ -1,6 +1,6 @@
 #include "history.h"
 
-#include "core/vec.h"
+#include "core/numbers/vec.h"
 #include "cut_pieces.h"
 #include "removal/history/cut_heights.h"
 #include "removal/history/removed_volumes.h"

@@ -1,8 +1,8 @@
 #include "mesh_choice.h"
 
-#include "core/rounding.h"
-#include "core/units.h"
-#include "core/vec.h"
+#include "core/numbers/rounding.h"
+#include "core/numbers/units.h"
+#include "core/numbers/vec.h"
 #include "mesh/cells/cell_levels.h"
 #include "mesh/cells/survey.h"
 #include "removal/part/default_stock.h"

@@ -1,6 +1,6 @@
 #include "mesh_store.h"
 
-#include "core/error.h"
+#include "core/process/error.h"
 
 #include <utility>
 

@@ -1,8 +1,8 @@
 #include "outputs.h"
 
-#include "core/publish.h"
-#include "core/scratch_file.h"
-#include "core/text_io.h"
+#include "core/output/publish.h"
+#include "core/output/scratch_file.h"
+#include "core/text/text_io.h"
 #include "mesh/format/mesh_io.h"
 #include "mesh/format/stl.h"
 

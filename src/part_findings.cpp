@@ -1,8 +1,8 @@
 #include "part_findings.h"
 
-#include "core/error.h"
-#include "core/memory_limit.h"
-#include "core/rounding.h"
+#include "core/numbers/rounding.h"
+#include "core/process/error.h"
+#include "core/process/memory_limit.h"
 #include "mesh/solid/pieces.h"
 #include "removal/part/default_stock.h"
 #include "removal/part/stock_margin.h"

@@ -1,7 +1,7 @@
 #include "play.h"
 
-#include "core/error.h"
-#include "core/vec.h"
+#include "core/numbers/vec.h"
+#include "core/process/error.h"
 #include "cut_pieces.h"
 #include "removal/history/cut_faces.h"
 #include "removal/history/cut_volume.h"

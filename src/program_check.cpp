@@ -1,7 +1,7 @@
 // Whether a run would take a program: its findings, and the sweeps that can not be made.
 #include "assumed_sizes.h"
-#include "core/error.h"
-#include "core/rounding.h"
+#include "core/numbers/rounding.h"
+#include "core/process/error.h"
 #include "interp/interpreter.h"
 #include "removal/part/default_stock.h"
 #include "removal/sweep/sweep_table.h"

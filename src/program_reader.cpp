@@ -1,11 +1,10 @@
 // Whole programs by the public functions interpret() and trace().
 
-#include "core/heap.h"
-#include "core/json_text.h"
-#include "core/memory_limit.h"
-#include "core/text_io.h"
+#include "core/process/heap.h"
+#include "core/process/memory_limit.h"
+#include "core/text/json_text.h"
+#include "core/text/text_io.h"
 #include "interp/interpreter.h"
-#include "interp/show/event_text.h"
 #include "interp/show/motion_text.h"
 #include <mrsim/memory.h>
 #include <mrsim/mrsim.h>

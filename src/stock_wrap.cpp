@@ -1,8 +1,8 @@
 #include "stock_wrap.h"
 
 #include "compare/hausdorff.h"
-#include "core/child_parcel.h"
-#include "core/error.h"
+#include "core/process/child_process.h"
+#include "core/process/error.h"
 #include "mesh/solid/wrap.h"
 
 #include <cstddef>

@@ -1,5 +1,5 @@
 // Tools from files of any format; what remarks say of LinuxCNC's tools, whose table has no kinds.
-#include "core/units.h"
+#include "core/numbers/units.h"
 #include "interp/comments/tool_comment.h"
 #include "interp/comments/tool_hint.h"
 #include "setup/tool_library.h"

@@ -1,7 +1,7 @@
 #include "tool_outlines.h"
 
-#include "core/trig.h"
-#include "core/units.h"
+#include "core/numbers/trig.h"
+#include "core/numbers/units.h"
 #include "removal/tool/tool.h"
 
 #include <algorithm>

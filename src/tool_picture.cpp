@@ -1,6 +1,6 @@
 // Tools drawn from the side, one beside the other, each to a scale of its own: .svg or .png.
-#include "core/text_io.h"
-#include "core/vec.h"
+#include "core/numbers/vec.h"
+#include "core/text/text_io.h"
 #include "mesh/draw/picture.h"
 #include "mesh/draw/picture_text.h"
 #include "tool_outlines.h"

@@ -1,6 +1,6 @@
 #include "until.h"
 
-#include "core/error.h"
+#include "core/process/error.h"
 #include "interp/text/source.h"
 
 #include <algorithm>

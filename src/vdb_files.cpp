@@ -1,8 +1,8 @@
 #include "vdb_files.h"
 
-#include "core/child_parcel.h"
-#include "core/error.h"
-#include "core/text_io.h"
+#include "core/process/child_process.h"
+#include "core/process/error.h"
+#include "core/text/text_io.h"
 #include "voxel_module.h"
 
 #include <algorithm>

@@ -1,8 +1,8 @@
 #include "voxel_module.h"
 
-#include "core/error.h"
-#include "core/memory_limit.h"
-#include "core/module.h"
+#include "core/process/error.h"
+#include "core/process/memory_limit.h"
+#include "core/process/module.h"
 #include "removal/vdb/module.h"
 
 #include <system_error>

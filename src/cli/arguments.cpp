@@ -4,7 +4,7 @@
 #include "cli/option_values.h"
 #include "cli/standard_streams.h"
 #include "cli/typed_options.h"
-#include "core/option_table.h"
+#include "core/words/option_table.h"
 #include <mrsim/job_file.h>
 
 #include <algorithm>

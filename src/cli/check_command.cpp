@@ -5,7 +5,7 @@
 #include "cli/report.h"
 #include "cli/standard_streams.h"
 #include "cli/terminal.h"
-#include "core/json_text.h"
+#include "core/text/json_text.h"
 #include <mrsim/mrsim.h>
 
 #include <algorithm>

@@ -1,6 +1,6 @@
 #include "cli/command_lines.h"
 
-#include "core/error.h"
+#include "core/process/error.h"
 
 #include <algorithm>
 #include <array>

@@ -1,7 +1,7 @@
 // What --help says of each command besides its options.
 #pragma once
 
-#include "core/option_table.h"
+#include "core/words/option_table.h"
 
 #include <string_view>
 #include <vector>

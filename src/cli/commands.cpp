@@ -8,9 +8,9 @@
 #include "cli/standard_streams.h"
 #include "cli/stop.h"
 #include "cli/terminal.h"
-#include "core/output_place.h"
-#include "core/publish.h"
-#include "core/text_io.h"
+#include "core/output/output_place.h"
+#include "core/output/publish.h"
+#include "core/text/text_io.h"
 
 #include <array>
 #include <cstdio>

@@ -4,7 +4,7 @@
 
 #include "cli/arguments.h"
 #include "cli/exit_codes.h"
-#include "core/output_place.h"
+#include "core/output/output_place.h"
 
 #include <functional>
 #include <string>

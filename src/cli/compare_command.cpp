@@ -7,10 +7,10 @@
 #include "cli/stop.h"
 #include "cli/terminal.h"
 #include "cli/typed_options.h"
-#include "core/output_place.h"
-#include "core/publish.h"
-#include "core/suggest.h"
-#include "core/text_io.h"
+#include "core/output/output_place.h"
+#include "core/output/publish.h"
+#include "core/text/text_io.h"
+#include "core/words/suggest.h"
 
 #include <algorithm>
 #include <array>

@@ -4,7 +4,7 @@
 #include "cli/standard_streams.h"
 #include "cli/stop.h"
 #include "cli/terminal.h"
-#include "core/json_text.h"
+#include "core/text/json_text.h"
 #include <mrsim/mrsim.h>
 
 #include <cstdio>

@@ -6,11 +6,11 @@
 #include "cli/standard_streams.h"
 #include "cli/temporary_place.h"
 #include "cli/terminal.h"
-#include "core/child_process.h"
-#include "core/error.h"
-#include "core/output_place.h"
-#include "core/publish.h"
-#include "core/text_io.h"
+#include "core/output/output_place.h"
+#include "core/output/publish.h"
+#include "core/process/child_process.h"
+#include "core/process/error.h"
+#include "core/text/text_io.h"
 
 #include <algorithm>
 #include <cerrno>

@@ -8,7 +8,7 @@
 #include "cli/standard_streams.h"
 #include "cli/stop.h"
 #include "cli/terminal.h"
-#include "core/heap.h"
+#include "core/process/heap.h"
 
 #include <csignal>
 #include <cstdio>

@@ -1,10 +1,10 @@
 #include "cli/option_values.h"
 
 #include "cli/typed_options.h"
-#include "core/error.h"
-#include "core/option_table.h"
-#include "core/suggest.h"
-#include "core/text_io.h"
+#include "core/process/error.h"
+#include "core/text/text_io.h"
+#include "core/words/option_table.h"
+#include "core/words/suggest.h"
 #include <mrsim/memory.h>
 
 #include <algorithm>

@@ -2,9 +2,9 @@
 
 #include "cli/figures.h"
 #include "cli/terminal.h"
-#include "core/memory_limit.h"
-#include "core/rounding.h"
-#include "core/units.h"
+#include "core/numbers/rounding.h"
+#include "core/numbers/units.h"
+#include "core/process/memory_limit.h"
 
 #include <algorithm>
 #include <cmath>

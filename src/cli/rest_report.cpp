@@ -1,7 +1,7 @@
 #include "cli/rest_report.h"
 
 #include "cli/figures.h"
-#include "core/text_io.h"
+#include "core/text/text_io.h"
 
 #include <cmath>
 #include <utility>

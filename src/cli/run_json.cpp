@@ -4,8 +4,8 @@
 #include "cli/figures.h"
 #include "cli/report.h"
 #include "cli/run_facts.h"
-#include "core/memory_limit.h"
-#include "core/text_io.h"
+#include "core/process/memory_limit.h"
+#include "core/text/text_io.h"
 
 #include <algorithm>
 

@@ -10,9 +10,9 @@
 #include "cli/standard_streams.h"
 #include "cli/stop.h"
 #include "cli/terminal.h"
-#include "core/memory_limit.h"
-#include "core/output_place.h"
-#include "core/text_io.h"
+#include "core/output/output_place.h"
+#include "core/process/memory_limit.h"
+#include "core/text/text_io.h"
 #include <mrsim/memory.h>
 
 #include <algorithm>

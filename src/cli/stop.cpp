@@ -1,7 +1,7 @@
 #include "cli/stop.h"
 
 #include "cli/temporary_place.h"
-#include "core/memory_limit.h"
+#include "core/process/memory_limit.h"
 
 #include <atomic>
 #include <chrono>

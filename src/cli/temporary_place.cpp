@@ -1,7 +1,7 @@
 #include "cli/temporary_place.h"
 
-#include "core/error.h"
-#include "core/scratch_file.h"
+#include "core/output/scratch_file.h"
+#include "core/process/error.h"
 
 #include <cstdlib>
 #include <filesystem>

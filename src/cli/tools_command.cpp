@@ -5,12 +5,12 @@
 #include "cli/standard_streams.h"
 #include "cli/terminal.h"
 #include "cli/typed_options.h"
-#include "core/json_text.h"
-#include "core/output_place.h"
-#include "core/publish.h"
-#include "core/text_io.h"
-#include "core/tool_types.h"
-#include "core/units.h"
+#include "core/numbers/units.h"
+#include "core/output/output_place.h"
+#include "core/output/publish.h"
+#include "core/text/json_text.h"
+#include "core/text/text_io.h"
+#include "core/words/tool_types.h"
 #include <mrsim/mrsim.h>
 
 #include <cstdio>

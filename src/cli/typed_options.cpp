@@ -1,8 +1,8 @@
 #include "cli/typed_options.h"
 
 #include "cli/option_values.h"
-#include "core/error.h"
-#include "core/suggest.h"
+#include "core/process/error.h"
+#include "core/words/suggest.h"
 
 #include <algorithm>
 #include <memory>

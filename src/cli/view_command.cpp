@@ -4,8 +4,8 @@
 #include "cli/temporary_place.h"
 #include "cli/terminal.h"
 #include "cli/typed_options.h"
-#include "core/child_process.h"
-#include "core/text_io.h"
+#include "core/process/child_process.h"
+#include "core/text/text_io.h"
 #include <mrsim/compare.h>
 #include <mrsim/solid_files.h>
 

@@ -1,8 +1,8 @@
 #define EIGEN_DONT_VECTORIZE  // the same bits on every machine
 #include "compare/align.h"
 
-#include "core/trig.h"
-#include "core/vec.h"
+#include "core/numbers/trig.h"
+#include "core/numbers/vec.h"
 #include "mesh/solid/half_edges.h"
 
 #include <algorithm>

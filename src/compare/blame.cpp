@@ -1,6 +1,6 @@
 #include "compare/blame.h"
 
-#include "core/vec.h"
+#include "core/numbers/vec.h"
 
 #include <algorithm>
 #include <cmath>

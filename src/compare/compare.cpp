@@ -5,9 +5,9 @@
 #include "compare/regions.h"
 #include "compare/sampling.h"
 #include "compare/volumes.h"
-#include "core/memory_limit.h"
-#include "core/text_io.h"
-#include "core/vec.h"
+#include "core/numbers/vec.h"
+#include "core/process/memory_limit.h"
+#include "core/text/text_io.h"
 #include "mesh/solid/check.h"
 #include "mesh/solid/half_edges.h"
 #include <mrsim/compare.h>

@@ -1,5 +1,5 @@
 // The machine-readable result; its schema is in docs/compare.md.
-#include "core/text_io.h"
+#include "core/text/text_io.h"
 #include <mrsim/compare.h>
 
 #include <algorithm>

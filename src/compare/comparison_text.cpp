@@ -1,7 +1,7 @@
 // What people and CI dashboards read of a comparison.
 #include "compare/align.h"
-#include "core/text_io.h"
-#include "core/units.h"
+#include "core/numbers/units.h"
+#include "core/text/text_io.h"
 #include <mrsim/compare.h>
 
 #include <algorithm>

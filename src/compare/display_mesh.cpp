@@ -1,9 +1,9 @@
 #include "compare/display_mesh.h"
 
 #include "compare/align.h"
-#include "core/rounding.h"
-#include "core/trig.h"
-#include "core/vec.h"
+#include "core/numbers/rounding.h"
+#include "core/numbers/trig.h"
+#include "core/numbers/vec.h"
 #include "mesh/solid/half_edges.h"
 
 #include <algorithm>

@@ -1,6 +1,6 @@
 #include "compare/flat_patches.h"
 
-#include "core/vec.h"
+#include "core/numbers/vec.h"
 #include "mesh/solid/half_edges.h"
 
 #include <algorithm>

@@ -1,7 +1,7 @@
 #include "compare/hausdorff.h"
 
-#include "core/parallel.h"
-#include "core/vec.h"
+#include "core/numbers/vec.h"
+#include "core/process/parallel.h"
 #include "mesh/solid/half_edges.h"
 
 #include <algorithm>

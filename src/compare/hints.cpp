@@ -1,8 +1,8 @@
 #include "compare/hints.h"
 
 #include "compare/align.h"
-#include "core/units.h"
-#include "core/vec.h"
+#include "core/numbers/units.h"
+#include "core/numbers/vec.h"
 #include "mesh/solid/half_edges.h"
 
 #include <algorithm>

@@ -1,6 +1,6 @@
 #include "compare/inner_edges.h"
 
-#include "core/vec.h"
+#include "core/numbers/vec.h"
 
 #include <algorithm>
 #include <array>

@@ -7,7 +7,7 @@
 // points are visited along a space-filling curve and each starts with its forerunner's hit.
 #pragma once
 
-#include "core/triangle_tree.h"
+#include "core/numbers/triangle_tree.h"
 #include <mrsim/types.h>
 
 #include <span>

@@ -1,7 +1,7 @@
 #include "compare/packed.h"
 
-#include "core/base64.h"
-#include "core/zip.h"
+#include "core/text/base64.h"
+#include "core/text/zip.h"
 
 namespace mrsim {
 

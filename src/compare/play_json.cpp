@@ -1,8 +1,8 @@
 #include "compare/play_json.h"
 
 #include "compare/packed.h"
-#include "core/text_io.h"
-#include "core/vec.h"
+#include "core/numbers/vec.h"
+#include "core/text/text_io.h"
 
 #include <algorithm>
 #include <cmath>

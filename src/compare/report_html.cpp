@@ -8,12 +8,12 @@
 #include "compare/packed.h"
 #include "compare/play_json.h"
 #include "compare/report_template.h"
-#include "core/error.h"
-#include "core/memory_limit.h"
-#include "core/text_io.h"
-#include "core/tool_types.h"
-#include "core/units.h"
-#include "core/vec.h"
+#include "core/numbers/units.h"
+#include "core/numbers/vec.h"
+#include "core/process/error.h"
+#include "core/process/memory_limit.h"
+#include "core/text/text_io.h"
+#include "core/words/tool_types.h"
 #include "mesh/solid/half_edges.h"
 #include <mrsim/compare.h>
 

@@ -1,8 +1,8 @@
 #include "compare/sampling.h"
 
-#include "core/error.h"
-#include "core/parallel.h"
-#include "core/vec.h"
+#include "core/numbers/vec.h"
+#include "core/process/error.h"
+#include "core/process/parallel.h"
 #include "mesh/solid/half_edges.h"
 
 #include <algorithm>

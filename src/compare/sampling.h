@@ -2,7 +2,7 @@
 #pragma once
 
 #include "compare/nominal.h"
-#include "core/vec.h"
+#include "core/numbers/vec.h"
 #include <mrsim/compare.h>
 
 #include <vector>

@@ -1,10 +1,10 @@
 // STEP files through the module that reads them, opened when the first one is asked for.
 #include "compare/step/module.h"
 #include "compare/step_text.h"
-#include "core/child_process.h"
-#include "core/memory_limit.h"
-#include "core/module.h"
-#include "core/text_io.h"
+#include "core/process/child_process.h"
+#include "core/process/memory_limit.h"
+#include "core/process/module.h"
+#include "core/text/text_io.h"
 #include "mesh/solid/check.h"
 #include "mesh/solid/weld.h"
 #include <mrsim/solid_files.h>

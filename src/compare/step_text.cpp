@@ -1,6 +1,6 @@
 #include "compare/step_text.h"
 
-#include "core/error.h"
+#include "core/process/error.h"
 
 #include <algorithm>
 #include <charconv>

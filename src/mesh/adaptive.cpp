@@ -1,7 +1,7 @@
 #include "mesh/adaptive.h"
 
-#include "core/error.h"
-#include "core/parallel.h"
+#include "core/process/error.h"
+#include "core/process/parallel.h"
 #include "mesh/cells/cell_levels.h"
 #include "mesh/cells/flat_map.h"
 #include "mesh/cells/mesh_memory.h"

@@ -1,6 +1,6 @@
 #include "mesh/mesh_part.h"
 
-#include "core/error.h"
+#include "core/process/error.h"
 #include "mesh/adaptive.h"
 #include "mesh/cells/cell_levels.h"
 #include "mesh/cells/thin_features.h"

@@ -1,7 +1,7 @@
 #include "setup/camotics_project.h"
 
-#include "core/error.h"
-#include "core/text_io.h"
+#include "core/process/error.h"
+#include "core/text/text_io.h"
 #include "setup/json_reader.h"
 
 #include <array>

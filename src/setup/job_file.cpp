@@ -1,9 +1,9 @@
 #include "setup/job_file.h"
 
-#include "core/option_table.h"
-#include "core/real_path.h"
-#include "core/suggest.h"
-#include "core/text_io.h"
+#include "core/output/real_path.h"
+#include "core/text/text_io.h"
+#include "core/words/option_table.h"
+#include "core/words/suggest.h"
 #include "setup/toml_text.h"
 
 #include <algorithm>

@@ -1,6 +1,6 @@
 #include "setup/json_reader.h"
 
-#include "core/error.h"
+#include "core/process/error.h"
 
 #include <cmath>
 

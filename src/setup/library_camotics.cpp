@@ -1,8 +1,8 @@
 // Tools of CAMotics, by number: {"1": {"units": "metric", "shape": "cylindrical", "diameter": 6,
 // "length": 20}}.
-#include "core/rounding.h"
-#include "core/trig.h"
-#include "core/units.h"
+#include "core/numbers/rounding.h"
+#include "core/numbers/trig.h"
+#include "core/numbers/units.h"
 #include "setup/library_formats.h"
 
 #include <cmath>

@@ -1,8 +1,8 @@
 // FreeCAD's tool bits {"shape": "endmill.fcstd", "parameter": {"Diameter": "5.0000 mm"}} and its
 // libraries {"tools": [{"nr": 1, "path": "5mm_Endmill.fctb"}]}.
-#include "core/error.h"
-#include "core/text_io.h"
-#include "core/units.h"
+#include "core/numbers/units.h"
+#include "core/process/error.h"
+#include "core/text/text_io.h"
 #include "setup/library_formats.h"
 
 #include <algorithm>

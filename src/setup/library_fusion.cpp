@@ -1,6 +1,6 @@
 // Fusion's tool library: {"data": [{"type": "flat end mill", "unit": "millimeters", "geometry":
 // {"DC": 6, ...}, "post-process": {"number": 1}, "holder": {"segments": [...]}}]}.
-#include "core/units.h"
+#include "core/numbers/units.h"
 #include "setup/library_formats.h"
 
 #include <algorithm>

@@ -1,6 +1,6 @@
 // LinuxCNC's tool.tbl: "T1 P1 Z-51.2 D6.35 Q0 ;1/4 end mill", a line a tool.
-#include "core/text_io.h"
-#include "core/units.h"
+#include "core/numbers/units.h"
+#include "core/text/text_io.h"
 #include "setup/library_formats.h"
 
 #include <algorithm>

@@ -1,9 +1,9 @@
 #include "setup/machine_file.h"
 
-#include "core/error.h"
-#include "core/suggest.h"
-#include "core/text_io.h"
-#include "core/vec.h"
+#include "core/numbers/vec.h"
+#include "core/process/error.h"
+#include "core/text/text_io.h"
+#include "core/words/suggest.h"
 #include "setup/toml_text.h"
 
 #include <array>

@@ -1,7 +1,7 @@
 #include "setup/spec_text.h"
 
-#include "core/text_io.h"
-#include "core/units.h"
+#include "core/numbers/units.h"
+#include "core/text/text_io.h"
 
 namespace mrsim {
 namespace {

@@ -1,6 +1,6 @@
 #include "setup/stock_spec.h"
 
-#include "core/text_io.h"
+#include "core/text/text_io.h"
 #include "setup/spec_text.h"
 #include "setup/tool_keys.h"
 

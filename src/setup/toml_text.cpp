@@ -1,6 +1,6 @@
 #include "setup/toml_text.h"
 
-#include "core/memory_limit.h"
+#include "core/process/memory_limit.h"
 
 #include <cstddef>
 

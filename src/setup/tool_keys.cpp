@@ -1,8 +1,8 @@
 #include "setup/tool_keys.h"
 
-#include "core/tool_types.h"
-#include "core/trig.h"
-#include "core/units.h"
+#include "core/numbers/trig.h"
+#include "core/numbers/units.h"
+#include "core/words/tool_types.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,8 +1,8 @@
 #include "setup/tool_library.h"
 
-#include "core/error.h"
-#include "core/text_io.h"
-#include "core/zip.h"
+#include "core/process/error.h"
+#include "core/text/text_io.h"
+#include "core/text/zip.h"
 #include "setup/library_formats.h"
 #include "setup/tool_keys.h"
 #include "setup/tools_file.h"

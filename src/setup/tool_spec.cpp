@@ -1,8 +1,8 @@
 #include "setup/tool_spec.h"
 
-#include "core/suggest.h"
-#include "core/text_io.h"
-#include "core/tool_types.h"
+#include "core/text/text_io.h"
+#include "core/words/suggest.h"
+#include "core/words/tool_types.h"
 #include "setup/spec_text.h"
 #include "setup/tool_keys.h"
 

@@ -1,9 +1,9 @@
 #include "setup/tools_file.h"
 
-#include "core/suggest.h"
-#include "core/text_io.h"
-#include "core/tool_types.h"
-#include "core/units.h"
+#include "core/numbers/units.h"
+#include "core/text/text_io.h"
+#include "core/words/suggest.h"
+#include "core/words/tool_types.h"
 #include "setup/toml_text.h"
 #include "setup/tool_keys.h"
 

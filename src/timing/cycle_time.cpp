@@ -1,6 +1,6 @@
 // Look-ahead as controls do it: the speed at which each motion may begin is limited by its corner,
 // by what is left to brake in, and by what there was to speed up in.
-#include "core/vec.h"
+#include "core/numbers/vec.h"
 #include "timing/motion_speed.h"
 
 #include <algorithm>

@@ -1,9 +1,9 @@
 #include "timing/motion_speed.h"
 
-#include "core/rounding.h"
-#include "core/trig.h"
-#include "core/units.h"
-#include "core/vec.h"
+#include "core/numbers/rounding.h"
+#include "core/numbers/trig.h"
+#include "core/numbers/units.h"
+#include "core/numbers/vec.h"
 
 #include <algorithm>
 #include <cmath>

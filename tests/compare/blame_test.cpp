@@ -1,6 +1,6 @@
 // Planted faults: plates with slots whose faces have owners, one of them wrong.
 #include "compare/align.h"
-#include "core/vec.h"
+#include "core/numbers/vec.h"
 #include "support/mesh_asserts.h"
 #include "support/slot_parts.h"
 #include <mrsim/compare.h>

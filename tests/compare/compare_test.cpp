@@ -1,8 +1,8 @@
 // Pairs of meshes whose distance is known in closed form.
 #include "compare/align.h"
-#include "core/trig.h"
-#include "core/units.h"
-#include "core/vec.h"
+#include "core/numbers/trig.h"
+#include "core/numbers/units.h"
+#include "core/numbers/vec.h"
 #include "support/mesh_asserts.h"
 #include "support/shapes.h"
 #include <mrsim/compare.h>

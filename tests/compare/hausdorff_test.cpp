@@ -3,7 +3,7 @@
 
 #include "compare/align.h"
 #include "compare/sampling.h"
-#include "core/trig.h"
+#include "core/numbers/trig.h"
 #include "mesh/solid/half_edges.h"
 #include "support/shapes.h"
 

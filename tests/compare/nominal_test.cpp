@@ -1,6 +1,6 @@
 #include "compare/nominal.h"
 
-#include "core/vec.h"
+#include "core/numbers/vec.h"
 #include "support/mesh_asserts.h"
 #include "support/random.h"
 #include "support/shapes.h"

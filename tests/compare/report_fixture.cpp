@@ -1,6 +1,6 @@
 // Writes reports for the browser test: a plate with a gouge, a missing pass and a hostile program;
 // with a number, a sphere of about that many triangles, cut by a line for each 10 mm of height.
-#include "core/text_io.h"
+#include "core/text/text_io.h"
 #include "support/shapes.h"
 #include "support/slot_parts.h"
 #include <mrsim/compare.h>

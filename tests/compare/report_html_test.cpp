@@ -1,5 +1,5 @@
 #include "compare/display_mesh.h"
-#include "core/text_io.h"
+#include "core/text/text_io.h"
 #include "support/mesh_asserts.h"
 #include "support/shapes.h"
 #include <mrsim/compare.h>

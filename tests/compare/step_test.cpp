@@ -1,8 +1,8 @@
 // STEP files written by Open CASCADE itself, read and measured against closed forms.
 #ifdef MRSIM_HAS_STEP
 
-#include "core/text_io.h"
-#include "core/units.h"
+#include "core/numbers/units.h"
+#include "core/text/text_io.h"
 #include "mesh/solid/half_edges.h"
 #include "support/mesh_asserts.h"
 #include "support/temp_folder.h"

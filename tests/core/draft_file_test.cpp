@@ -1,7 +1,7 @@
-#include "core/draft_file.h"
+#include "core/output/draft_file.h"
 
-#include "core/error.h"
-#include "core/text_io.h"
+#include "core/process/error.h"
+#include "core/text/text_io.h"
 #include "support/error_code.h"
 #include "support/temp_folder.h"
 

@@ -1,4 +1,4 @@
-#include "core/hash.h"
+#include "core/numbers/hash.h"
 
 #include <set>
 #include <string>

@@ -1,4 +1,4 @@
-#include "core/option_table.h"
+#include "core/words/option_table.h"
 
 #include <set>
 #include <string>

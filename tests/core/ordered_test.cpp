@@ -1,4 +1,4 @@
-#include "core/ordered.h"
+#include "core/process/ordered.h"
 
 #include <atomic>
 #include <chrono>

@@ -1,4 +1,4 @@
-#include "core/scratch_file.h"
+#include "core/output/scratch_file.h"
 
 #include "support/error_code.h"
 #include "support/temp_folder.h"

@@ -1,4 +1,4 @@
-#include "core/sha256.h"
+#include "core/numbers/hash.h"
 
 #include <gtest/gtest.h>
 

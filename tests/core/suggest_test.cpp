@@ -1,4 +1,4 @@
-#include "core/suggest.h"
+#include "core/words/suggest.h"
 
 #include <array>
 

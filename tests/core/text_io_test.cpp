@@ -1,4 +1,4 @@
-#include "core/text_io.h"
+#include "core/text/text_io.h"
 
 #include "support/error_code.h"
 #include "support/temp_folder.h"

@@ -1,6 +1,6 @@
-#include "core/trig.h"
+#include "core/numbers/trig.h"
 
-#include "core/units.h"
+#include "core/numbers/units.h"
 #include "support/random.h"
 
 #include <cmath>

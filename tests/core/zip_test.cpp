@@ -1,6 +1,6 @@
-#include "core/zip.h"
+#include "core/text/zip.h"
 
-#include "core/memory_limit.h"
+#include "core/process/memory_limit.h"
 #include "support/error_code.h"
 
 #include <gtest/gtest.h>

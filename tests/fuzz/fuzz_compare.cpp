@@ -1,6 +1,6 @@
 // Any bytes as the mesh of a part, compared with a cube and the cube with it: figures that are
 // numbers and bounds in order, or an Error. The first byte chooses format and alignment.
-#include "core/error.h"
+#include "core/process/error.h"
 #include "mesh/format/mesh_io.h"
 #include <mrsim/compare.h>
 

@@ -1,6 +1,6 @@
 // Any bytes as a file of the other formats; the first byte chooses which. A mesh that can be
 // checked, taken to pieces and recognised, or an Error.
-#include "core/error.h"
+#include "core/process/error.h"
 #include "mesh/format/mesh_io.h"
 #include "mesh/solid/check.h"
 #include "mesh/solid/pieces.h"

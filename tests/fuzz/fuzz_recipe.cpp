@@ -1,6 +1,6 @@
 // A .vdb stock: the file's head and metadata, and the recipe without the check sum that would
 // refuse nearly all mutants. What is read is written again, the same.
-#include "core/error.h"
+#include "core/process/error.h"
 #include "removal/part/recipe_codec.h"
 #include "removal/part/stock_file.h"
 

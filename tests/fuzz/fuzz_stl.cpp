@@ -1,6 +1,6 @@
 // Any bytes as an STL file: a mesh whose indices hold, or an Error; and what was read is written
 // and read the same again.
-#include "core/error.h"
+#include "core/process/error.h"
 #include "mesh/format/stl.h"
 #include "mesh/solid/check.h"
 

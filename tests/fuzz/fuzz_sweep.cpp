@@ -1,7 +1,7 @@
 // Random tools on random motions: either refused with an Error, or a distance that is a number,
 // 1-Lipschitz, below zero only within the bounds, with unit gradients, and equal in lists.
-#include "core/units.h"
-#include "core/vec.h"
+#include "core/numbers/units.h"
+#include "core/numbers/vec.h"
 #include "removal/prune/candidate_list.h"
 #include "removal/prune/list_candidates.h"
 #include "removal/simd/sweep_kernels.h"

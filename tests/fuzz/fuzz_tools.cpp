@@ -1,5 +1,5 @@
 // Tool libraries of other programs, and comments about tools: any bytes give data or an Error.
-#include "core/error.h"
+#include "core/process/error.h"
 #include "interp/comments/tool_comment.h"
 #include "interp/comments/tool_hint.h"
 #include "setup/tool_library.h"

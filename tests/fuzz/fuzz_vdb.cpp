@@ -1,9 +1,9 @@
 // A .vdb as stock of a whole run. First byte even: the rest is the file, whose level set is read in
 // a process of its own. Odd: the rest is the recipe of a file of ours, in a frame with the check
 // sums that it needs, or nearly all mutants would be refused for them.
-#include "core/base64.h"
-#include "core/bytes.h"
-#include "core/hash.h"
+#include "core/numbers/hash.h"
+#include "core/text/base64.h"
+#include "core/text/bytes.h"
 #include "fuzz_runs.h"
 
 #include <cstddef>

@@ -1,5 +1,5 @@
 // Drilling, tapping and boring cycles against the pictures of the controls' manuals.
-#include "core/vec.h"
+#include "core/numbers/vec.h"
 #include "interp/support.h"
 
 namespace mrsim {

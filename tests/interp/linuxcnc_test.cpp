@@ -1,8 +1,8 @@
 // LinuxCNC's own interpreter tests: accepted or refused as its interpreter does, and the same
 // motions. The programs are not part of this repository: MRSIM_LINUXCNC_DIR names a folder with
 // each program, NAME.ngc, beside what the stand-alone interpreter said of it, NAME.ngc.canon.
-#include "core/trig.h"
-#include "core/vec.h"
+#include "core/numbers/trig.h"
+#include "core/numbers/vec.h"
 #include "interp/support.h"
 
 #include <algorithm>

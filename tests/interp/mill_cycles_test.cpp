@@ -1,7 +1,7 @@
 // SINUMERIK's milling cycles against the shapes of their manual: at the depth of the cycle the
 // cutter reaches every point of the shape and no point beyond its wall.
-#include "core/units.h"
-#include "core/vec.h"
+#include "core/numbers/units.h"
+#include "core/numbers/vec.h"
 #include "interp/support.h"
 
 #include <algorithm>

@@ -1,6 +1,6 @@
 // Outside corners under G41/G42: G451 beside arcs, DISC, KONT. Expected points are worked out by
 // hand from the circles and lines a tool radius of 5 mm away.
-#include "core/vec.h"
+#include "core/numbers/vec.h"
 #include "interp/support.h"
 
 #include <cmath>

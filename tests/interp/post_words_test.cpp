@@ -1,5 +1,5 @@
 // Words that posts write around their paths: safe starts, machine coordinates, offsets, calls.
-#include "core/vec.h"
+#include "core/numbers/vec.h"
 #include "interp/support.h"
 
 namespace mrsim {

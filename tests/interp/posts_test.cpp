@@ -1,6 +1,6 @@
 // Programs in the manner of CAM posts: their envelope (safe starts, tool changes, ways home) gives
 // no warning, and they move as worked out by hand.
-#include "core/vec.h"
+#include "core/numbers/vec.h"
 #include "interp/support.h"
 
 #include <cmath>

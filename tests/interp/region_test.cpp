@@ -1,7 +1,7 @@
 // Areas between contours: insets in closed form, and loops that leave nothing between them.
 #include "interp/path/region.h"
 
-#include "core/units.h"
+#include "core/numbers/units.h"
 #include "support/random.h"
 #include "support/rounds.h"
 

@@ -1,7 +1,7 @@
 // Runs program text through the interpreter and keeps what comes out.
 #pragma once
 
-#include "core/units.h"
+#include "core/numbers/units.h"
 #include "interp/interpreter.h"
 #include "interp/show/motion_text.h"
 #include "support/collecting_sink.h"

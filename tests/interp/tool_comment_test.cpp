@@ -1,7 +1,7 @@
 // Tool comments as posts write them: the data of the tool, or a reason why there is none.
 #include "interp/comments/tool_comment.h"
 
-#include "core/units.h"
+#include "core/numbers/units.h"
 #include "interp/comments/tool_hint.h"
 
 #include <string>

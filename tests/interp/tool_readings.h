@@ -1,7 +1,7 @@
 // Tables of comments and the tools that programs in mm or inches make of them.
 #pragma once
 
-#include "core/units.h"
+#include "core/numbers/units.h"
 #include "interp/comments/tool_comment.h"
 #include "interp/comments/tool_hint.h"
 

@@ -1,7 +1,7 @@
 // What only an independent library should judge: self-intersections, and the distance of the exact
 // part from the mesh.
-#include "core/trig.h"
-#include "core/units.h"
+#include "core/numbers/trig.h"
+#include "core/numbers/units.h"
 #include "mesh/mesh_part.h"
 #include "mesh/solid/check.h"
 #include "mesh/solid/self_intersection.h"

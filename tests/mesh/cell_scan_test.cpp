@@ -1,6 +1,6 @@
 #include "mesh/cells/cell_scan.h"
 
-#include "core/vec.h"
+#include "core/numbers/vec.h"
 #include "support/analytic_field.h"
 
 #include <limits>

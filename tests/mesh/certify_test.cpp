@@ -1,8 +1,8 @@
 // What a tolerance costs where short moves end at the stock's sides, and that bounds hold there.
 #include "mesh/simplify/certify.h"
 
-#include "core/units.h"
-#include "core/vec.h"
+#include "core/numbers/units.h"
+#include "core/numbers/vec.h"
 #include "mesh/mesh_part.h"
 #include "removal/part/part_field.h"
 #include "support/analytic_field.h"

@@ -1,7 +1,7 @@
 // What default settings stand on: the survey of the cut surface, the distance of a mesh on the
 // voxels, and the grid that takes the place of a tolerance.
-#include "core/error.h"
-#include "core/units.h"
+#include "core/numbers/units.h"
+#include "core/process/error.h"
 #include "mesh/cells/survey.h"
 #include "mesh/mesh_part.h"
 #include "mesh/solid/check.h"

@@ -1,6 +1,6 @@
 // What other people's programs make of the files that mrsim writes: OpenMesh for STL, OBJ, PLY and
 // OFF, lib3mf for 3MF, and the rules of glTF for GLB.
-#include "core/bytes.h"
+#include "core/text/bytes.h"
 #include "mesh/format/glb.h"
 #include "mesh/format/mesh_io.h"
 #include "mesh/solid/half_edges.h"

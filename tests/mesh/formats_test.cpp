@@ -1,6 +1,6 @@
 // Every format written by mrsim and read back by mrsim; formats_foreign_test.cpp reads them with
 // other people's readers.
-#include "core/memory_limit.h"
+#include "core/process/memory_limit.h"
 #include "mesh/format/mesh_io.h"
 #include "mesh/format/obj.h"
 #include "mesh/format/off.h"

@@ -1,8 +1,8 @@
 // GLB: coordinates, nodes, what is refused.
 #include "mesh/format/glb.h"
 
-#include "core/bytes.h"
-#include "core/memory_limit.h"
+#include "core/process/memory_limit.h"
+#include "core/text/bytes.h"
 #include "mesh/solid/half_edges.h"
 #include "support/mesh_asserts.h"
 #include "support/mesh_files.h"

@@ -1,5 +1,5 @@
 // Borders between owners on plane faces: where the floors of two passes meet.
-#include "core/units.h"
+#include "core/numbers/units.h"
 #include "mesh/mesh_part.h"
 #include "mesh/solid/check.h"
 #include "removal/part/part_field.h"

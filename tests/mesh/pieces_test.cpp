@@ -1,6 +1,6 @@
 #include "mesh/solid/pieces.h"
 
-#include "core/vec.h"
+#include "core/numbers/vec.h"
 #include "support/mesh_asserts.h"
 #include "support/shapes.h"
 

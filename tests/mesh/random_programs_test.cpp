@@ -1,9 +1,9 @@
 // A thousand random programs: lines, plunges, arcs and helices of flat, ball and bull-nose mills in
 // a block. Every mesh is a closed 2-manifold, free of self-intersections by CGAL, and its vertices
 // lie on the exact part.
-#include "core/trig.h"
-#include "core/units.h"
-#include "core/vec.h"
+#include "core/numbers/trig.h"
+#include "core/numbers/units.h"
+#include "core/numbers/vec.h"
 #include "mesh/mesh_part.h"
 #include "mesh/solid/check.h"
 #include "removal/part/part_field.h"

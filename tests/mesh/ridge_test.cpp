@@ -1,5 +1,5 @@
 // Edges sharper than cells can see: the wedge's end passes between the edges of the grid.
-#include "core/units.h"
+#include "core/numbers/units.h"
 #include "mesh/mesh_part.h"
 #include "mesh/surface/surface.h"
 #include "removal/part/part_field.h"

@@ -1,7 +1,7 @@
 // Simplification that makes a mesh meet itself: what stays of it.
 #include "mesh/simplify/simplify_apart.h"
 
-#include "core/vec.h"
+#include "core/numbers/vec.h"
 
 #include <algorithm>
 #include <numeric>

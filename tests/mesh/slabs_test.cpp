@@ -1,10 +1,10 @@
 // Meshes kept in a file while they are made, as runs in slabs do: the same files as from memory,
 // also where the tiles have to be made again.
-#include "core/vec.h"
+#include "core/numbers/vec.h"
 #include "mesh/format/mesh_io.h"
 #include "mesh/mesh_part.h"
 #include "mesh/solid/check.h"
-#include "mesh/solid/mesh_spill.h"
+#include "mesh/solid/mesh_source.h"
 #include "removal/part/part_field.h"
 #include "support/crossed_slots.h"
 #include "support/moves.h"

@@ -1,8 +1,8 @@
 // Walls and gaps below the voxel: a mesh with a tolerance holds them, or the report names them.
 #include "mesh/cells/thin_features.h"
 
-#include "core/triangle_tree.h"
-#include "core/vec.h"
+#include "core/numbers/triangle_tree.h"
+#include "core/numbers/vec.h"
 #include "mesh/cells/octree.h"
 #include "mesh/mesh_part.h"
 #include "support/analytic_field.h"

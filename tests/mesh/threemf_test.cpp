@@ -1,8 +1,8 @@
 // 3MF: units, components and transforms, what is refused.
 #include "mesh/format/threemf.h"
 
-#include "core/memory_limit.h"
-#include "core/zip.h"
+#include "core/process/memory_limit.h"
+#include "core/text/zip.h"
 #include "support/mesh_asserts.h"
 #include "support/mesh_files.h"
 

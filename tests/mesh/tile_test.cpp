@@ -1,7 +1,7 @@
 // What a tile makes of a cell depends on the cell's place alone, so that tiles fit each other.
 #include "mesh/cells/tile.h"
 
-#include "core/vec.h"
+#include "core/numbers/vec.h"
 #include "mesh/solid/check.h"
 #include "mesh/surface/surface.h"
 #include "mesh/tiles/uniform.h"

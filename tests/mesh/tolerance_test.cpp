@@ -1,7 +1,7 @@
 // The bound that is reported, against dense samples of every triangle: random tools and moves, and
 // places where a face ends or its curvature changes within a triangle.
-#include "core/units.h"
-#include "core/vec.h"
+#include "core/numbers/units.h"
+#include "core/numbers/vec.h"
 #include "mesh/mesh_part.h"
 #include "mesh/solid/check.h"
 #include "removal/part/part_field.h"

@@ -1,9 +1,9 @@
 // Parts that are the same at every angle: the outline and its mesh, on closed forms and on random
 // programs.
-#include "core/triangle_tree.h"
-#include "core/trig.h"
-#include "core/units.h"
-#include "core/vec.h"
+#include "core/numbers/triangle_tree.h"
+#include "core/numbers/trig.h"
+#include "core/numbers/units.h"
+#include "core/numbers/vec.h"
 #include "mesh/mesh_part.h"
 #include "mesh/solid/check.h"
 #include "mesh/turned/turned_chords.h"

@@ -7,7 +7,7 @@
 // exact boundary: good to 1e-12 of the region's box.
 #pragma once
 
-#include "core/vec.h"
+#include "core/numbers/vec.h"
 
 #include <memory>
 #include <span>

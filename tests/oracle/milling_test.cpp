@@ -1,7 +1,7 @@
 // Horizontal moves of flat mills against exact plane geometry: at height z the removed region is
 // the union of the stadiums and swept arcs of all moves at or below z (ExactRegion), so the volume
 // is a sum of areas times depths, and membership of a point is that of a point in a polygon.
-#include "core/units.h"
+#include "core/numbers/units.h"
 #include "interp/interpreter.h"
 #include "mesh/mesh_part.h"
 #include "mesh/solid/check.h"

@@ -1,7 +1,7 @@
 // Turning against exact plane geometry: in the half plane (X, Z) an insert is a polygon thickened
 // by its nose radius, and what it sweeps a union of polygons, bars and swept arcs (ExactRegion).
 // The part's volume follows by Pappus; membership of a point is that of (radius, Z) in the region.
-#include "core/units.h"
+#include "core/numbers/units.h"
 #include "interp/interpreter.h"
 #include "mesh/mesh_part.h"
 #include "mesh/solid/check.h"

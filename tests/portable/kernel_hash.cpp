@@ -1,9 +1,9 @@
 // Hashes of what every machine must compute to the last bit: traces of programs, distances, faces
 // and gradients of random sweeps of every tool, what pruning leaves, and meshes. One line each, so
 // that two machines are compared by diff (scripts/check_arm64.sh). Needs neither OpenVDB nor TBB.
-#include "core/error.h"
-#include "core/units.h"
-#include "core/vec.h"
+#include "core/numbers/units.h"
+#include "core/numbers/vec.h"
+#include "core/process/error.h"
 #include "interp/interpreter.h"
 #include "mesh/mesh_part.h"
 #include "removal/part/part_field.h"

@@ -1,5 +1,5 @@
 // parallel.h on one thread, for builds without TBB.
-#include "core/parallel.h"
+#include "core/process/parallel.h"
 
 namespace mrsim {
 

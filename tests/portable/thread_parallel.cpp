@@ -1,6 +1,6 @@
 // parallel.h with threads of its own for each loop, for ThreadSanitizer: it sees how these
 // begin and end, and what a loop orders, but does not see into the TBB library.
-#include "core/parallel.h"
+#include "core/process/parallel.h"
 
 #include <algorithm>
 #include <atomic>

@@ -1,6 +1,6 @@
 #include "reference/grid_mesh.h"
 
-#include "core/parallel.h"
+#include "core/process/parallel.h"
 #include "mesh/solid/half_edges.h"
 #include "reference/repair.h"
 #include "removal/field/field.h"

@@ -1,7 +1,7 @@
 // Pruning drops only what never decides: checked by all sweeps at many points of the region.
 #include "removal/prune/candidate_list.h"
 
-#include "core/vec.h"
+#include "core/numbers/vec.h"
 #include "removal/prune/list_candidates.h"
 #include "removal/prune/prune.h"
 #include "removal/prune/prune_strips.h"

@@ -1,7 +1,7 @@
 // The carver against the obvious one for every kind of tool and of motion, coincident moves
 // included; and what holds of any two programs.
 #include "carve_support.h"
-#include "core/units.h"
+#include "core/numbers/units.h"
 #include "sweep_support.h"
 
 #include <gtest/gtest.h>

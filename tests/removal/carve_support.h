@@ -1,7 +1,7 @@
 // What the carver has made, voxel by voxel, and the obvious carver that it is compared with.
 #pragma once
 
-#include "core/vec.h"
+#include "core/numbers/vec.h"
 #include "removal/field/lattice.h"
 #include "removal/part/stock.h"
 #include "removal/part/stock_grid.h"

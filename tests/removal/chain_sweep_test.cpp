@@ -1,7 +1,7 @@
 // Straight moves of convex tools against the search over positions and against dense samples.
 #include "removal/forms/chain_sweep.h"
 
-#include "core/units.h"
+#include "core/numbers/units.h"
 #include "removal/simd/sweep_kernels.h"
 #include "support/rounds.h"
 #include "sweep_support.h"

@@ -1,8 +1,8 @@
 // What the probe says of a mover is true by brute force; what it must not miss, it finds.
 #include "removal/collision/collision_probe.h"
 
-#include "core/units.h"
-#include "core/vec.h"
+#include "core/numbers/units.h"
+#include "core/numbers/vec.h"
 #include "support/random.h"
 
 #include <algorithm>

@@ -1,7 +1,7 @@
 // Collisions against closed forms: depth and line of parts of tools in blocks, slots and bars, and
 // the touches that are none.
 #include "collision_support.h"
-#include "core/units.h"
+#include "core/numbers/units.h"
 #include "removal/sweep/sweep_table.h"
 #include "support/random.h"
 #include "support/rounds.h"

@@ -1,7 +1,7 @@
 // Faces between voxels that go at different moments: moments, places and normals of single cuts.
 #include "removal/history/cut_faces.h"
 
-#include "core/vec.h"
+#include "core/numbers/vec.h"
 #include "removal/history/removed_volumes.h"
 #include "support/moves.h"
 #include "support/shapes.h"

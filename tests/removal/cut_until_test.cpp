@@ -1,7 +1,7 @@
 // The grid `cut` of a .vdb: for any motion L, {cut < L} is the air of the part that a program of
 // the first L motions leaves, at every voxel centre that is not on a surface.
 #include "carve_support.h"
-#include "core/vec.h"
+#include "core/numbers/vec.h"
 #include "removal/part/stock_file.h"
 #include "removal/part/stock_grid.h"
 #include "support/moves.h"

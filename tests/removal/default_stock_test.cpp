@@ -1,5 +1,5 @@
 // The stock of a run that gives none, on mills.
-#include "core/units.h"
+#include "core/numbers/units.h"
 #include "support/stock_path.h"
 
 #include <gtest/gtest.h>

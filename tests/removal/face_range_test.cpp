@@ -2,7 +2,7 @@
 // sizes about the surface, some of them with corners off it.
 #include "removal/field/face_range.h"
 
-#include "core/units.h"
+#include "core/numbers/units.h"
 #include "removal/part/part_field.h"
 #include "removal/sweep_support.h"
 #include "support/tools.h"

@@ -1,7 +1,7 @@
 // Bounds of heights: the same on every instruction set, and bounds of dense samples of the sweeps.
 #include "removal/prune/heights.h"
 
-#include "core/units.h"
+#include "core/numbers/units.h"
 #include "removal/columns/height_segments.h"
 #include "removal/columns/sweep_columns.h"
 #include "removal/forms/path_sweep.h"

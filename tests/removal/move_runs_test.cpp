@@ -1,6 +1,6 @@
 // Long lists of short straight moves of convex tools: by runs or one by one, the nearest is the
 // same.
-#include "core/units.h"
+#include "core/numbers/units.h"
 #include "removal/sweep/sweep_table.h"
 #include "sweep_support.h"
 

@@ -1,7 +1,7 @@
 #include "removal/part/part_field.h"
 
-#include "core/units.h"
-#include "core/vec.h"
+#include "core/numbers/units.h"
+#include "core/numbers/vec.h"
 #include "removal/part/stock.h"
 #include "support/moves.h"
 #include "support/random.h"

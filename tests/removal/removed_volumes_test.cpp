@@ -1,7 +1,7 @@
 // What each motion removes: closed forms of single moves, sums, threads.
 #include "removal/history/removed_volumes.h"
 
-#include "core/units.h"
+#include "core/numbers/units.h"
 #include "support/mesh_asserts.h"
 #include "support/moves.h"
 #include "support/shapes.h"

@@ -1,6 +1,6 @@
 #include "removal/part/stock_file.h"
 
-#include "core/vec.h"
+#include "core/numbers/vec.h"
 #include "removal/part/recipe_codec.h"
 #include "removal/part/stock_grid.h"
 #include "removal/vdb/level_set.h"

@@ -1,7 +1,7 @@
 #include "removal/stock/stock_solid.h"
 
-#include "core/units.h"
-#include "core/vec.h"
+#include "core/numbers/units.h"
+#include "core/numbers/vec.h"
 #include "support/random.h"
 #include "support/shapes.h"
 

@@ -1,7 +1,7 @@
 // Bottoms of sweeps in closed form against their distances, and the bounds of them.
 #include "removal/sweep/sweep_heights.h"
 
-#include "core/units.h"
+#include "core/numbers/units.h"
 #include "removal/simd/sweep_kernels.h"
 #include "removal/tool/underside.h"
 #include "support/rounds.h"

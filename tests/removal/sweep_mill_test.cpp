@@ -1,5 +1,5 @@
 // Flat, bull-nose and ball mills on lines and horizontal arcs against brute force.
-#include "core/units.h"
+#include "core/numbers/units.h"
 #include "sweep_support.h"
 
 #include <gtest/gtest.h>

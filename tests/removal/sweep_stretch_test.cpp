@@ -1,5 +1,5 @@
 // Flat, bull-nose and ball mills on helices and on arcs in upright planes against brute force.
-#include "core/units.h"
+#include "core/numbers/units.h"
 #include "removal/forms/path_sweep.h"
 #include "removal/forms/slant_sweep.h"
 #include "removal/forms/upright_sweep.h"

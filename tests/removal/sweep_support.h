@@ -2,7 +2,7 @@
 // sweeps by dense samples of their path; a deterministic random source.
 #pragma once
 
-#include "core/units.h"
+#include "core/numbers/units.h"
 #include "removal/forms/path_sweep.h"
 #include "removal/sweep/sweep_table.h"
 #include "removal/tool/tool.h"

@@ -1,5 +1,5 @@
 // Every tool on every move against brute force; gradients, Lipschitz constant, patches, bounds.
-#include "core/units.h"
+#include "core/numbers/units.h"
 #include "removal/columns/sweep_columns.h"
 #include "removal/forms/path_sweep.h"
 #include "sweep_support.h"

@@ -1,5 +1,5 @@
 // Volumes of sweeps against closed forms (Steiner, Pappus), patches, dominance, refusals.
-#include "core/units.h"
+#include "core/numbers/units.h"
 #include "sweep_support.h"
 
 #include <gtest/gtest.h>

@@ -1,7 +1,7 @@
 // Profiles and inserts: shapes, exact distances, refusals.
 #include "removal/tool/tool.h"
 
-#include "core/units.h"
+#include "core/numbers/units.h"
 #include "support/rounds.h"
 #include "sweep_support.h"
 

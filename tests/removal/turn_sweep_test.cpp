@@ -1,5 +1,5 @@
 // Turning inserts on lines and arcs against brute force over positions.
-#include "core/units.h"
+#include "core/numbers/units.h"
 #include "sweep_support.h"
 
 #include <gtest/gtest.h>

@@ -1,8 +1,8 @@
 // Rapids of inserts right after a cut: what withdraws is told apart, what goes into material is
 // not.
 #include "collision_support.h"
-#include "core/trig.h"
-#include "core/units.h"
+#include "core/numbers/trig.h"
+#include "core/numbers/units.h"
 
 #include <vector>
 

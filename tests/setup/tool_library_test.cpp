@@ -1,9 +1,9 @@
 // Tool libraries of other programs, each in the form that its program writes.
 #include "setup/tool_library.h"
 
-#include "core/error.h"
-#include "core/units.h"
-#include "core/zip.h"
+#include "core/numbers/units.h"
+#include "core/process/error.h"
+#include "core/text/zip.h"
 #include "support/temp_folder.h"
 
 #include <fstream>

@@ -1,6 +1,6 @@
 #include "setup/tool_spec.h"
 
-#include "core/units.h"
+#include "core/numbers/units.h"
 
 #include <gtest/gtest.h>
 

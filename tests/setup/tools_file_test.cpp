@@ -1,7 +1,7 @@
 #include "setup/tools_file.h"
 
-#include "core/memory_limit.h"
-#include "core/units.h"
+#include "core/numbers/units.h"
+#include "core/process/memory_limit.h"
 #include "support/error_code.h"
 
 #include <gtest/gtest.h>

@@ -2,7 +2,7 @@
 // regions, as ExactField, without a program, a tool or a grid.
 #pragma once
 
-#include "core/vec.h"
+#include "core/numbers/vec.h"
 #include "removal/field/field.h"
 
 #include <algorithm>

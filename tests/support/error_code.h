@@ -1,7 +1,7 @@
 // What a call throws, as tests compare it.
 #pragma once
 
-#include "core/error.h"
+#include "core/process/error.h"
 
 #include <functional>
 #include <string>

@@ -1,7 +1,7 @@
 // How far a mesh lies from the exact part, by samples.
 #pragma once
 
-#include "core/vec.h"
+#include "core/numbers/vec.h"
 #include "removal/field/field.h"
 #include <mrsim/types.h>
 

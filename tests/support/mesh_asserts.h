@@ -1,7 +1,7 @@
 // What tests ask of meshes and of the bytes they are written as.
 #pragma once
 
-#include "core/text_io.h"
+#include "core/text/text_io.h"
 #include "mesh/solid/check.h"
 #include "support/error_code.h"
 #include <mrsim/types.h>

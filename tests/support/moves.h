@@ -1,7 +1,7 @@
 // Moves as tests write them.
 #pragma once
 
-#include "core/vec.h"
+#include "core/numbers/vec.h"
 #include <mrsim/types.h>
 
 #include <cmath>

@@ -1,7 +1,7 @@
 // A tool's path, move after move.
 #pragma once
 
-#include "core/vec.h"
+#include "core/numbers/vec.h"
 #include <mrsim/types.h>
 
 #include <vector>

@@ -1,8 +1,8 @@
 // Closed triangle meshes of plain solids for tests, with their volumes in closed form.
 #pragma once
 
-#include "core/trig.h"
-#include "core/units.h"
+#include "core/numbers/trig.h"
+#include "core/numbers/units.h"
 #include <mrsim/types.h>
 
 #include <utility>

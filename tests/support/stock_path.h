@@ -1,7 +1,7 @@
 // A tool's path, and the stock of a run that gives none, around it.
 #pragma once
 
-#include "core/units.h"
+#include "core/numbers/units.h"
 #include "removal/part/default_stock.h"
 #include "support/path_builder.h"
 

@@ -1,6 +1,6 @@
 #include "interp/calls/macros.h"
 
-#include "core/text_io.h"
+#include "core/text/text_io.h"
 #include "interp/text/characters.h"
 
 namespace mrsim {

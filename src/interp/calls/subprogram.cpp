@@ -1,6 +1,6 @@
 #include "interp/calls/subprogram.h"
 
-#include "core/real_path.h"
+#include "core/output/real_path.h"
 #include "interp/text/characters.h"
 #include "interp/text/line_scan.h"
 #include "interp/text/source.h"

@@ -1,7 +1,7 @@
 // The tokens of a comment about a tool, and which of them have been explained.
 #pragma once
 
-#include "core/units.h"
+#include "core/numbers/units.h"
 #include "interp/comments/comment_tokens.h"
 #include "interp/comments/tool_comment.h"
 

@@ -1,7 +1,7 @@
 #include "interp/comments/form_outline.h"
 
-#include "core/trig.h"
-#include "core/units.h"
+#include "core/numbers/trig.h"
+#include "core/numbers/units.h"
 
 #include <cmath>
 

@@ -1,7 +1,7 @@
 #include "interp/comments/insert_code.h"
 
-#include "core/rounding.h"
-#include "core/units.h"
+#include "core/numbers/rounding.h"
+#include "core/numbers/units.h"
 #include "interp/text/characters.h"
 
 #include <algorithm>

@@ -1,6 +1,6 @@
 #include "interp/comments/operator_comments.h"
 
-#include "core/text_io.h"
+#include "core/text/text_io.h"
 #include "interp/comments/comment_tokens.h"
 #include "interp/comments/comment_view.h"
 #include "interp/comments/tool_kind.h"

@@ -1,8 +1,8 @@
 #include "interp/comments/stock_comment.h"
 
-#include "core/text_io.h"
-#include "core/units.h"
-#include "core/vec.h"
+#include "core/numbers/units.h"
+#include "core/numbers/vec.h"
+#include "core/text/text_io.h"
 #include "interp/comments/comment_tokens.h"
 #include "interp/text/characters.h"
 

@@ -1,6 +1,6 @@
 #include "interp/comments/thread_name.h"
 
-#include "core/units.h"
+#include "core/numbers/units.h"
 
 namespace mrsim {
 namespace {

@@ -1,8 +1,8 @@
 #include "interp/comments/tool_hint.h"
 
-#include "core/tip_orientation.h"
-#include "core/trig.h"
-#include "core/units.h"
+#include "core/numbers/trig.h"
+#include "core/numbers/units.h"
+#include "core/words/tool_types.h"
 #include "interp/comments/form_outline.h"
 #include "interp/comments/insert_code.h"
 

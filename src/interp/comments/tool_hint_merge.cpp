@@ -1,6 +1,6 @@
 // What several comments say of one tool, put together.
-#include "core/rounding.h"
-#include "core/units.h"
+#include "core/numbers/rounding.h"
+#include "core/numbers/units.h"
 #include "interp/comments/comment_tokens.h"
 #include "interp/comments/insert_code.h"
 #include "interp/comments/tool_hint.h"

@@ -1,7 +1,7 @@
 #include "interp/comments/tool_listing.h"
 
-#include "core/text_io.h"
-#include "core/units.h"
+#include "core/numbers/units.h"
+#include "core/text/text_io.h"
 #include "interp/comments/comment_tokens.h"
 #include "interp/comments/tool_kind.h"
 

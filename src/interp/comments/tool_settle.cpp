@@ -1,6 +1,6 @@
 #include "interp/comments/tool_settle.h"
 
-#include "core/units.h"
+#include "core/numbers/units.h"
 #include "interp/comments/insert_code.h"
 #include "interp/comments/tool_sizes.h"
 

@@ -1,6 +1,6 @@
 #include "interp/comments/tool_sizes.h"
 
-#include "core/units.h"
+#include "core/numbers/units.h"
 
 #include <algorithm>
 #include <cmath>

@@ -2,7 +2,7 @@
 // function words ask for. Does not know what the words mean. Private to src/interp.
 #pragma once
 
-#include "core/vec.h"
+#include "core/numbers/vec.h"
 #include "interp/text/block.h"
 #include "interp/text/codes.h"
 #include <mrsim/events.h>

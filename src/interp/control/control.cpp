@@ -1,7 +1,7 @@
 #include "interp/control/control.h"
 
-#include "core/text_io.h"
-#include "core/units.h"
+#include "core/numbers/units.h"
+#include "core/text/text_io.h"
 
 #include <algorithm>
 

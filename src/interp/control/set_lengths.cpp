@@ -1,6 +1,6 @@
 #include "interp/control/set_lengths.h"
 
-#include "core/rounding.h"
+#include "core/numbers/rounding.h"
 
 #include <cmath>
 

@@ -1,7 +1,7 @@
 // The state of a control as plain values, so that a rejected block can be undone by a copy.
 #pragma once
 
-#include "core/vec.h"
+#include "core/numbers/vec.h"
 #include "interp/path/frames.h"
 #include "interp/text/codes.h"
 

@@ -1,6 +1,6 @@
 #include "interp/cycles/cycle_mover.h"
 
-#include "core/rounding.h"
+#include "core/numbers/rounding.h"
 
 namespace mrsim {
 

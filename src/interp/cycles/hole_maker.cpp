@@ -1,6 +1,6 @@
 #include "interp/cycles/hole_maker.h"
 
-#include "core/rounding.h"
+#include "core/numbers/rounding.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,6 +1,6 @@
 #include "interp/drilling/peck_words.h"
 
-#include "core/rounding.h"
+#include "core/numbers/rounding.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,6 +1,6 @@
 #include "interp/frames/frame_words.h"
 
-#include "core/trig.h"
+#include "core/numbers/trig.h"
 
 #include <algorithm>
 #include <cmath>

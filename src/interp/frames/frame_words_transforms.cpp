@@ -1,5 +1,5 @@
 // Frames that a program turns, scales and mirrors by G words: FANUC's and Fagor's.
-#include "core/rounding.h"
+#include "core/numbers/rounding.h"
 #include "interp/frames/frame_words.h"
 
 #include <cmath>

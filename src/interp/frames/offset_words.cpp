@@ -1,6 +1,6 @@
 #include "interp/frames/offset_words.h"
 
-#include "core/rounding.h"
+#include "core/numbers/rounding.h"
 
 #include <cmath>
 

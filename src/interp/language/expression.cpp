@@ -1,6 +1,6 @@
 #include "interp/language/expression.h"
 
-#include "core/text_io.h"
+#include "core/text/text_io.h"
 #include "interp/language/operations.h"
 #include "interp/text/characters.h"
 

@@ -1,6 +1,6 @@
 // The operands of expressions: numbers, variables, functions, frames.
-#include "core/text_io.h"
-#include "core/units.h"
+#include "core/numbers/units.h"
+#include "core/text/text_io.h"
 #include "interp/language/expression.h"
 #include "interp/language/operations.h"
 #include "interp/path/frame_parts.h"

@@ -1,9 +1,9 @@
 #include "interp/language/operations.h"
 
-#include "core/exponential.h"
-#include "core/text_io.h"
-#include "core/trig.h"
-#include "core/units.h"
+#include "core/numbers/exponential.h"
+#include "core/numbers/trig.h"
+#include "core/numbers/units.h"
+#include "core/text/text_io.h"
 #include "interp/language/text_operations.h"
 
 #include <algorithm>

@@ -1,6 +1,6 @@
 #include "interp/milling/engraving.h"
 
-#include "core/trig.h"
+#include "core/numbers/trig.h"
 #include "interp/path/stroke_font.h"
 
 #include <algorithm>

@@ -1,9 +1,9 @@
 // What the values of a milling cycle mean, and the areas that they describe.
 #include "interp/milling/mill_cycles.h"
 
-#include "core/rounding.h"
-#include "core/trig.h"
-#include "core/units.h"
+#include "core/numbers/rounding.h"
+#include "core/numbers/trig.h"
+#include "core/numbers/units.h"
 #include "interp/cycles/cycle_planes.h"
 
 #include <algorithm>

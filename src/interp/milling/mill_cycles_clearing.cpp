@@ -1,8 +1,8 @@
 // How the areas of milling cycles are cleared: level by level, loop by loop; spigots, faces, open
 // slots and threads.
-#include "core/rounding.h"
-#include "core/trig.h"
-#include "core/units.h"
+#include "core/numbers/rounding.h"
+#include "core/numbers/trig.h"
+#include "core/numbers/units.h"
 #include "interp/milling/mill_cycles.h"
 
 #include <algorithm>

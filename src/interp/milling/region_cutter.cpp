@@ -1,6 +1,6 @@
 #include "interp/milling/region_cutter.h"
 
-#include "core/rounding.h"
+#include "core/numbers/rounding.h"
 #include "interp/path/arc.h"
 
 #include <cmath>

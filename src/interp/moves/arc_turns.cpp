@@ -1,7 +1,7 @@
 #include "interp/moves/arc_turns.h"
 
-#include "core/rounding.h"
-#include "core/units.h"
+#include "core/numbers/rounding.h"
+#include "core/numbers/units.h"
 
 #include <cmath>
 

@@ -1,7 +1,7 @@
 #include "interp/moves/motion_emitter.h"
 
-#include "core/rounding.h"
-#include "core/text_io.h"
+#include "core/numbers/rounding.h"
+#include "core/text/text_io.h"
 #include "interp/tools/tool_changer.h"
 #include "interp/tools/tool_text.h"
 

@@ -1,6 +1,6 @@
 #include "interp/moves/point_arcs.h"
 
-#include "core/rounding.h"
+#include "core/numbers/rounding.h"
 
 #include <cmath>
 

@@ -2,7 +2,7 @@
 // control tolerates is decided by the caller.
 #pragma once
 
-#include "core/vec.h"
+#include "core/numbers/vec.h"
 
 #include <optional>
 

@@ -2,8 +2,8 @@
 // inside corner ends where the moved elements meet, and an element that has no room left is void.
 #include "interp/path/compensation.h"
 
-#include "core/rounding.h"
-#include "core/units.h"
+#include "core/numbers/rounding.h"
+#include "core/numbers/units.h"
 #include "interp/path/offset_contour.h"
 #include "interp/path/stepwise_corners.h"
 

@@ -1,6 +1,6 @@
 #include "interp/path/corners.h"
 
-#include "core/rounding.h"
+#include "core/numbers/rounding.h"
 #include "interp/path/arc.h"
 #include "interp/path/plane_piece.h"
 

@@ -1,8 +1,8 @@
 #include "interp/path/frame_parts.h"
 
-#include "core/rounding.h"
-#include "core/trig.h"
-#include "core/units.h"
+#include "core/numbers/rounding.h"
+#include "core/numbers/trig.h"
+#include "core/numbers/units.h"
 #include "interp/text/characters.h"
 
 #include <cmath>

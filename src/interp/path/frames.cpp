@@ -1,6 +1,6 @@
 #include "interp/path/frames.h"
 
-#include "core/trig.h"
+#include "core/numbers/trig.h"
 
 namespace mrsim {
 

@@ -2,7 +2,7 @@
 // stock.
 #pragma once
 
-#include "core/vec.h"
+#include "core/numbers/vec.h"
 
 #include <array>
 

@@ -1,6 +1,6 @@
 #include "interp/path/moves_ahead.h"
 
-#include "core/units.h"
+#include "core/numbers/units.h"
 #include "interp/path/arc.h"
 #include "interp/path/offset_contour.h"
 

@@ -1,7 +1,7 @@
 // The way round an outside corner of a contour under radius compensation.
 #pragma once
 
-#include "core/units.h"
+#include "core/numbers/units.h"
 #include "interp/path/plane_piece.h"
 
 namespace mrsim {

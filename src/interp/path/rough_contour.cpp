@@ -1,6 +1,6 @@
 #include "interp/path/rough_contour.h"
 
-#include "core/units.h"
+#include "core/numbers/units.h"
 
 #include <algorithm>
 #include <cmath>

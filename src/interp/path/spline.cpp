@@ -1,6 +1,6 @@
 #include "interp/path/spline.h"
 
-#include "core/rounding.h"
+#include "core/numbers/rounding.h"
 
 #include <algorithm>
 #include <cmath>

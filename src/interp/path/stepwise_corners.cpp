@@ -1,7 +1,7 @@
 #include "interp/path/stepwise_corners.h"
 
-#include "core/rounding.h"
-#include "core/trig.h"
+#include "core/numbers/rounding.h"
+#include "core/numbers/trig.h"
 #include "interp/path/arc.h"
 #include "interp/path/offset_contour.h"
 

@@ -2,7 +2,7 @@
 // as those of controls are not published. ASCII alone.
 #pragma once
 
-#include "core/vec.h"
+#include "core/numbers/vec.h"
 
 #include <string_view>
 #include <vector>

@@ -1,6 +1,6 @@
 #include "interp/path/turn_profile.h"
 
-#include "core/rounding.h"
+#include "core/numbers/rounding.h"
 #include "interp/path/turn_levels.h"
 
 #include <algorithm>

@@ -4,7 +4,7 @@
 // not cut is a fault with a reason. Does not: know words, blocks or tools.
 #pragma once
 
-#include "core/vec.h"
+#include "core/numbers/vec.h"
 
 #include <cstddef>
 #include <string>

@@ -1,6 +1,6 @@
 #include "interp/recognise/foreign_programs.h"
 
-#include "core/text_io.h"
+#include "core/text/text_io.h"
 #include "interp/text/characters.h"
 #include <mrsim/types.h>
 

@@ -1,6 +1,6 @@
 #include "interp/recognise/recognise.h"
 
-#include "core/error.h"
+#include "core/process/error.h"
 #include "interp/recognise/dialect_signs.h"
 #include "interp/recognise/foreign_programs.h"
 #include "interp/recognise/machine_signs.h"

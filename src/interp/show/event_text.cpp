@@ -1,6 +1,4 @@
-#include "interp/show/event_text.h"
-
-#include "core/json_text.h"
+#include "core/text/json_text.h"
 #include "interp/show/motion_text.h"
 
 #include <algorithm>

@@ -1,7 +1,7 @@
 #include "interp/show/motion_text.h"
 
-#include "core/json_text.h"
-#include "core/units.h"
+#include "core/numbers/units.h"
+#include "core/text/json_text.h"
 
 #include <charconv>
 #include <cmath>

@@ -1,9 +1,9 @@
 #include "interp/show/path_picture.h"
 
-#include "core/rounding.h"
-#include "core/text_io.h"
-#include "core/units.h"
-#include "core/vec.h"
+#include "core/numbers/rounding.h"
+#include "core/numbers/units.h"
+#include "core/numbers/vec.h"
+#include "core/text/text_io.h"
 #include "interp/path/arc.h"
 #include "interp/show/motion_text.h"
 #include "interp/text/characters.h"

@@ -1,7 +1,7 @@
 #include "interp/sinumerik/contour_milling.h"
 
-#include "core/rounding.h"
-#include "core/units.h"
+#include "core/numbers/rounding.h"
+#include "core/numbers/units.h"
 #include "interp/path/arc.h"
 
 #include <algorithm>

@@ -1,6 +1,6 @@
 #include "interp/sinumerik/contour_turning.h"
 
-#include "core/rounding.h"
+#include "core/numbers/rounding.h"
 #include "interp/path/arc.h"
 #include "interp/path/clearing.h"
 #include "interp/path/compensation.h"

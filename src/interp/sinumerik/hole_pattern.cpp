@@ -1,7 +1,7 @@
 #include "interp/sinumerik/hole_pattern.h"
 
-#include "core/rounding.h"
-#include "core/trig.h"
+#include "core/numbers/rounding.h"
+#include "core/numbers/trig.h"
 
 #include <algorithm>
 #include <array>

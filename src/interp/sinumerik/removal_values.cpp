@@ -1,6 +1,6 @@
 #include "interp/sinumerik/removal_values.h"
 
-#include "core/rounding.h"
+#include "core/numbers/rounding.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,6 +1,6 @@
 #include "interp/sinumerik/sinumerik_contours.h"
 
-#include "core/text_io.h"
+#include "core/text/text_io.h"
 #include "interp/sinumerik/contour_milling.h"
 #include "interp/sinumerik/contour_pocket.h"
 #include "interp/sinumerik/contour_turning.h"

@@ -1,8 +1,8 @@
 #include "interp/sinumerik/sinumerik_engraving.h"
 
-#include "core/rounding.h"
-#include "core/trig.h"
-#include "core/units.h"
+#include "core/numbers/rounding.h"
+#include "core/numbers/trig.h"
+#include "core/numbers/units.h"
 #include "interp/cycles/cycle_planes.h"
 #include "interp/path/stroke_font.h"
 

@@ -1,6 +1,6 @@
 #include "interp/statements/fagor_statements.h"
 
-#include "core/text_io.h"
+#include "core/text/text_io.h"
 #include "interp/language/bracket_statement.h"
 #include "interp/language/flow_scan.h"
 #include "interp/text/characters.h"

@@ -1,6 +1,6 @@
 #include "interp/statements/fanuc_values.h"
 
-#include "core/text_io.h"
+#include "core/text/text_io.h"
 #include "interp/tools/tool_changer.h"
 
 #include <algorithm>

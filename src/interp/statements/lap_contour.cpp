@@ -1,6 +1,6 @@
 #include "interp/statements/lap_contour.h"
 
-#include "core/text_io.h"
+#include "core/text/text_io.h"
 #include "interp/text/characters.h"
 #include "interp/text/line_scan.h"
 #include "interp/text/source.h"

@@ -1,6 +1,6 @@
 #include "interp/statements/osp_statements.h"
 
-#include "core/text_io.h"
+#include "core/text/text_io.h"
 #include "interp/statements/lap_contour.h"
 #include "interp/text/characters.h"
 

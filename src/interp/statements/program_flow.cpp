@@ -1,6 +1,6 @@
 #include "interp/statements/program_flow.h"
 
-#include "core/text_io.h"
+#include "core/text/text_io.h"
 #include "interp/text/m_codes.h"
 #include "interp/text/sinumerik_words.h"
 

@@ -1,6 +1,6 @@
 #include "interp/statements/sinumerik_procedures.h"
 
-#include "core/text_io.h"
+#include "core/text/text_io.h"
 #include "interp/frames/frame_words.h"
 #include "interp/language/operations.h"
 #include "interp/statements/sinumerik_text.h"

@@ -1,5 +1,5 @@
 // The half of SinumerikStatements that calls: subprograms with arguments, MCALL, EXECSTRING.
-#include "core/text_io.h"
+#include "core/text/text_io.h"
 #include "interp/statements/sinumerik_statements.h"
 #include "interp/statements/sinumerik_text.h"
 #include "interp/text/characters.h"

@@ -1,9 +1,9 @@
 #include "interp/statements/sinumerik_variables.h"
 
-#include "core/rounding.h"
-#include "core/text_io.h"
-#include "core/trig.h"
-#include "core/units.h"
+#include "core/numbers/rounding.h"
+#include "core/numbers/trig.h"
+#include "core/numbers/units.h"
+#include "core/text/text_io.h"
 #include "interp/frames/frame_words.h"
 #include "interp/path/frame_parts.h"
 #include "interp/text/characters.h"

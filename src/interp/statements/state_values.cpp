@@ -1,6 +1,6 @@
 #include "interp/statements/state_values.h"
 
-#include "core/text_io.h"
+#include "core/text/text_io.h"
 #include "interp/frames/frame_words.h"
 #include "interp/tools/tool_changer.h"
 

@@ -1,6 +1,6 @@
 #include "interp/statements/statements.h"
 
-#include "core/text_io.h"
+#include "core/text/text_io.h"
 #include "interp/language/flow_scan.h"
 #include "interp/language/operations.h"
 #include "interp/statements/codesys_statements.h"

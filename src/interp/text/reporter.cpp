@@ -1,6 +1,6 @@
 #include "interp/text/reporter.h"
 
-#include "core/text_io.h"
+#include "core/text/text_io.h"
 #include "interp/text/source.h"
 
 #include <algorithm>

@@ -1,6 +1,6 @@
 #include "interp/text/sinumerik_words.h"
 
-#include "core/text_io.h"
+#include "core/text/text_io.h"
 #include "interp/text/characters.h"
 #include "interp/text/code_names.h"
 #include "interp/text/codes.h"

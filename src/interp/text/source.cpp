@@ -1,8 +1,8 @@
 #include "interp/text/source.h"
 
-#include "core/error.h"
-#include "core/memory_limit.h"
-#include "core/text_io.h"
+#include "core/process/error.h"
+#include "core/process/memory_limit.h"
+#include "core/text/text_io.h"
 
 #include <algorithm>
 #include <cerrno>

@@ -1,6 +1,6 @@
 #include "interp/text/strange_text.h"
 
-#include "core/text_io.h"
+#include "core/text/text_io.h"
 #include "interp/text/characters.h"
 #include "interp/text/line_scan.h"
 

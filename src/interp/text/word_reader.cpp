@@ -1,6 +1,6 @@
 #include "interp/text/word_reader.h"
 
-#include "core/text_io.h"
+#include "core/text/text_io.h"
 #include "interp/text/characters.h"
 #include "interp/text/codes.h"
 #include "interp/text/line_scan.h"

@@ -1,8 +1,8 @@
 #include "interp/tools/compensation_words.h"
 
-#include "core/rounding.h"
-#include "core/tip_orientation.h"
-#include "core/units.h"
+#include "core/numbers/rounding.h"
+#include "core/numbers/units.h"
+#include "core/words/tool_types.h"
 #include "interp/path/outside_corner.h"
 
 #include <cmath>

@@ -1,6 +1,6 @@
 #include "interp/tools/tool_changer.h"
 
-#include "core/text_io.h"
+#include "core/text/text_io.h"
 #include "interp/comments/form_outline.h"
 #include "interp/text/characters.h"
 #include "interp/tools/tool_text.h"

@@ -1,6 +1,6 @@
 #include "interp/tools/tool_data.h"
 
-#include "core/text_io.h"
+#include "core/text/text_io.h"
 #include "interp/comments/tool_hint.h"
 #include "interp/comments/turret_name.h"
 #include "interp/text/characters.h"

@@ -1,6 +1,6 @@
 #include "interp/tools/tool_notes.h"
 
-#include "core/memory_limit.h"
+#include "core/process/memory_limit.h"
 #include "interp/comments/tool_hint.h"
 #include "interp/text/characters.h"
 

@@ -1,6 +1,6 @@
 #include "interp/tools/tool_text.h"
 
-#include "core/units.h"
+#include "core/numbers/units.h"
 
 #include <fmt/format.h>
 

@@ -1,6 +1,6 @@
 #include "interp/turning/contour_cycles.h"
 
-#include "core/rounding.h"
+#include "core/numbers/rounding.h"
 #include "interp/cycles/hole_maker.h"
 
 #include <algorithm>

@@ -1,8 +1,8 @@
 #include "interp/turning/groove_cycles.h"
 
-#include "core/rounding.h"
-#include "core/tip_orientation.h"
-#include "core/units.h"
+#include "core/numbers/rounding.h"
+#include "core/numbers/units.h"
+#include "core/words/tool_types.h"
 #include "interp/path/clearing.h"
 
 #include <algorithm>

@@ -1,6 +1,6 @@
 #include "interp/turning/linuxcnc_turning.h"
 
-#include "core/rounding.h"
+#include "core/numbers/rounding.h"
 #include "interp/path/arc.h"
 
 #include <algorithm>

@@ -1,6 +1,6 @@
 #include "interp/turning/thread_cycles.h"
 
-#include "core/trig.h"
+#include "core/numbers/trig.h"
 #include "interp/cycles/iso_pitch.h"
 
 #include <algorithm>

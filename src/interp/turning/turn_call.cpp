@@ -1,6 +1,6 @@
 #include "interp/turning/turn_call.h"
 
-#include "core/rounding.h"
+#include "core/numbers/rounding.h"
 
 #include <fmt/format.h>
 

@@ -1,8 +1,8 @@
 #include "interp/turning/turn_words.h"
 
-#include "core/exponential.h"
-#include "core/rounding.h"
-#include "core/trig.h"
+#include "core/numbers/exponential.h"
+#include "core/numbers/rounding.h"
+#include "core/numbers/trig.h"
 #include "interp/cycles/hole_maker.h"
 
 #include <algorithm>

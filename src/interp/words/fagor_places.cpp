@@ -1,7 +1,7 @@
 #include "interp/words/fagor_places.h"
 
-#include "core/trig.h"
-#include "core/units.h"
+#include "core/numbers/trig.h"
+#include "core/numbers/units.h"
 
 #include <cmath>
 

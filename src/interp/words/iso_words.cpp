@@ -1,8 +1,8 @@
 #include "interp/words/iso_words.h"
 
-#include "core/text_io.h"
-#include "core/trig.h"
-#include "core/units.h"
+#include "core/numbers/trig.h"
+#include "core/numbers/units.h"
+#include "core/text/text_io.h"
 #include "interp/words/fagor_places.h"
 
 #include <algorithm>

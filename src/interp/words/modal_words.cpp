@@ -1,6 +1,6 @@
 #include "interp/words/modal_words.h"
 
-#include "core/rounding.h"
+#include "core/numbers/rounding.h"
 #include "interp/text/characters.h"
 #include "interp/text/code_names.h"
 

@@ -1,6 +1,6 @@
 #include "interp/words/operator_stops.h"
 
-#include "core/text_io.h"
+#include "core/text/text_io.h"
 #include "interp/comments/operator_comments.h"
 #include "interp/comments/tool_hint.h"
 #include "interp/text/characters.h"

@@ -1,6 +1,6 @@
 #include "interp/words/word_index.h"
 
-#include "core/text_io.h"
+#include "core/text/text_io.h"
 #include "interp/words/okuma_turning.h"
 
 #include <algorithm>

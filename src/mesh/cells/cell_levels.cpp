@@ -1,7 +1,7 @@
 #include "mesh/cells/cell_levels.h"
 
-#include "core/error.h"
-#include "core/vec.h"
+#include "core/numbers/vec.h"
+#include "core/process/error.h"
 #include "mesh/solid/vertex_lattice.h"
 
 #include <algorithm>

@@ -1,7 +1,7 @@
 // How small the cells of the mesher may become.
 #pragma once
 
-#include "core/vec.h"
+#include "core/numbers/vec.h"
 
 namespace mrsim::detail {
 

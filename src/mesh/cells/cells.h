@@ -2,7 +2,7 @@
 // of the uniform grid.
 #pragma once
 
-#include "core/vec.h"
+#include "core/numbers/vec.h"
 #include "mesh/points/surface_search.h"
 #include "mesh/solid/vertex_lattice.h"
 #include "removal/field/field.h"

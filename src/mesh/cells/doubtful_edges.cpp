@@ -1,6 +1,6 @@
 #include "mesh/cells/doubtful_edges.h"
 
-#include "core/vec.h"
+#include "core/numbers/vec.h"
 #include "mesh/cells/cells.h"
 
 #include <algorithm>

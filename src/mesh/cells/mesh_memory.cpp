@@ -1,8 +1,8 @@
 #include "mesh/cells/mesh_memory.h"
 
-#include "core/error.h"
-#include "core/memory_limit.h"
-#include "core/parallel.h"
+#include "core/process/error.h"
+#include "core/process/memory_limit.h"
+#include "core/process/parallel.h"
 #include "mesh/cells/cell_scan.h"
 #include "mesh/cells/octree.h"
 #include "mesh/points/surface_search.h"

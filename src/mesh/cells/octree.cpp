@@ -1,6 +1,6 @@
 #include "mesh/cells/octree.h"
 
-#include "core/parallel.h"
+#include "core/process/parallel.h"
 #include "mesh/cells/doubtful_edges.h"
 #include "mesh/cells/mesh_memory.h"
 #include "mesh/cells/octree_edges.h"

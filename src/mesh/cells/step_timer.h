@@ -1,7 +1,7 @@
 // Seconds by step of the mesher, and a sign of life after each.
 #pragma once
 
-#include "core/error.h"
+#include "core/process/error.h"
 #include "mesh/cells/mesh_report.h"
 
 #include <chrono>

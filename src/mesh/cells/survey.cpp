@@ -1,7 +1,7 @@
 #include "mesh/cells/survey.h"
 
-#include "core/parallel.h"
-#include "core/vec.h"
+#include "core/numbers/vec.h"
+#include "core/process/parallel.h"
 #include "mesh/cells/cells.h"
 
 #include <algorithm>

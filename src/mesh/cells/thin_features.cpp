@@ -1,7 +1,7 @@
 #include "mesh/cells/thin_features.h"
 
-#include "core/parallel.h"
-#include "core/triangle_tree.h"
+#include "core/numbers/triangle_tree.h"
+#include "core/process/parallel.h"
 #include "mesh/points/vertex.h"
 
 #include <algorithm>

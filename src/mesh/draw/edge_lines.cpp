@@ -1,6 +1,6 @@
 #include "mesh/draw/edge_lines.h"
 
-#include "core/parallel.h"
+#include "core/process/parallel.h"
 #include "mesh/solid/half_edges.h"
 
 #include <algorithm>

@@ -1,7 +1,7 @@
 // The studio: a soft key light from the upper left, a fill light from the right, a bright sky.
 #pragma once
 
-#include "core/vec.h"
+#include "core/numbers/vec.h"
 #include "mesh/draw/picture.h"
 #include "mesh/draw/view.h"
 

@@ -1,6 +1,6 @@
 #include "mesh/draw/picture.h"
 
-#include "core/error.h"
+#include "core/process/error.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,8 +1,8 @@
 // A picture in linear light with anti-aliased strokes, written as PNG.
 #pragma once
 
-#include "core/text_io.h"
-#include "core/vec.h"
+#include "core/numbers/vec.h"
+#include "core/text/text_io.h"
 #include "mesh/draw/palette.h"
 
 #include <vector>

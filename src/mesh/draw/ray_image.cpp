@@ -1,6 +1,6 @@
 #include "mesh/draw/ray_image.h"
 
-#include "core/parallel.h"
+#include "core/process/parallel.h"
 #include "mesh/solid/check.h"
 #include "mesh/solid/half_edges.h"
 

@@ -1,7 +1,7 @@
 #include "mesh/draw/ray_scene.h"
 
-#include "core/error.h"
-#include "core/parallel.h"
+#include "core/process/error.h"
+#include "core/process/parallel.h"
 #include "mesh/solid/check.h"
 #include "mesh/solid/half_edges.h"
 

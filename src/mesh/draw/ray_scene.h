@@ -2,7 +2,7 @@
 // that a part far from the origin is drawn as sharp as one at it.
 #pragma once
 
-#include "core/vec.h"
+#include "core/numbers/vec.h"
 #include <mrsim/types.h>
 
 #include <memory>

@@ -1,6 +1,6 @@
 #include "mesh/draw/render.h"
 
-#include "core/memory_limit.h"
+#include "core/process/memory_limit.h"
 #include "mesh/draw/edge_lines.h"
 #include "mesh/draw/palette.h"
 #include "mesh/draw/picture.h"

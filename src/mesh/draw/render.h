@@ -1,7 +1,7 @@
 // A shaded picture of a mesh, made without a display.
 #pragma once
 
-#include "core/text_io.h"
+#include "core/text/text_io.h"
 #include <mrsim/options.h>
 #include <mrsim/types.h>
 

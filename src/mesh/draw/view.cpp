@@ -1,6 +1,6 @@
 #include "mesh/draw/view.h"
 
-#include "core/trig.h"
+#include "core/numbers/trig.h"
 #include "mesh/solid/half_edges.h"
 
 #include <algorithm>

@@ -1,7 +1,7 @@
 // The camera: a mild perspective that shows the whole part, as large as the frame allows.
 #pragma once
 
-#include "core/vec.h"
+#include "core/numbers/vec.h"
 #include <mrsim/options.h>
 #include <mrsim/types.h>
 

@@ -1,6 +1,6 @@
 #include "mesh/format/glb.h"
 
-#include "core/bytes.h"
+#include "core/text/bytes.h"
 #include "mesh/draw/palette.h"
 #include "mesh/draw/picture.h"
 #include "mesh/solid/creases.h"

@@ -7,7 +7,7 @@
 // "legend": [[r, g, b, text], ..] where vertices have colours.
 #pragma once
 
-#include "core/text_io.h"
+#include "core/text/text_io.h"
 #include <mrsim/options.h>
 #include <mrsim/types.h>
 

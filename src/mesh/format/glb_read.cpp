@@ -1,6 +1,6 @@
 // Reading GLB: the triangles of the scene, node transforms applied, in mm with Z up.
-#include "core/bytes.h"
-#include "core/vec.h"
+#include "core/numbers/vec.h"
+#include "core/text/bytes.h"
 #include "mesh/draw/picture.h"
 #include "mesh/format/glb.h"
 #include "mesh/format/mesh_builder.h"

@@ -1,8 +1,8 @@
 // Many short records into a ByteSink, in their order, made by all cores.
 #pragma once
 
-#include "core/parallel.h"
-#include "core/text_io.h"
+#include "core/process/parallel.h"
+#include "core/text/text_io.h"
 
 #include <algorithm>
 #include <cstddef>

@@ -1,7 +1,7 @@
 // What the readers of indexed formats have in common: polygons to triangles, checks, welding.
 #pragma once
 
-#include "core/memory_limit.h"
+#include "core/process/memory_limit.h"
 #include "mesh/format/text_scan.h"
 #include <mrsim/types.h>
 

@@ -1,8 +1,8 @@
 #include "mesh/format/mesh_io.h"
 
-#include "core/error.h"
-#include "core/memory_limit.h"
-#include "core/text_io.h"
+#include "core/process/error.h"
+#include "core/process/memory_limit.h"
+#include "core/text/text_io.h"
 #include "mesh/format/glb.h"
 #include "mesh/format/obj.h"
 #include "mesh/format/off.h"

@@ -1,7 +1,7 @@
 // Mesh files by extension.
 #pragma once
 
-#include "core/text_io.h"
+#include "core/text/text_io.h"
 #include "mesh/solid/mesh_source.h"
 #include <mrsim/options.h>
 #include <mrsim/types.h>

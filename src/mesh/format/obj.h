@@ -1,7 +1,7 @@
 // Wavefront OBJ: one group a face owner, its origin in a comment.
 #pragma once
 
-#include "core/text_io.h"
+#include "core/text/text_io.h"
 #include "mesh/solid/mesh_source.h"
 #include <mrsim/types.h>
 

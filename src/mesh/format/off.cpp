@@ -1,6 +1,6 @@
 #include "mesh/format/off.h"
 
-#include "core/bytes.h"
+#include "core/text/bytes.h"
 #include "mesh/format/item_writer.h"
 #include "mesh/format/mesh_builder.h"
 #include "mesh/format/text_scan.h"

@@ -1,7 +1,7 @@
 // OFF files in their text form.
 #pragma once
 
-#include "core/text_io.h"
+#include "core/text/text_io.h"
 #include "mesh/solid/mesh_source.h"
 #include <mrsim/types.h>
 

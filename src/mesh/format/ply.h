@@ -6,7 +6,7 @@
 // header's comments say what the colours stand for.
 #pragma once
 
-#include "core/text_io.h"
+#include "core/text/text_io.h"
 #include "mesh/solid/mesh_source.h"
 #include <mrsim/options.h>
 #include <mrsim/types.h>

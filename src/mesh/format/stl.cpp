@@ -1,7 +1,7 @@
 #include "mesh/format/stl.h"
 
-#include "core/bytes.h"
-#include "core/memory_limit.h"
+#include "core/process/memory_limit.h"
+#include "core/text/bytes.h"
 #include "mesh/format/item_writer.h"
 #include "mesh/format/mesh_builder.h"
 #include "mesh/format/text_scan.h"

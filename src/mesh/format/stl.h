@@ -5,7 +5,7 @@
 // content, never by its first word alone (binary files that begin with "solid" exist).
 #pragma once
 
-#include "core/text_io.h"
+#include "core/text/text_io.h"
 #include "mesh/solid/mesh_source.h"
 #include <mrsim/types.h>
 

@@ -5,7 +5,7 @@
 // they stand for is kept in a metadata entry besides.
 #pragma once
 
-#include "core/text_io.h"
+#include "core/text/text_io.h"
 #include "mesh/solid/mesh_source.h"
 #include <mrsim/options.h>
 #include <mrsim/types.h>

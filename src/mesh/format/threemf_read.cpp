@@ -1,5 +1,5 @@
-#include "core/vec.h"
-#include "core/zip.h"
+#include "core/numbers/vec.h"
+#include "core/text/zip.h"
 #include "mesh/format/mesh_builder.h"
 #include "mesh/format/origin_text.h"
 #include "mesh/format/text_scan.h"

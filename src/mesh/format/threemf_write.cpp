@@ -1,4 +1,4 @@
-#include "core/zip.h"
+#include "core/text/zip.h"
 #include "mesh/draw/palette.h"
 #include "mesh/format/item_writer.h"
 #include "mesh/format/origin_text.h"

@@ -1,6 +1,6 @@
 #include "mesh/format/xml_scan.h"
 
-#include "core/error.h"
+#include "core/process/error.h"
 #include "mesh/format/text_scan.h"
 
 #include <fmt/format.h>

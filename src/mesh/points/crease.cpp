@@ -1,6 +1,6 @@
 #include "mesh/points/crease.h"
 
-#include "core/rounding.h"
+#include "core/numbers/rounding.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,6 +1,6 @@
 #include "mesh/points/surface_search.h"
 
-#include "core/rounding.h"
+#include "core/numbers/rounding.h"
 
 #include <algorithm>
 #include <cmath>

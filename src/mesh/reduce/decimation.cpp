@@ -1,6 +1,6 @@
 #include "mesh/reduce/decimation.h"
 
-#include "core/vec.h"
+#include "core/numbers/vec.h"
 
 #include <algorithm>
 #include <array>

@@ -1,6 +1,6 @@
 #include "mesh/simplify/mesh_certifier.h"
 
-#include "core/parallel.h"
+#include "core/process/parallel.h"
 #include "removal/field/face_range.h"
 
 #include <algorithm>

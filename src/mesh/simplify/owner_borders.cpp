@@ -1,6 +1,6 @@
 #include "mesh/simplify/owner_borders.h"
 
-#include "core/parallel.h"
+#include "core/process/parallel.h"
 #include "mesh/simplify/apart_queue.h"
 #include "mesh/simplify/cut_mesh.h"
 #include "mesh/solid/self_intersection.h"

@@ -1,6 +1,6 @@
 #include "mesh/simplify/simplify.h"
 
-#include "core/parallel.h"
+#include "core/process/parallel.h"
 #include "mesh/simplify/certify.h"
 #include "mesh/solid/exact_predicates.h"
 #include "mesh/surface/input_hash.h"

@@ -1,6 +1,6 @@
 #include "mesh/simplify/simplify_apart.h"
 
-#include "core/vec.h"
+#include "core/numbers/vec.h"
 #include "mesh/solid/self_intersection.h"
 
 #include <algorithm>

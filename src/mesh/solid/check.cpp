@@ -1,6 +1,6 @@
 #include "mesh/solid/check.h"
 
-#include "core/error.h"
+#include "core/process/error.h"
 #include "mesh/solid/half_edges.h"
 #include "mesh/solid/mesh_audit.h"
 

@@ -1,7 +1,7 @@
 #include "mesh/solid/creases.h"
 
-#include "core/parallel.h"
-#include "core/trig.h"
+#include "core/numbers/trig.h"
+#include "core/process/parallel.h"
 #include "mesh/solid/check.h"
 #include "mesh/solid/half_edges.h"
 

@@ -1,7 +1,7 @@
 // Edges to draw and normals to shade with.
 #pragma once
 
-#include "core/vec.h"
+#include "core/numbers/vec.h"
 #include <mrsim/types.h>
 
 #include <cstdint>

@@ -2,7 +2,7 @@
 // 4096 mm in size, so that differences have 33 bits and a 3 x 3 determinant fits 128.
 #pragma once
 
-#include "core/vec.h"
+#include "core/numbers/vec.h"
 #include "mesh/solid/vertex_lattice.h"
 
 #include <cstdint>

@@ -1,6 +1,6 @@
 #include "mesh/solid/half_edges.h"
 
-#include "core/parallel.h"
+#include "core/process/parallel.h"
 
 #include <algorithm>
 #include <numeric>

@@ -2,7 +2,7 @@
 // triangle f to the next corner.
 #pragma once
 
-#include "core/vec.h"
+#include "core/numbers/vec.h"
 #include <mrsim/types.h>
 
 #include <cstddef>

@@ -1,7 +1,7 @@
 #include "mesh/solid/mesh_audit.h"
 
-#include "core/error.h"
-#include "core/parallel.h"
+#include "core/process/error.h"
+#include "core/process/parallel.h"
 
 #include <algorithm>
 #include <map>

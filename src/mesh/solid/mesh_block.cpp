@@ -1,6 +1,6 @@
 #include "mesh/solid/mesh_block.h"
 
-#include "core/heap.h"
+#include "core/process/heap.h"
 
 #include <algorithm>
 #include <utility>

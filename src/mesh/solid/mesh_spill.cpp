@@ -1,6 +1,5 @@
-#include "mesh/solid/mesh_spill.h"
-
-#include "core/error.h"
+#include "core/process/error.h"
+#include "mesh/solid/mesh_source.h"
 
 namespace mrsim {
 namespace {

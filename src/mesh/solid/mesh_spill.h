@@ -1,7 +1,7 @@
 // A mesh on disk: its blocks as they came.
 #pragma once
 
-#include "core/scratch_file.h"
+#include "core/output/scratch_file.h"
 #include "mesh/solid/mesh_source.h"
 
 #include <string>

@@ -1,7 +1,7 @@
 #include "mesh/solid/pieces.h"
 
-#include "core/trig.h"
-#include "core/units.h"
+#include "core/numbers/trig.h"
+#include "core/numbers/units.h"
 #include "mesh/solid/half_edges.h"
 
 #include <algorithm>

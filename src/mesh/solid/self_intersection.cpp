@@ -1,6 +1,6 @@
 #include "mesh/solid/self_intersection.h"
 
-#include "core/parallel.h"
+#include "core/process/parallel.h"
 #include "mesh/solid/exact_predicates.h"
 
 #include <algorithm>

@@ -1,7 +1,7 @@
 // Finds pairs of triangles that intersect, by exact predicates.
 #pragma once
 
-#include "core/vec.h"
+#include "core/numbers/vec.h"
 
 #include <array>
 #include <cstdint>

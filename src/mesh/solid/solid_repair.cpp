@@ -1,6 +1,6 @@
 #include "mesh/solid/solid_repair.h"
 
-#include "core/vec.h"
+#include "core/numbers/vec.h"
 #include "mesh/solid/check.h"
 #include "mesh/solid/half_edges.h"
 #include "mesh/solid/pieces.h"

@@ -3,7 +3,7 @@
 // are exact in 128-bit integers.
 #pragma once
 
-#include "core/vec.h"
+#include "core/numbers/vec.h"
 #include "removal/field/lattice.h"
 #include <mrsim/types.h>
 

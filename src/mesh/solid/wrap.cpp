@@ -1,8 +1,8 @@
 #include "mesh/solid/wrap.h"
 
-#include "core/error.h"
-#include "core/triangle_tree.h"
-#include "core/vec.h"
+#include "core/numbers/triangle_tree.h"
+#include "core/numbers/vec.h"
+#include "core/process/error.h"
 #include "mesh/solid/check.h"
 #include "mesh/solid/half_edges.h"
 

@@ -1,6 +1,6 @@
 #include "mesh/surface/crossing_finder.h"
 
-#include "core/parallel.h"
+#include "core/process/parallel.h"
 #include "mesh/surface/sample_groups.h"
 
 #include <algorithm>

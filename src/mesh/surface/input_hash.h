@@ -1,7 +1,7 @@
 // A hash of what a piece of the mesh is computed from: tells what former rounds have done already.
 #pragma once
 
-#include "core/vec.h"
+#include "core/numbers/vec.h"
 #include "mesh/solid/vertex_lattice.h"
 #include "removal/field/field.h"
 

@@ -1,7 +1,7 @@
 #include "mesh/surface/loop_finder.h"
 
-#include "core/error.h"
-#include "core/parallel.h"
+#include "core/process/error.h"
+#include "core/process/parallel.h"
 #include "mesh/points/vertex.h"
 
 #include <algorithm>

@@ -1,6 +1,6 @@
 #include "mesh/surface/loop_triangles.h"
 
-#include "core/parallel.h"
+#include "core/process/parallel.h"
 #include "mesh/points/vertex.h"
 #include "mesh/solid/exact_predicates.h"
 

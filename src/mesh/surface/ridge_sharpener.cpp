@@ -1,6 +1,6 @@
 #include "mesh/surface/ridge_sharpener.h"
 
-#include "core/parallel.h"
+#include "core/process/parallel.h"
 #include "mesh/points/vertex.h"
 
 #include <algorithm>

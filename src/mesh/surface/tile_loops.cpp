@@ -1,6 +1,6 @@
 #include "mesh/surface/tile_loops.h"
 
-#include "core/error.h"
+#include "core/process/error.h"
 
 #include <array>
 

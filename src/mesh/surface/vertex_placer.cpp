@@ -1,6 +1,6 @@
 #include "mesh/surface/vertex_placer.h"
 
-#include "core/parallel.h"
+#include "core/process/parallel.h"
 #include "mesh/surface/input_hash.h"
 #include "mesh/surface/sample_groups.h"
 

@@ -1,6 +1,6 @@
 #include "mesh/tiles/crowded_cells.h"
 
-#include "core/vec.h"
+#include "core/numbers/vec.h"
 #include "mesh/solid/self_intersection.h"
 #include "mesh/solid/weld.h"
 

@@ -1,6 +1,6 @@
 #include "mesh/tiles/mesh_distance.h"
 
-#include "core/vec.h"
+#include "core/numbers/vec.h"
 #include "removal/field/face_range.h"
 
 #include <algorithm>

@@ -1,6 +1,6 @@
 #include "mesh/tiles/tile_mesh.h"
 
-#include "core/error.h"
+#include "core/process/error.h"
 
 #include <algorithm>
 

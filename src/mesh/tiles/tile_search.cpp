@@ -1,6 +1,6 @@
 #include "mesh/tiles/tile_search.h"
 
-#include "core/parallel.h"
+#include "core/process/parallel.h"
 #include "mesh/cells/cells.h"
 #include "mesh/cells/tile.h"
 

@@ -1,8 +1,8 @@
 #include "mesh/tiles/uniform.h"
 
-#include "core/error.h"
-#include "core/ordered.h"
-#include "core/parallel.h"
+#include "core/process/error.h"
+#include "core/process/ordered.h"
+#include "core/process/parallel.h"
 #include "mesh/cells/step_timer.h"
 #include "mesh/cells/thin_features.h"
 #include "mesh/cells/tile.h"

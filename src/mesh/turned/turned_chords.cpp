@@ -1,6 +1,6 @@
 #include "mesh/turned/turned_chords.h"
 
-#include "core/vec.h"
+#include "core/numbers/vec.h"
 #include "mesh/points/surface_search.h"
 
 #include <algorithm>

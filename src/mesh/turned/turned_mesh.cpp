@@ -1,8 +1,8 @@
 #include "mesh/turned/turned_mesh.h"
 
-#include "core/trig.h"
-#include "core/units.h"
-#include "core/vec.h"
+#include "core/numbers/trig.h"
+#include "core/numbers/units.h"
+#include "core/numbers/vec.h"
 #include "mesh/cells/mesh_memory.h"
 #include "mesh/cells/step_timer.h"
 #include "mesh/solid/check.h"

@@ -1,7 +1,7 @@
 #include "mesh/turned/turned_strands.h"
 
-#include "core/rounding.h"
-#include "core/vec.h"
+#include "core/numbers/rounding.h"
+#include "core/numbers/vec.h"
 #include "mesh/points/surface_search.h"
 #include "mesh/points/vertex.h"
 

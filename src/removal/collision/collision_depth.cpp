@@ -3,7 +3,7 @@
 // depth of the mover's nearest point, for any p; its greatest value is the depth searched for.
 #include "removal/collision/collision_depth.h"
 
-#include "core/vec.h"
+#include "core/numbers/vec.h"
 
 #include <algorithm>
 #include <cmath>

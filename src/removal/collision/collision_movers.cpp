@@ -1,6 +1,6 @@
 #include "removal/collision/collision_movers.h"
 
-#include "core/vec.h"
+#include "core/numbers/vec.h"
 #include "removal/tool/tool.h"
 
 #include <algorithm>

@@ -3,8 +3,8 @@
 // none of them is dropped.
 #include "removal/collision/collision_probe.h"
 
-#include "core/parallel.h"
-#include "core/vec.h"
+#include "core/numbers/vec.h"
+#include "core/process/parallel.h"
 
 #include <algorithm>
 #include <array>

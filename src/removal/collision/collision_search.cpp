@@ -7,7 +7,7 @@
 //     only touches, at a size of sqrt(threshold * tool radius) instead of the threshold.
 #include "removal/collision/collision_search.h"
 
-#include "core/vec.h"
+#include "core/numbers/vec.h"
 
 #include <algorithm>
 #include <cmath>

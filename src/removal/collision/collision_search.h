@@ -3,7 +3,7 @@
 // (docs/collisions.md).
 #pragma once
 
-#include "core/rounding.h"
+#include "core/numbers/rounding.h"
 #include "removal/collision/collision_movers.h"
 #include "removal/part/block_index.h"
 #include "removal/part/part_field.h"

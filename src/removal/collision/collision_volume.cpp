@@ -1,6 +1,6 @@
 #include "removal/collision/collision_volume.h"
 
-#include "core/vec.h"
+#include "core/numbers/vec.h"
 #include "removal/collision/collision_depth.h"
 
 #include <algorithm>

@@ -1,8 +1,8 @@
 #include "removal/collision/collisions.h"
 
-#include "core/error.h"
-#include "core/parallel.h"
-#include "core/vec.h"
+#include "core/numbers/vec.h"
+#include "core/process/error.h"
+#include "core/process/parallel.h"
 #include "removal/collision/collision_depth.h"
 #include "removal/collision/collision_probe.h"
 #include "removal/collision/collision_search.h"

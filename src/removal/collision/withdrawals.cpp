@@ -1,6 +1,6 @@
 #include "removal/collision/withdrawals.h"
 
-#include "core/vec.h"
+#include "core/numbers/vec.h"
 #include "removal/collision/collision_movers.h"
 #include "removal/tool/polygon.h"
 

@@ -1,8 +1,8 @@
 #include "removal/columns/build_columns.h"
 
-#include "core/error.h"
-#include "core/heap.h"
-#include "core/ordered.h"
+#include "core/process/error.h"
+#include "core/process/heap.h"
+#include "core/process/ordered.h"
 #include "removal/columns/sweep_builder.h"
 #include "removal/columns/sweep_classes.h"
 #include "removal/forms/outline.h"

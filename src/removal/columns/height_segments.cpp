@@ -1,6 +1,6 @@
 #include "removal/columns/height_segments.h"
 
-#include "core/trig.h"
+#include "core/numbers/trig.h"
 #include "removal/columns/sweep_columns.h"
 
 #include <algorithm>

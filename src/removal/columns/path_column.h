@@ -2,7 +2,7 @@
 // most paths are lines, and a line takes a fifth of the memory of an arc.
 #pragma once
 
-#include "core/heap.h"
+#include "core/process/heap.h"
 #include "removal/forms/path_sweep.h"
 
 #include <cstdint>

@@ -1,7 +1,7 @@
 #include "removal/columns/run_chords.h"
 
-#include "core/rounding.h"
-#include "core/vec.h"
+#include "core/numbers/rounding.h"
+#include "core/numbers/vec.h"
 #include "removal/columns/sweep_columns.h"
 
 #include <algorithm>

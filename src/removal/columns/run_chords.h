@@ -2,7 +2,7 @@
 // packs of sweep_packs.h, and two of them that are neighbours.
 #pragma once
 
-#include "core/heap.h"
+#include "core/process/heap.h"
 #include "removal/simd/form_records.h"
 
 #include <cstdint>

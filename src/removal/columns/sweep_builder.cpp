@@ -1,10 +1,10 @@
 // Motions into rows: chooses the form of each sweep.
 #include "removal/columns/sweep_builder.h"
 
-#include "core/error.h"
-#include "core/rounding.h"
-#include "core/trig.h"
-#include "core/units.h"
+#include "core/numbers/rounding.h"
+#include "core/numbers/trig.h"
+#include "core/numbers/units.h"
+#include "core/process/error.h"
 #include "removal/forms/disc_sweep.h"
 #include "removal/forms/flank_sweep.h"
 #include "removal/forms/sweep_motion.h"

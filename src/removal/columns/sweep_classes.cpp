@@ -1,8 +1,8 @@
 // Which sweeps may be compared: classes of one form and one tool, and the heights of tips.
 #include "removal/columns/sweep_classes.h"
 
-#include "core/heap.h"
-#include "core/parallel.h"
+#include "core/process/heap.h"
+#include "core/process/parallel.h"
 
 #include <algorithm>
 #include <atomic>

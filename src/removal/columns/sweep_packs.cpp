@@ -1,8 +1,8 @@
 #include "removal/columns/sweep_packs.h"
 
-#include "core/heap.h"
-#include "core/ordered.h"
-#include "core/vec.h"
+#include "core/numbers/vec.h"
+#include "core/process/heap.h"
+#include "core/process/ordered.h"
 #include "removal/columns/sweep_columns.h"
 
 #include <algorithm>

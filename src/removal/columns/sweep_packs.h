@@ -4,7 +4,7 @@
 // spread (docs/removal.md). Where a region is small beside a pack, its members take its place.
 #pragma once
 
-#include "core/heap.h"
+#include "core/process/heap.h"
 #include "removal/simd/sweep_kernels.h"
 #include <mrsim/types.h>
 

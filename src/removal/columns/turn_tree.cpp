@@ -1,7 +1,7 @@
 #include "removal/columns/turn_tree.h"
 
-#include "core/rounding.h"
-#include "core/vec.h"
+#include "core/numbers/rounding.h"
+#include "core/numbers/vec.h"
 
 #include <algorithm>
 #include <array>

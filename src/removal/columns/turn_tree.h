@@ -7,7 +7,7 @@
 // move along smooth curves, so chords are close and a search goes down one way.
 #pragma once
 
-#include "core/heap.h"
+#include "core/process/heap.h"
 #include "removal/columns/turn_members.h"
 #include "removal/forms/turn_sweep.h"
 #include "removal/simd/sweep_kernels.h"

@@ -1,7 +1,7 @@
 // How the tree of turning sweeps is made.
-#include "core/parallel.h"
-#include "core/rounding.h"
-#include "core/vec.h"
+#include "core/numbers/rounding.h"
+#include "core/numbers/vec.h"
+#include "core/process/parallel.h"
 #include "removal/columns/turn_tree.h"
 
 #include <algorithm>

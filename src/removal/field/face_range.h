@@ -7,7 +7,7 @@
 // coordinates) is not counted.
 #pragma once
 
-#include "core/vec.h"
+#include "core/numbers/vec.h"
 #include "removal/field/field.h"
 
 #include <array>

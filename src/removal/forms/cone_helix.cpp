@@ -11,8 +11,8 @@
 // an end or where the path is nearest in plan, is no greater than the least f of another edge.
 #include "removal/forms/cone_helix.h"
 
-#include "core/trig.h"
-#include "core/units.h"
+#include "core/numbers/trig.h"
+#include "core/numbers/units.h"
 
 #include <algorithm>
 #include <cmath>

@@ -3,8 +3,8 @@
 // to the curtain, so the least of the three distances is exact.
 #include "removal/forms/curtain_sweep.h"
 
-#include "core/trig.h"
-#include "core/units.h"
+#include "core/numbers/trig.h"
+#include "core/numbers/units.h"
 #include "removal/field/face_range.h"
 
 #include <algorithm>

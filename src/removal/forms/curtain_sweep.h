@@ -2,7 +2,7 @@
 // R of the curtain above the arc, in closed form.
 #pragma once
 
-#include "core/vec.h"
+#include "core/numbers/vec.h"
 #include "removal/field/field.h"
 
 namespace mrsim {

@@ -4,8 +4,8 @@
 // position: the sweep of a mill that reaches up. On the other side the same holds upside down.
 #include "removal/forms/disc_sweep.h"
 
-#include "core/trig.h"
-#include "core/units.h"
+#include "core/numbers/trig.h"
+#include "core/numbers/units.h"
 #include "removal/simd/lane_scalar.h"
 
 #include <algorithm>

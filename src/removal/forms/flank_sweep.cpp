@@ -10,8 +10,8 @@
 // Newton's method comes from one side of the slope's zero each time.
 #include "removal/forms/flank_sweep.h"
 
-#include "core/trig.h"
-#include "core/units.h"
+#include "core/numbers/trig.h"
+#include "core/numbers/units.h"
 #include "removal/forms/upright_sweep.h"
 #include "removal/simd/lane_scalar.h"
 

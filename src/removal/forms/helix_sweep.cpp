@@ -1,6 +1,6 @@
 #include "removal/forms/helix_sweep.h"
 
-#include "core/units.h"
+#include "core/numbers/units.h"
 #include "removal/simd/lane_scalar.h"
 
 namespace mrsim {

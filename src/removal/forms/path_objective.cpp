@@ -1,6 +1,6 @@
 #include "removal/forms/path_objective.h"
 
-#include "core/units.h"
+#include "core/numbers/units.h"
 
 #include <algorithm>
 

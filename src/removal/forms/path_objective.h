@@ -2,9 +2,9 @@
 // and what it is at least about a position (path_search.cpp says how).
 #pragma once
 
-#include "core/rounding.h"
-#include "core/trig.h"
-#include "core/units.h"
+#include "core/numbers/rounding.h"
+#include "core/numbers/trig.h"
+#include "core/numbers/units.h"
 #include "removal/forms/path_search.h"
 
 #include <algorithm>

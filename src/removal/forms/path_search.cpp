@@ -15,8 +15,8 @@
 // which takes up to 1e5 values about a smooth minimum.
 #include "removal/forms/path_search.h"
 
-#include "core/rounding.h"
-#include "core/units.h"
+#include "core/numbers/rounding.h"
+#include "core/numbers/units.h"
 #include "removal/forms/cone_helix.h"
 #include "removal/forms/fillet_search.h"
 #include "removal/forms/path_objective.h"

@@ -1,8 +1,8 @@
 #include "removal/forms/path_sweep.h"
 
-#include "core/rounding.h"
-#include "core/trig.h"
-#include "core/units.h"
+#include "core/numbers/rounding.h"
+#include "core/numbers/trig.h"
+#include "core/numbers/units.h"
 #include "removal/forms/disc_sweep.h"
 #include "removal/forms/flank_sweep.h"
 #include "removal/forms/helix_sweep.h"

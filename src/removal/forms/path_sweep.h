@@ -3,7 +3,7 @@
 // plane or a helix about any axis.
 #pragma once
 
-#include "core/vec.h"
+#include "core/numbers/vec.h"
 #include "removal/simd/sweep_kernels.h"
 #include "removal/tool/tool.h"
 

@@ -1,7 +1,7 @@
 // A motion as seen by a milling tool: path, extent, and its coefficients in plan.
 #pragma once
 
-#include "core/vec.h"
+#include "core/numbers/vec.h"
 #include "removal/tool/tool.h"
 
 namespace mrsim {

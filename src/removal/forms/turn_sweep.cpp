@@ -8,10 +8,10 @@
 // single position; the larger one counts.
 #include "removal/forms/turn_sweep.h"
 
-#include "core/error.h"
-#include "core/rounding.h"
-#include "core/trig.h"
-#include "core/units.h"
+#include "core/numbers/rounding.h"
+#include "core/numbers/trig.h"
+#include "core/numbers/units.h"
+#include "core/process/error.h"
 #include "removal/simd/lane_scalar.h"
 
 #include <algorithm>

@@ -2,7 +2,7 @@
 // the spindle.
 #pragma once
 
-#include "core/vec.h"
+#include "core/numbers/vec.h"
 #include "removal/field/field.h"
 #include "removal/forms/sweep_sample.h"
 #include "removal/tool/polygon.h"

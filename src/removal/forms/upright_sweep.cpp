@@ -1,8 +1,8 @@
 #include "removal/forms/upright_sweep.h"
 
-#include "core/rounding.h"
-#include "core/trig.h"
-#include "core/units.h"
+#include "core/numbers/rounding.h"
+#include "core/numbers/trig.h"
+#include "core/numbers/units.h"
 #include "removal/simd/lane_scalar.h"
 
 #include <algorithm>

@@ -1,7 +1,7 @@
 #include "removal/history/cut_columns.h"
 
-#include "core/rounding.h"
-#include "core/vec.h"
+#include "core/numbers/rounding.h"
+#include "core/numbers/vec.h"
 #include "removal/columns/sweep_columns.h"
 #include "removal/part/block_index.h"
 

@@ -1,8 +1,8 @@
 #include "removal/history/cut_extent.h"
 
-#include "core/trig.h"
-#include "core/units.h"
-#include "core/vec.h"
+#include "core/numbers/trig.h"
+#include "core/numbers/units.h"
+#include "core/numbers/vec.h"
 #include "removal/tool/tool.h"
 
 #include <cmath>

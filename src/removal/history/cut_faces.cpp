@@ -1,8 +1,8 @@
 #include "removal/history/cut_faces.h"
 
-#include "core/parallel.h"
-#include "core/rounding.h"
-#include "core/vec.h"
+#include "core/numbers/rounding.h"
+#include "core/numbers/vec.h"
+#include "core/process/parallel.h"
 #include "removal/part/block_index.h"
 
 #include <algorithm>

@@ -1,6 +1,6 @@
 #include "removal/history/cut_heights.h"
 
-#include "core/vec.h"
+#include "core/numbers/vec.h"
 #include "removal/field/lattice.h"
 #include "removal/simd/sweep_kernels.h"
 #include "removal/stock/stock_solid.h"

@@ -1,6 +1,6 @@
 #include "removal/history/cut_volume.h"
 
-#include "core/vec.h"
+#include "core/numbers/vec.h"
 #include "removal/history/removed_volumes.h"
 
 #include <algorithm>

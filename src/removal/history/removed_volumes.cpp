@@ -1,9 +1,9 @@
 #include "removal/history/removed_volumes.h"
 
-#include "core/error.h"
-#include "core/parallel.h"
-#include "core/rounding.h"
-#include "core/vec.h"
+#include "core/numbers/rounding.h"
+#include "core/numbers/vec.h"
+#include "core/process/error.h"
+#include "core/process/parallel.h"
 #include "removal/field/lattice.h"
 #include "removal/history/cut_columns.h"
 #include "removal/history/cut_heights.h"

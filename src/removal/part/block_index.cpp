@@ -1,8 +1,8 @@
 #include "removal/part/block_index.h"
 
-#include "core/heap.h"
-#include "core/parallel.h"
-#include "core/vec.h"
+#include "core/numbers/vec.h"
+#include "core/process/heap.h"
+#include "core/process/parallel.h"
 #include "removal/field/lattice.h"
 
 #include <algorithm>

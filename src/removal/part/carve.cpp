@@ -1,4 +1,4 @@
-#include "core/vec.h"
+#include "core/numbers/vec.h"
 #include "removal/field/lattice.h"
 #include "removal/part/memory_plan.h"
 #include "removal/part/stock.h"

@@ -1,7 +1,7 @@
 #include "removal/part/default_bar.h"
 
-#include "core/tip_orientation.h"
-#include "core/units.h"
+#include "core/numbers/units.h"
+#include "core/words/tool_types.h"
 #include "removal/part/default_stock.h"
 #include "removal/part/stock_margin.h"
 

@@ -1,9 +1,9 @@
 #include "removal/part/memory_plan.h"
 
-#include "core/error.h"
-#include "core/memory_limit.h"
-#include "core/parallel.h"
-#include "core/vec.h"
+#include "core/numbers/vec.h"
+#include "core/process/error.h"
+#include "core/process/memory_limit.h"
+#include "core/process/parallel.h"
 
 #include <algorithm>
 #include <cmath>

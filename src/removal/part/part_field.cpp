@@ -1,8 +1,8 @@
 #include "removal/part/part_field.h"
 
-#include "core/parallel.h"
-#include "core/rounding.h"
-#include "core/vec.h"
+#include "core/numbers/rounding.h"
+#include "core/numbers/vec.h"
+#include "core/process/parallel.h"
 #include "removal/columns/sweep_columns.h"
 #include "removal/field/face_range.h"
 #include "removal/prune/list_candidates.h"

@@ -1,8 +1,8 @@
 #include "removal/part/recipe_codec.h"
 
-#include "core/bytes.h"
-#include "core/error.h"
-#include "core/memory_limit.h"
+#include "core/process/error.h"
+#include "core/process/memory_limit.h"
+#include "core/text/bytes.h"
 
 #include <array>
 #include <cmath>

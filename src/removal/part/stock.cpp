@@ -1,9 +1,9 @@
 #include "removal/part/stock.h"
 
-#include "core/error.h"
-#include "core/memory_limit.h"
-#include "core/rounding.h"
-#include "core/vec.h"
+#include "core/numbers/rounding.h"
+#include "core/numbers/vec.h"
+#include "core/process/error.h"
+#include "core/process/memory_limit.h"
 #include "removal/part/stock_grid.h"
 
 #include <algorithm>

@@ -1,9 +1,9 @@
 #include "removal/part/stock_file.h"
 
-#include "core/base64.h"
-#include "core/bytes.h"
-#include "core/error.h"
-#include "core/hash.h"
+#include "core/numbers/hash.h"
+#include "core/process/error.h"
+#include "core/text/base64.h"
+#include "core/text/bytes.h"
 #include "removal/part/recipe_codec.h"
 #include "removal/part/stock_grid.h"
 

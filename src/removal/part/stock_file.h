@@ -10,7 +10,7 @@
 // and a hash of all before, by which a file that nobody has written again is known to be whole.
 #pragma once
 
-#include "core/text_io.h"
+#include "core/text/text_io.h"
 #include "removal/part/stock.h"
 #include <mrsim/types.h>
 

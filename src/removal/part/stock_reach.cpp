@@ -1,6 +1,6 @@
 #include "removal/part/stock_reach.h"
 
-#include "core/vec.h"
+#include "core/numbers/vec.h"
 #include "removal/forms/sweep_motion.h"
 #include "removal/part/default_stock.h"
 

@@ -1,8 +1,8 @@
 #include "removal/part/turn_layers.h"
 
-#include "core/parallel.h"
-#include "core/units.h"
-#include "core/vec.h"
+#include "core/numbers/units.h"
+#include "core/numbers/vec.h"
+#include "core/process/parallel.h"
 #include "removal/field/lattice.h"
 
 #include <algorithm>

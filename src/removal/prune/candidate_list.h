@@ -7,7 +7,7 @@
 // distances that reach the grid are always those of SweepTable::distance.
 #pragma once
 
-#include "core/aligned_vector.h"
+#include "core/numbers/aligned_vector.h"
 #include "removal/simd/candidate_kernels.h"
 #include <mrsim/types.h>
 

@@ -1,6 +1,6 @@
 #include "removal/prune/expand_packs.h"
 
-#include "core/heap.h"
+#include "core/process/heap.h"
 #include "removal/prune/slice_writer.h"
 
 #include <algorithm>

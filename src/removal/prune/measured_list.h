@@ -2,7 +2,7 @@
 // centre, and which of those distances is the least. prune() then drops what is beaten.
 #pragma once
 
-#include "core/rounding.h"
+#include "core/numbers/rounding.h"
 #include "removal/columns/sweep_columns.h"
 #include "removal/prune/candidate_list.h"
 #include "removal/prune/heights.h"

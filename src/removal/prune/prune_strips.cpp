@@ -1,7 +1,7 @@
 #include "removal/prune/prune_strips.h"
 
-#include "core/heap.h"
-#include "core/rounding.h"
+#include "core/numbers/rounding.h"
+#include "core/process/heap.h"
 #include "removal/columns/sweep_columns.h"
 #include "removal/prune/region_args.h"
 

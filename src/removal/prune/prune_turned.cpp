@@ -1,6 +1,6 @@
 #include "removal/prune/prune_turned.h"
 
-#include "core/rounding.h"
+#include "core/numbers/rounding.h"
 #include "removal/columns/sweep_columns.h"
 #include "removal/prune/region_args.h"
 

@@ -1,7 +1,7 @@
 // Writes the slices of a list of candidates from the columns of a table.
 #pragma once
 
-#include "core/heap.h"
+#include "core/process/heap.h"
 #include "removal/columns/sweep_columns.h"
 #include "removal/prune/candidate_list.h"
 #include "removal/prune/slice_entries.h"

@@ -1,8 +1,8 @@
 // The closed forms of sweep_lanes.inl for one sweep and one point: the reference of the SIMD ones.
 #pragma once
 
-#include "core/lane_scalar.h"
-#include "core/rounding.h"
+#include "core/numbers/lane_scalar.h"
+#include "core/numbers/rounding.h"
 #include "removal/simd/form_records.h"
 
 #include <cmath>

@@ -3,9 +3,9 @@
 // is never among them (contraction would change bits).
 #include "removal/simd/sweep_kernels.h"
 
-#include "core/error.h"
-#include "core/suggest.h"
-#include "core/units.h"
+#include "core/numbers/units.h"
+#include "core/process/error.h"
+#include "core/words/suggest.h"
 #include "removal/simd/lane_scalar.h"
 
 #include <algorithm>
@@ -135,7 +135,7 @@ MRSIM_LANE void store_some(double* out, V v, std::size_t n) {
   _mm256_store_pd(lanes, v);
   for (std::size_t j = 0; j < n; ++j) out[j] = lanes[j];
 }
-#include "core/trig_lanes.inl"
+#include "core/numbers/trig_lanes.inl"
 //
 #include "removal/simd/all_lanes.inl"
 //
@@ -215,7 +215,7 @@ MRSIM_LANE void store(double* out, V v) { _mm512_storeu_pd(out, v); }
 MRSIM_LANE void store_some(double* out, V v, std::size_t n) {
   _mm512_mask_storeu_pd(out, static_cast<__mmask8>((1u << n) - 1), v);
 }
-#include "core/trig_lanes.inl"
+#include "core/numbers/trig_lanes.inl"
 //
 #include "removal/simd/all_lanes.inl"
 //

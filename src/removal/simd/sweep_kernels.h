@@ -2,7 +2,7 @@
 // instruction set of this machine. All of them give the same bits.
 #pragma once
 
-#include "core/rounding.h"
+#include "core/numbers/rounding.h"
 #include "removal/simd/form_records.h"
 #include "removal/tool/polygon.h"
 #include <mrsim/types.h>

@@ -1,8 +1,8 @@
 #include "removal/stock/stock_shape.h"
 
-#include "core/rounding.h"
-#include "core/units.h"
-#include "core/vec.h"
+#include "core/numbers/rounding.h"
+#include "core/numbers/units.h"
+#include "core/numbers/vec.h"
 
 #include <algorithm>
 #include <cmath>

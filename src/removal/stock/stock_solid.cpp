@@ -1,9 +1,9 @@
 #include "removal/stock/stock_solid.h"
 
-#include "core/error.h"
-#include "core/rounding.h"
-#include "core/units.h"
-#include "core/vec.h"
+#include "core/numbers/rounding.h"
+#include "core/numbers/units.h"
+#include "core/numbers/vec.h"
+#include "core/process/error.h"
 #include "removal/field/face_range.h"
 
 #include <algorithm>

@@ -2,7 +2,7 @@
 // cylinder and tube.
 #pragma once
 
-#include "core/triangle_tree.h"
+#include "core/numbers/triangle_tree.h"
 #include "removal/field/field.h"
 #include <mrsim/types.h>
 

@@ -1,6 +1,6 @@
 #include "removal/sweep/bounded_sweeps.h"
 
-#include "core/vec.h"
+#include "core/numbers/vec.h"
 #include "removal/forms/chain_sweep.h"
 #include "removal/forms/slant_sweep.h"
 #include "removal/simd/sweep_kernels.h"

@@ -1,6 +1,6 @@
 #include "removal/sweep/move_runs.h"
 
-#include "core/rounding.h"
+#include "core/numbers/rounding.h"
 #include "removal/simd/sweep_kernels.h"
 
 #include <algorithm>

@@ -1,7 +1,7 @@
 #include "removal/sweep/sweep_faces.h"
 
-#include "core/trig.h"
-#include "core/units.h"
+#include "core/numbers/trig.h"
+#include "core/numbers/units.h"
 #include "removal/columns/plan_foot.h"
 #include "removal/forms/upright_sweep.h"
 #include "removal/simd/lane_scalar.h"

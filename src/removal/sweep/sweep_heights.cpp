@@ -1,9 +1,9 @@
 #include "removal/sweep/sweep_heights.h"
 
-#include "core/rounding.h"
-#include "core/trig.h"
-#include "core/units.h"
-#include "core/vec.h"
+#include "core/numbers/rounding.h"
+#include "core/numbers/trig.h"
+#include "core/numbers/units.h"
+#include "core/numbers/vec.h"
 #include "removal/columns/height_segments.h"
 #include "removal/columns/sweep_columns.h"
 #include "removal/simd/lane_scalar.h"

@@ -1,6 +1,6 @@
 #include "removal/sweep/sweep_lists.h"
 
-#include "core/vec.h"
+#include "core/numbers/vec.h"
 #include "removal/forms/helix_sweep.h"
 #include "removal/sweep/bounded_sweeps.h"
 #include "removal/sweep/sorted_list.h"

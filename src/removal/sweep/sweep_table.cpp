@@ -1,6 +1,6 @@
 #include "removal/sweep/sweep_table.h"
 
-#include "core/heap.h"
+#include "core/process/heap.h"
 #include "removal/columns/build_columns.h"
 #include "removal/sweep/sweep_faces.h"
 #include "removal/sweep/sweep_lists.h"

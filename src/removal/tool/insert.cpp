@@ -1,8 +1,8 @@
 #include "removal/tool/insert.h"
 
-#include "core/tip_orientation.h"
-#include "core/trig.h"
-#include "core/units.h"
+#include "core/numbers/trig.h"
+#include "core/numbers/units.h"
+#include "core/words/tool_types.h"
 #include "removal/tool/tool.h"
 
 #include <algorithm>

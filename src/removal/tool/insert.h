@@ -8,7 +8,7 @@
 // the centre itself; so 3 is external right hand, 2 a boring bar, 8 a neutral tool or groover.
 #pragma once
 
-#include "core/vec.h"
+#include "core/numbers/vec.h"
 #include <mrsim/types.h>
 
 #include <vector>

@@ -1,6 +1,6 @@
 #include "removal/tool/polygon.h"
 
-#include "core/rounding.h"
+#include "core/numbers/rounding.h"
 
 #include <algorithm>
 

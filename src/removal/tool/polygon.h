@@ -1,7 +1,7 @@
 // Convex polygons in the plane with exact signed distances: what inserts are made of.
 #pragma once
 
-#include "core/vec.h"
+#include "core/numbers/vec.h"
 
 #include <cmath>
 #include <cstdint>

@@ -1,6 +1,6 @@
 #include "removal/tool/profile.h"
 
-#include "core/error.h"
+#include "core/process/error.h"
 #include "removal/tool/profile_pieces.h"
 
 #include <algorithm>

@@ -6,7 +6,7 @@
 // normal cone, which is on that side), the side of the tangent when it is smooth.
 #pragma once
 
-#include "core/vec.h"
+#include "core/numbers/vec.h"
 
 #include <cstdint>
 #include <memory>

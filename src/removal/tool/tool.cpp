@@ -3,10 +3,10 @@
 // there, because only the flutes cut.
 #include "removal/tool/tool.h"
 
-#include "core/error.h"
-#include "core/rounding.h"
-#include "core/trig.h"
-#include "core/units.h"
+#include "core/numbers/rounding.h"
+#include "core/numbers/trig.h"
+#include "core/numbers/units.h"
+#include "core/process/error.h"
 
 #include <cmath>
 

@@ -9,7 +9,7 @@
 // use + - * / sqrt only. Angles are turned into coordinates once, with our own sine.
 #pragma once
 
-#include "core/vec.h"
+#include "core/numbers/vec.h"
 #include "removal/tool/insert.h"
 #include "removal/tool/profile.h"
 #include <mrsim/types.h>

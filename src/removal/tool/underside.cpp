@@ -1,6 +1,6 @@
 #include "removal/tool/underside.h"
 
-#include "core/rounding.h"
+#include "core/numbers/rounding.h"
 
 #include <algorithm>
 #include <cmath>

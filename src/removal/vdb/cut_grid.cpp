@@ -1,7 +1,7 @@
 #include "removal/vdb/cut_grid.h"
 
-#include "core/parallel.h"
-#include "core/vec.h"
+#include "core/numbers/vec.h"
+#include "core/process/parallel.h"
 #include "removal/history/cut_heights.h"
 #include "removal/history/cut_rings.h"
 #include "removal/history/removed_volumes.h"

@@ -1,8 +1,8 @@
 #include "removal/vdb/level_set.h"
 
-#include "core/error.h"
-#include "core/hash.h"
-#include "core/parallel.h"
+#include "core/numbers/hash.h"
+#include "core/process/error.h"
+#include "core/process/parallel.h"
 
 #include <algorithm>
 #include <array>

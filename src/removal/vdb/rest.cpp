@@ -1,7 +1,7 @@
 #include "removal/vdb/rest.h"
 
-#include "core/parallel.h"
-#include "core/vec.h"
+#include "core/numbers/vec.h"
+#include "core/process/parallel.h"
 #include "removal/vdb/level_set.h"
 
 #include <algorithm>

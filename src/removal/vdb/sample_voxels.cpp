@@ -2,9 +2,9 @@
 // list of sweeps that can matter in it (docs/removal.md). A voxel is a pure function of stock,
 // motions and its position, so that the result does not depend on the order of the work.
 
-#include "core/error.h"
-#include "core/parallel.h"
-#include "core/vec.h"
+#include "core/numbers/vec.h"
+#include "core/process/error.h"
+#include "core/process/parallel.h"
 #include "removal/prune/list_candidates.h"
 #include "removal/vdb/turned_carver.h"
 #include "removal/vdb/vdb_grid.h"

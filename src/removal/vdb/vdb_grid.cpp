@@ -1,6 +1,6 @@
 #include "removal/vdb/vdb_grid.h"
 
-#include "core/parallel.h"
+#include "core/process/parallel.h"
 #include "removal/vdb/cut_grid.h"
 #include "removal/vdb/level_set.h"
 

@@ -1,0 +1,272 @@
+#include "core/numbers/triangle_tree.h"
+
+#include "core/numbers/trig.h"
+#include "core/numbers/vec.h"
+#include "core/process/error.h"
+
+#include <algorithm>
+#include <array>
+#include <limits>
+#include <numeric>
+
+namespace mrsim {
+namespace {
+
+constexpr std::uint32_t kLeafSize = 4;
+constexpr std::uint32_t kNoNeighbor = 0xFFFFFFFFu;
+constexpr double kNeedle = 1e-12;  ///< squared sine of an angle: the triangle is its sides
+
+Vec3 to_vec(const std::array<float, 3>& v) { return {v[0], v[1], v[2]}; }
+
+TrianglePoint at(const Vec3& p, const Vec3& point, TriangleFeature feature) {
+  const Vec3 d = p - point;
+  return {point, dot(d, d), feature};
+}
+
+// The point in plan of the part of a triangle above p.z that is nearest to p.
+TrianglePoint nearest_in_plan_on(const TriangleTree::Corners& k, const Vec3& p) {
+  const std::array<Vec3, 3> corners{k.a, k.b, k.c};
+  std::array<Vec3, 4> above;
+  std::size_t count = 0;
+  const auto add = [&](const Vec3& v) { above[count++] = {v.x, v.y, 0}; };
+  for (std::size_t i = 0; i < 3; ++i) {
+    const Vec3 &a = corners[i], &b = corners[(i + 1) % 3];
+    if (a.z > p.z) add(a);
+    if ((a.z > p.z) != (b.z > p.z)) add(a + ((p.z - a.z) / (b.z - a.z)) * (b - a));
+  }
+  if (count < 3) return {};
+  const Vec3 plan{p.x, p.y, 0};
+  const TrianglePoint first = nearest_on_triangle(plan, above[0], above[1], above[2]);
+  if (count == 3) return first;
+  const TrianglePoint second = nearest_on_triangle(plan, above[0], above[2], above[3]);
+  return second.distance2 < first.distance2 ? second : first;
+}
+
+// Voronoi regions of the corners, edges and the face in turn (Ericson, Real-Time Collision
+// Detection, 5.1.5). Infinitely far or no number for some points about a triangle without area.
+TrianglePoint nearest_by_regions(const Vec3& p, const Vec3& a, const Vec3& b, const Vec3& c) {
+  const Vec3 ab = b - a, ac = c - a, ap = p - a;
+  const double d1 = dot(ab, ap), d2 = dot(ac, ap);
+  if (d1 <= 0 && d2 <= 0) return at(p, a, 0);
+  const Vec3 bp = p - b;
+  const double d3 = dot(ab, bp), d4 = dot(ac, bp);
+  if (d3 >= 0 && d4 <= d3) return at(p, b, 1);
+  const double vc = d1 * d4 - d3 * d2;
+  if (vc <= 0 && d1 >= 0 && d3 <= 0) return at(p, a + (d1 / (d1 - d3)) * ab, 3);
+  const Vec3 cp = p - c;
+  const double d5 = dot(ab, cp), d6 = dot(ac, cp);
+  if (d6 >= 0 && d5 <= d6) return at(p, c, 2);
+  const double vb = d5 * d2 - d1 * d6;
+  if (vb <= 0 && d2 >= 0 && d6 <= 0) return at(p, a + (d2 / (d2 - d6)) * ac, 5);
+  const double va = d3 * d6 - d5 * d4;
+  if (va <= 0 && d4 - d3 >= 0 && d5 - d6 >= 0)
+    return at(p, b + ((d4 - d3) / ((d4 - d3) + (d5 - d6))) * (c - b), 4);
+  const double square = va + vb + vc;  // of the normal
+  if (!(square > kNeedle * dot(ab, ab) * dot(ac, ac))) return {};
+  const double scale = 1 / square;
+  return at(p, a + (vb * scale) * ab + (vc * scale) * ac, kTriangleFace);
+}
+
+TrianglePoint nearest_on_sides(const Vec3& p, const std::array<Vec3, 3>& corners) {
+  TrianglePoint best;
+  for (unsigned i = 0; i < 3; ++i) {
+    const unsigned next = (i + 1) % 3;
+    const Vec3 way = corners[next] - corners[i];
+    const double square = dot(way, way), along = dot(p - corners[i], way);
+    const TrianglePoint point =
+        !(along > 0)      ? at(p, corners[i], TriangleFeature(i))
+        : along >= square ? at(p, corners[next], TriangleFeature(next))
+                          : at(p, corners[i] + (along / square) * way, TriangleFeature(3 + i));
+    if (point.distance2 < best.distance2) best = point;
+  }
+  return best;
+}
+
+}  // namespace
+
+TrianglePoint nearest_on_triangle(const Vec3& p, const Vec3& a, const Vec3& b, const Vec3& c) {
+  const TrianglePoint found = nearest_by_regions(p, a, b, c);
+  return found.distance2 < std::numeric_limits<double>::infinity() ? found
+                                                                   : nearest_on_sides(p, {a, b, c});
+}
+
+TriangleTree::TriangleTree(const TriMesh& mesh)
+    : vertices_(mesh.vertices), triangles_(mesh.triangles) {
+  MRSIM_ASSERT(!triangles_.empty());
+  for (const auto& v : vertices_) extend(bounds_, to_vec(v));
+  std::vector<Vec3> centroids(triangles_.size());
+  for (std::uint32_t t = 0; t < triangles_.size(); ++t) {
+    const Corners k = corners(t);
+    centroids[t] = k.a + k.b + k.c;
+  }
+  order_.resize(triangles_.size());
+  std::iota(order_.begin(), order_.end(), 0u);
+  nodes_.reserve(triangles_.size());
+  build_node(order_, 0, static_cast<std::uint32_t>(order_.size()), centroids);
+  build_normals();
+}
+
+TriangleTree::Corners TriangleTree::corners(std::uint32_t triangle) const {
+  const auto& t = triangles_[triangle];
+  return {to_vec(vertices_[t[0]]), to_vec(vertices_[t[1]]), to_vec(vertices_[t[2]])};
+}
+
+Vec3 TriangleTree::normal(std::uint32_t triangle) const {
+  const Corners k = corners(triangle);
+  return normalized(cross(k.b - k.a, k.c - k.a));
+}
+
+std::uint32_t TriangleTree::build_node(std::vector<std::uint32_t>& order, std::uint32_t begin,
+                                       std::uint32_t end, const std::vector<Vec3>& centroids) {
+  const auto self = static_cast<std::uint32_t>(nodes_.size());
+  constexpr float kHuge = std::numeric_limits<float>::infinity();
+  Node node{{kHuge, kHuge, kHuge}, {-kHuge, -kHuge, -kHuge}, begin, end - begin};
+  Box3 centers;
+  for (std::uint32_t i = begin; i < end; ++i) {
+    extend(centers, centroids[order[i]]);
+    for (const std::uint32_t v : triangles_[order[i]])
+      for (std::size_t k = 0; k < 3; ++k) {
+        node.lo[k] = std::min(node.lo[k], vertices_[v][k]);
+        node.hi[k] = std::max(node.hi[k], vertices_[v][k]);
+      }
+  }
+  nodes_.push_back(node);
+  if (end - begin <= kLeafSize) return self;
+  const Vec3 size = centers.hi - centers.lo;
+  const int axis = size.x >= size.y && size.x >= size.z ? 0 : size.y >= size.z ? 1 : 2;
+  const std::uint32_t middle = begin + (end - begin) / 2;
+  std::nth_element(order.begin() + begin, order.begin() + middle, order.begin() + end,
+                   [&](std::uint32_t i, std::uint32_t j) {
+                     const double x = component(centroids[i], axis),
+                                  y = component(centroids[j], axis);
+                     return x != y ? x < y : i < j;
+                   });
+  build_node(order, begin, middle, centroids);
+  const std::uint32_t second = build_node(order, middle, end, centroids);
+  nodes_[self].first = second;
+  nodes_[self].count = 0;
+  return self;
+}
+
+void TriangleTree::build_normals() {
+  vertex_normals_.assign(vertices_.size(), {});
+  neighbors_.assign(triangles_.size(), {kNoNeighbor, kNoNeighbor, kNoNeighbor});
+  struct Edge {
+    std::uint32_t low, high, triangle, corner;
+  };
+  std::vector<Edge> edges;
+  edges.reserve(3 * triangles_.size());
+  for (std::uint32_t t = 0; t < triangles_.size(); ++t) {
+    const Vec3 n = normal(t);
+    for (std::uint32_t i = 0; i < 3; ++i) {
+      const std::uint32_t v = triangles_[t][i], next = triangles_[t][(i + 1) % 3],
+                          last = triangles_[t][(i + 2) % 3];
+      const Vec3 u = to_vec(vertices_[next]) - to_vec(vertices_[v]),
+                 w = to_vec(vertices_[last]) - to_vec(vertices_[v]);
+      vertex_normals_[v] += mrsim::atan2(length(cross(u, w)), dot(u, w)) * n;
+      edges.push_back({std::min(v, next), std::max(v, next), t, i});
+    }
+  }
+  std::sort(edges.begin(), edges.end(), [](const Edge& a, const Edge& b) {
+    return a.low != b.low     ? a.low < b.low
+           : a.high != b.high ? a.high < b.high
+                              : a.triangle < b.triangle;
+  });
+  for (std::size_t i = 1; i < edges.size(); ++i) {
+    const Edge &a = edges[i - 1], &b = edges[i];
+    if (a.low != b.low || a.high != b.high) continue;
+    neighbors_[a.triangle][a.corner] = b.triangle;
+    neighbors_[b.triangle][b.corner] = a.triangle;
+  }
+}
+
+double TriangleTree::plan_distance2(const Node& node, const Vec3& p) {
+  const double x = std::max({node.lo[0] - p.x, p.x - node.hi[0], 0.0}),
+               y = std::max({node.lo[1] - p.y, p.y - node.hi[1], 0.0});
+  return x * x + y * y;
+}
+
+double TriangleTree::box_distance2(const Node& node, const Vec3& p) {
+  const double x = std::max({node.lo[0] - p.x, p.x - node.hi[0], 0.0}),
+               y = std::max({node.lo[1] - p.y, p.y - node.hi[1], 0.0}),
+               z = std::max({node.lo[2] - p.z, p.z - node.hi[2], 0.0});
+  return x * x + y * y + z * z;
+}
+
+TriangleTree::Hit TriangleTree::nearest(const Vec3& p, std::uint32_t hint) const {
+  Hit best;
+  const auto test = [&](std::uint32_t t) {
+    const Corners k = corners(t);
+    const TrianglePoint point = nearest_on_triangle(p, k.a, k.b, k.c);
+    if (point.distance2 > best.distance2 ||
+        (point.distance2 == best.distance2 && t >= best.triangle))
+      return;
+    static_cast<TrianglePoint&>(best) = point;
+    best.triangle = t;
+  };
+  test(hint < triangles_.size() ? hint : 0);
+  struct Entry {
+    std::uint32_t node;
+    double distance2;
+  };
+  Entry stack[64];  // depth of a median tree: at most 32
+  int top = 0;
+  stack[top++] = {0, box_distance2(nodes_[0], p)};
+  while (top > 0) {
+    const Entry entry = stack[--top];
+    if (entry.distance2 > best.distance2) continue;
+    const Node& node = nodes_[entry.node];
+    if (node.count > 0) {
+      for (std::uint32_t i = node.first; i < node.first + node.count; ++i) test(order_[i]);
+      continue;
+    }
+    Entry near{entry.node + 1, box_distance2(nodes_[entry.node + 1], p)},
+        far{node.first, box_distance2(nodes_[node.first], p)};
+    if (far.distance2 < near.distance2) std::swap(near, far);
+    stack[top++] = far;
+    stack[top++] = near;
+  }
+  return best;
+}
+
+TrianglePoint TriangleTree::nearest_in_plan(const Vec3& p, double most) const {
+  TrianglePoint best;
+  double best2 = most * most;
+  std::uint32_t stack[64] = {0};  // depth of a median tree: at most 32
+  for (int top = 1; top > 0;) {
+    const std::uint32_t at = stack[--top];
+    const Node& node = nodes_[at];
+    if (node.hi[2] <= p.z || plan_distance2(node, p) >= best2) continue;
+    for (std::uint32_t i = node.first; i < node.first + node.count; ++i) {
+      const TrianglePoint point = nearest_in_plan_on(corners(order_[i]), p);
+      if (point.distance2 < best2) best = point, best2 = point.distance2;
+    }
+    if (node.count > 0) continue;
+    const bool swap = plan_distance2(nodes_[node.first], p) < plan_distance2(nodes_[at + 1], p);
+    stack[top++] = swap ? at + 1 : node.first;
+    stack[top++] = swap ? node.first : at + 1;
+  }
+  return best;
+}
+
+Vec3 TriangleTree::pseudonormal(const Hit& hit) const {
+  const Vec3 face = normal(hit.triangle);
+  if (hit.feature == kTriangleFace) return face;
+  if (hit.feature < 3) return vertex_normals_[triangles_[hit.triangle][hit.feature]];
+  const std::uint32_t other = neighbors_[hit.triangle][hit.feature - 3u];
+  return other == kNoNeighbor ? face : face + normal(other);
+}
+
+double TriangleTree::signed_distance(const Vec3& p, const Hit& hit) const {
+  const double d = std::sqrt(hit.distance2);
+  return dot(p - hit.point, pseudonormal(hit)) < 0 ? -d : d;
+}
+
+std::size_t TriangleTree::memory() const {
+  return vertices_.capacity() * sizeof(vertices_[0]) +
+         triangles_.capacity() * sizeof(triangles_[0]) + nodes_.capacity() * sizeof(Node) +
+         order_.capacity() * sizeof(order_[0]) + neighbors_.capacity() * sizeof(neighbors_[0]) +
+         vertex_normals_.capacity() * sizeof(Vec3);
+}
+
+}  // namespace mrsim

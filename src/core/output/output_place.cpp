@@ -1,0 +1,158 @@
+#include "core/output/output_place.h"
+
+#include "core/process/error.h"
+
+#include <cerrno>
+#include <charconv>
+#include <cstring>
+#include <filesystem>
+#include <optional>
+#include <string_view>
+#include <vector>
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+namespace mrsim {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr int kMostLinks = 40;  // as the system allows
+
+// The number in "/proc/self/fd/7" or "/dev/fd/7".
+std::optional<int> descriptor_in(const std::string& path) {
+  for (const std::string_view head : {"/proc/self/fd/", "/dev/fd/"}) {
+    if (!path.starts_with(head)) continue;
+    int number = -1;
+    const char* end = path.data() + path.size();
+    if (std::from_chars(path.data() + head.size(), end, number).ptr == end && number >= 0)
+      return number;
+  }
+  return std::nullopt;
+}
+
+// Absolute, without links in its folder; the last part may be a link, or missing.
+fs::path settled(const fs::path& path) {
+  std::error_code ignored;
+  const fs::path whole = fs::absolute(path, ignored);
+  const fs::path folder = fs::canonical(whole.parent_path(), ignored);
+  return ignored ? whole.lexically_normal() : folder / whole.filename();
+}
+
+void to_stream(OutputPlace& place, int descriptor = -1) {
+  place.kind = OutputPlace::Kind::stream;
+  place.descriptor = descriptor;
+}
+
+void follow_links(OutputPlace& place) {
+  // Absolute, but not settled: the link /proc/self/fd/1 is the descriptor, not what it shows.
+  std::error_code failed;
+  fs::path at = fs::absolute(place.given, failed);
+  if (failed) fail_output(place.given, failed.value());
+  for (int links = 0;; ++links) {
+    if (const auto number = descriptor_in(at.lexically_normal().string()))
+      to_stream(place, *number);
+    at = settled(at);
+    place.path = at.string();
+    std::error_code none;
+    if (place.kind == OutputPlace::Kind::stream || !fs::is_symlink(at, none)) return;
+    if (links == kMostLinks) fail_output(place.given, ELOOP);
+    const fs::path target = fs::read_symlink(at, none);
+    if (none) fail_output(place.given, none.value());
+    at = at.parent_path() / target;
+  }
+}
+
+// Two names of one file, whether it is there or not.
+bool is_same(const OutputPlace& a, const OutputPlace& b) {
+  if (a.path == b.path) return true;
+  struct stat of_a {
+  }, of_b{};
+  if (::stat(a.path.c_str(), &of_a) != 0 || ::stat(b.path.c_str(), &of_b) != 0) return false;
+  return of_a.st_dev == of_b.st_dev && of_a.st_ino == of_b.st_ino;
+}
+
+std::string named(const NamedPath& file) { return fmt::format("{} ({})", file.path, file.role); }
+
+}  // namespace
+
+std::string folder_of(const std::string& path) {
+  const fs::path folder = fs::path(path).parent_path();
+  return folder.empty() ? "." : folder.string();
+}
+
+void fail_output(const std::string& path, int error) {
+  const bool full = error == ENOSPC || error == EDQUOT;
+  throw Error(full ? "output-full" : "output-unwritable",
+              fmt::format("cannot write {}: {}", path, std::strerror(error)));
+}
+
+OutputPlace output_place(const std::string& path) {
+  OutputPlace place;
+  place.given = path;
+  if (path == "-") {
+    to_stream(place, STDOUT_FILENO);
+    return place;
+  }
+  if (path.empty()) throw Error("output-unwritable", "an output has an empty name");
+  follow_links(place);
+  place.folder = folder_of(place.path);
+  if (place.kind == OutputPlace::Kind::stream) return place;
+  struct stat info {};
+  const bool is_there = ::stat(place.path.c_str(), &info) == 0;
+  if (is_there && S_ISDIR(info.st_mode))
+    throw Error("output-unwritable", fmt::format("cannot write {}: it is a directory", path));
+  if (is_there && !S_ISREG(info.st_mode)) to_stream(place);
+  std::error_code ignored;
+  if (!is_there && !fs::is_directory(place.folder, ignored))
+    throw Error("output-folder",
+                fmt::format("cannot write {}: the folder {} does not exist", path, place.folder));
+  if (fs::path(place.path).filename().empty())
+    throw Error("output-unwritable", fmt::format("cannot write {}: it names no file", path));
+  return place;
+}
+
+void check_writable(const std::string& path) {
+  const OutputPlace place = output_place(path);
+  if (place.kind == OutputPlace::Kind::stream) return;
+  // A probe, because access() says yes to root on a read-only file system.
+  int fd = -1;
+#ifdef O_TMPFILE
+  fd = ::open(place.folder.c_str(), O_TMPFILE | O_WRONLY | O_CLOEXEC, 0600);
+#endif
+  if (fd < 0) {
+    std::string probe = place.folder + "/.mrsim-XXXXXX";
+    fd = ::mkostemp(probe.data(), O_CLOEXEC);
+    if (fd < 0) fail_output(path, errno);
+    ::unlink(probe.c_str());
+  }
+  ::close(fd);
+}
+
+void refuse_overwrites(std::span<const NamedPath> outputs, std::span<const NamedPath> inputs) {
+  std::vector<OutputPlace> places;
+  for (const NamedPath& output : outputs) places.push_back(output_place(output.path));
+  std::vector<OutputPlace> sources(inputs.size());
+  for (std::size_t j = 0; j < inputs.size(); ++j)
+    if (!inputs[j].path.empty()) sources[j].path = settled(inputs[j].path).string();
+  for (std::size_t i = 0; i < places.size(); ++i) {
+    for (std::size_t j = 0; j < sources.size(); ++j)
+      if (places[i].kind == OutputPlace::Kind::file && !sources[j].path.empty() &&
+          is_same(places[i], sources[j]))
+        throw Error("output-is-input",
+                    fmt::format("{} would overwrite {}: name another file", named(outputs[i]),
+                                named(inputs[j])),
+                    Error::Kind::usage);
+    for (std::size_t j = 0; j < i; ++j)
+      if (places[i].kind == OutputPlace::Kind::file && is_same(places[i], places[j]))
+        throw Error("output-twice",
+                    fmt::format("{} and {} are one file: an output is given twice",
+                                named(outputs[j]), named(outputs[i])),
+                    Error::Kind::usage);
+  }
+}
+
+}  // namespace mrsim

@@ -1,0 +1,206 @@
+#include "core/process/child_process.h"
+
+#include "core/process/error.h"
+#include "core/process/heap.h"
+#include "core/process/memory_limit.h"
+
+#include <algorithm>
+#include <array>
+#include <cerrno>
+#include <chrono>
+#include <csignal>
+#include <cstdio>
+#include <cstring>
+#include <exception>
+#include <new>
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <poll.h>
+#include <sys/prctl.h>
+#include <sys/resource.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+namespace mrsim {
+namespace {
+
+constexpr int kNoMemory = 42;  // exit code of the child
+
+std::size_t address_space() {
+  std::FILE* file = std::fopen("/proc/self/statm", "re");
+  unsigned long pages = 0;
+  if (file != nullptr) {
+    if (std::fscanf(file, "%lu", &pages) != 1) pages = 0;
+    std::fclose(file);
+  }
+  return pages * static_cast<std::size_t>(::sysconf(_SC_PAGESIZE));
+}
+
+void lower(decltype(RLIMIT_AS) what, rlim_t value) {
+  rlimit limit{};
+  ::getrlimit(what, &limit);
+  limit.rlim_cur = std::min(limit.rlim_cur, value);
+  limit.rlim_max = std::min(limit.rlim_max, value);
+  ::setrlimit(what, &limit);
+}
+
+void write_all(int fd, const char* data, std::size_t size) {
+  while (size > 0) {
+    const ssize_t n = ::write(fd, data, size);
+    if (n < 0 && errno == EINTR) continue;
+    if (n < 0) ::_exit(1);
+    data += n;
+    size -= static_cast<std::size_t>(n);
+  }
+}
+
+// The process dies with the one that has started it.
+void die_with(pid_t parent) {
+  ::prctl(PR_SET_PDEATHSIG, SIGKILL);
+  if (::getppid() != parent) ::_exit(1);  // which was dead already
+}
+
+void be_silent() {
+  const int nowhere = ::open("/dev/null", O_WRONLY);
+  ::dup2(nowhere, STDOUT_FILENO);
+  ::dup2(nowhere, STDERR_FILENO);
+}
+
+// In the copy of this process: only what is allowed where other threads have been.
+[[noreturn]] void be_program(char* const* words, ProgramLife life, pid_t parent, int told) {
+  if (life == ProgramLife::ours)
+    die_with(parent);
+  else
+    be_silent();
+  sigset_t none;
+  ::sigemptyset(&none);
+  ::sigprocmask(SIG_SETMASK, &none, nullptr);
+  std::signal(SIGXFSZ, SIG_DFL);
+  ::execvp(words[0], words);
+  write_all(told, "-", 1);
+  ::_exit(127);
+}
+
+[[noreturn]] void be_child(int fd, const ChildLimits& limits,
+                           const std::function<void(const ByteSink&)>& work, pid_t parent) {
+  die_with(parent);
+  be_silent();  // what a dying library says is of no use
+  lower(RLIMIT_CORE, 0);
+  lower(RLIMIT_CPU, static_cast<rlim_t>(limits.seconds));
+#ifndef __SANITIZE_ADDRESS__  // its shadow takes all addresses
+  if (limits.bytes > 0) {
+    // Room that the heap keeps and has not touched would come on top of the limit.
+    grow_heap_in_small_steps();
+    release_freed_memory();
+    lower(RLIMIT_AS, address_space() + limits.bytes);
+  }
+#endif
+  try {
+    work([fd](const void* data, std::size_t size) {
+      write_all(fd, static_cast<const char*>(data), size);
+    });
+  } catch (const std::bad_alloc&) {
+    ::_exit(kNoMemory);
+  } catch (...) {
+    ::_exit(1);
+  }
+  ::_exit(0);
+}
+
+// False where the clock ran out.
+bool collect(int fd, int seconds, const std::string& what, std::string& bytes) {
+  using Clock = std::chrono::steady_clock;
+  const auto end = Clock::now() + std::chrono::seconds(seconds);
+  std::array<char, 65536> chunk;
+  for (;;) {
+    const auto left = std::chrono::duration_cast<std::chrono::milliseconds>(end - Clock::now());
+    if (left.count() <= 0) return false;
+    pollfd wait{fd, POLLIN, 0};
+    if (::poll(&wait, 1, static_cast<int>(left.count())) <= 0) continue;
+    const ssize_t n = ::read(fd, chunk.data(), chunk.size());
+    if (n == 0) return true;
+    if (n > 0 && bytes.size() + chunk.size() > bytes.capacity())
+      require_memory(3.0 * double(bytes.capacity()), what);
+    if (n > 0) bytes.append(chunk.data(), static_cast<std::size_t>(n));
+  }
+}
+
+ChildOutcome::End end_of(int status) {
+  if (WIFEXITED(status) && WEXITSTATUS(status) == 0) return ChildOutcome::End::done;
+  if (WIFEXITED(status) && WEXITSTATUS(status) == kNoMemory)
+    return ChildOutcome::End::out_of_memory;
+  if (WIFSIGNALED(status) && (WTERMSIG(status) == SIGXCPU || WTERMSIG(status) == SIGKILL))
+    return ChildOutcome::End::too_long;
+  return ChildOutcome::End::crashed;
+}
+
+}  // namespace
+
+ChildOutcome run_in_child(const ChildLimits& given,
+                          const std::function<void(const ByteSink& sink)>& work) {
+  ChildLimits limits = given;
+  const double left = memory_left();
+  const bool is_little = limits.bytes > 0 && left < double(limits.bytes);
+  if (is_little) limits.bytes = static_cast<std::size_t>(left) + 1;
+  std::array<int, 2> ends{};
+  if (::pipe2(ends.data(), O_CLOEXEC) != 0)
+    throw Error("process", fmt::format("no pipe: {}", std::strerror(errno)));
+  const pid_t parent = ::getpid();
+  const pid_t child = ::fork();
+  if (child == 0) be_child(ends[1], limits, work, parent);
+  const int error = errno;
+  ::close(ends[1]);
+  if (child < 0) {
+    ::close(ends[0]);
+    throw Error("process", fmt::format("no process: {}", std::strerror(error)));
+  }
+  ChildOutcome out;
+  bool in_time = false;
+  std::exception_ptr fault;
+  try {
+    in_time = collect(ends[0], 4 * limits.seconds, limits.what, out.bytes);
+  } catch (const Error&) {
+    fault = std::current_exception();
+  } catch (...) {
+    out.end = ChildOutcome::End::out_of_memory;
+  }
+  if (!in_time) ::kill(child, SIGKILL);
+  ::close(ends[0]);
+  int status = 0;
+  while (::waitpid(child, &status, 0) < 0 && errno == EINTR) {
+  }
+  if (fault) std::rethrow_exception(fault);
+  if (out.end == ChildOutcome::End::done) out.end = end_of(status);
+  if (out.end != ChildOutcome::End::out_of_memory) return out;
+  if (is_address_space_limited() && !has_address_space(limits.bytes))
+    throw Error(
+        "memory",
+        limits.what + " takes more address space than is free; raise its limit (ulimit -v)");
+  if (!is_little) return out;
+  throw Error("memory", fmt::format("{} takes more than the {} that are left of the limit; "
+                                    "--max-memory allows more",
+                                    limits.what, size_text(left)));
+}
+
+int start_program(const std::vector<std::string>& words, ProgramLife life) {
+  std::vector<char*> pointers;
+  pointers.reserve(words.size() + 1);
+  for (const std::string& word : words) pointers.push_back(const_cast<char*>(word.c_str()));
+  pointers.push_back(nullptr);
+  std::array<int, 2> ends{};  // closed by the program; a byte where there is none
+  if (::pipe2(ends.data(), O_CLOEXEC) != 0) return -1;
+  const pid_t parent = ::getpid();
+  const pid_t child = ::fork();
+  if (child == 0) be_program(pointers.data(), life, parent, ends[1]);
+  ::close(ends[1]);
+  char byte = 0;
+  ssize_t n = 0;
+  while (child > 0 && (n = ::read(ends[0], &byte, 1)) < 0 && errno == EINTR) {
+  }
+  ::close(ends[0]);
+  if (child > 0 && n > 0) ::waitpid(child, nullptr, 0);
+  return child > 0 && n == 0 ? child : -1;
+}
+
+}  // namespace mrsim
