@@ -1,6 +1,6 @@
 // A million samples against a million triangles, ours and CGAL's plain AABB tree in one run. The
 // surface is a wavy sphere, the samples lie within 0.05 mm of it.
-#include "compare/sampling.h"
+#include "compare/distance/sampling.h"
 #include "core/numbers/vec.h"
 #include "mesh/solid/half_edges.h"
 

@@ -4,7 +4,7 @@ set(report_source ${PROJECT_BINARY_DIR}/generated/report_template.cpp)
 add_custom_command(
   OUTPUT ${report_source}
   COMMAND ${CMAKE_COMMAND} -DINPUT=${report_html} -DOUTPUT=${report_source}
-          -DHEADER=compare/report_template.h -DFUNCTION=report_template
+          -DHEADER=compare/report/report_template.h -DFUNCTION=report_template
           -P ${PROJECT_SOURCE_DIR}/cmake/embed_text.cmake
   DEPENDS ${report_html} ${PROJECT_SOURCE_DIR}/cmake/embed_text.cmake)
 target_sources(mrsim_compare PRIVATE ${report_source})

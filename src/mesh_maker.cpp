@@ -1,6 +1,6 @@
 #include "mesh_maker.h"
 
-#include "compare/hausdorff.h"
+#include "compare/distance/hausdorff.h"
 #include "core/numbers/units.h"
 #include "core/numbers/vec.h"
 #include "core/process/error.h"

@@ -1,9 +1,9 @@
 // What is left to cut: pieces by voxels, measured against the exact surfaces.
 
-#include "compare/inner_edges.h"
-#include "compare/nominal.h"
-#include "compare/reach.h"
-#include "compare/sampling.h"
+#include "compare/distance/nominal.h"
+#include "compare/distance/sampling.h"
+#include "compare/reach/inner_edges.h"
+#include "compare/reach/reach.h"
 #include "core/numbers/vec.h"
 #include "core/process/error.h"
 #include "core/process/memory_limit.h"

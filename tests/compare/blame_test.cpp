@@ -1,5 +1,5 @@
 // Planted faults: plates with slots whose faces have owners, one of them wrong.
-#include "compare/align.h"
+#include "compare/distance/align.h"
 #include "core/numbers/vec.h"
 #include "support/mesh_asserts.h"
 #include "support/slot_parts.h"

@@ -1,5 +1,5 @@
 // Pairs of meshes whose distance is known in closed form.
-#include "compare/align.h"
+#include "compare/distance/align.h"
 #include "core/numbers/trig.h"
 #include "core/numbers/units.h"
 #include "core/numbers/vec.h"

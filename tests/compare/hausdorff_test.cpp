@@ -1,8 +1,8 @@
 // The bounds against CGAL's bounded-error Hausdorff distance.
-#include "compare/hausdorff.h"
+#include "compare/distance/hausdorff.h"
 
-#include "compare/align.h"
-#include "compare/sampling.h"
+#include "compare/distance/align.h"
+#include "compare/distance/sampling.h"
 #include "core/numbers/trig.h"
 #include "mesh/solid/half_edges.h"
 #include "support/shapes.h"

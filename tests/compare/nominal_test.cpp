@@ -1,4 +1,4 @@
-#include "compare/nominal.h"
+#include "compare/distance/nominal.h"
 
 #include "core/numbers/vec.h"
 #include "support/mesh_asserts.h"

@@ -1,4 +1,4 @@
-#include "compare/display_mesh.h"
+#include "compare/report/display_mesh.h"
 #include "core/text/text_io.h"
 #include "support/mesh_asserts.h"
 #include "support/shapes.h"

@@ -1,7 +1,7 @@
 // Inner edges of a solid that material left to cut covers: no tool reaches them, whatever its size.
 #pragma once
 
-#include "compare/reach.h"
+#include "compare/reach/reach.h"
 
 #include <span>
 #include <vector>

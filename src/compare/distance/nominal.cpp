@@ -1,4 +1,4 @@
-#include "compare/nominal.h"
+#include "compare/distance/nominal.h"
 
 #include "core/numbers/trig.h"
 #include "core/numbers/units.h"

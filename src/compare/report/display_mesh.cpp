@@ -1,6 +1,6 @@
-#include "compare/display_mesh.h"
+#include "compare/report/display_mesh.h"
 
-#include "compare/align.h"
+#include "compare/distance/align.h"
 #include "core/numbers/rounding.h"
 #include "core/numbers/trig.h"
 #include "core/numbers/vec.h"

@@ -1,7 +1,7 @@
 // Suspicions: what kind of mistake would make deviations such as these.
 #pragma once
 
-#include "compare/blame.h"
+#include "compare/blame/blame.h"
 #include <mrsim/compare.h>
 
 namespace mrsim {

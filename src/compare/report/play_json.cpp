@@ -1,6 +1,6 @@
-#include "compare/play_json.h"
+#include "compare/report/play_json.h"
 
-#include "compare/packed.h"
+#include "compare/report/packed.h"
 #include "core/numbers/vec.h"
 #include "core/text/text_io.h"
 

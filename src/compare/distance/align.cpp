@@ -1,5 +1,5 @@
 #define EIGEN_DONT_VECTORIZE  // the same bits on every machine
-#include "compare/align.h"
+#include "compare/distance/align.h"
 
 #include "core/numbers/trig.h"
 #include "core/numbers/vec.h"

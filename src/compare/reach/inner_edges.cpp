@@ -1,4 +1,4 @@
-#include "compare/inner_edges.h"
+#include "compare/reach/inner_edges.h"
 
 #include "core/numbers/vec.h"
 

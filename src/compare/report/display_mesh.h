@@ -1,7 +1,7 @@
 // Meshes to look at: colours right inside of long triangles, not too many triangles.
 #pragma once
 
-#include "compare/nominal.h"
+#include "compare/distance/nominal.h"
 #include <mrsim/compare.h>
 
 #include <vector>

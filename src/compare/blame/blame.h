@@ -1,7 +1,7 @@
 // From faces to program lines: who cut what, and how well.
 #pragma once
 
-#include "compare/sampling.h"
+#include "compare/distance/sampling.h"
 #include <mrsim/compare.h>
 
 #include <map>

@@ -1,4 +1,4 @@
-#include "compare/blame.h"
+#include "compare/blame/blame.h"
 
 #include "core/numbers/vec.h"
 

@@ -1,4 +1,4 @@
-#include "compare/regions.h"
+#include "compare/blame/regions.h"
 
 #include "core/numbers/vec.h"
 #include "mesh/solid/half_edges.h"

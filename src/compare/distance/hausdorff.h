@@ -12,7 +12,7 @@
 // exact; where there is no such border, they are halved.
 #pragma once
 
-#include "compare/flat_patches.h"
+#include "compare/distance/flat_patches.h"
 #include <mrsim/compare.h>
 
 namespace mrsim {

@@ -1,6 +1,6 @@
-#include "compare/hints.h"
+#include "compare/blame/hints.h"
 
-#include "compare/align.h"
+#include "compare/distance/align.h"
 #include "core/numbers/units.h"
 #include "core/numbers/vec.h"
 #include "mesh/solid/half_edges.h"

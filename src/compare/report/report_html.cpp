@@ -2,12 +2,12 @@
 //
 // Safe with any text from programs and files: JSON in a script element, with every '<' written as
 // \u003c, so that nothing in it can end the element; the viewer sets text, never markup.
-#include "compare/align.h"
-#include "compare/blame.h"
-#include "compare/display_mesh.h"
-#include "compare/packed.h"
-#include "compare/play_json.h"
-#include "compare/report_template.h"
+#include "compare/blame/blame.h"
+#include "compare/distance/align.h"
+#include "compare/report/display_mesh.h"
+#include "compare/report/packed.h"
+#include "compare/report/play_json.h"
+#include "compare/report/report_template.h"
 #include "core/numbers/units.h"
 #include "core/numbers/vec.h"
 #include "core/process/error.h"

@@ -1,4 +1,4 @@
-#include "compare/sampling.h"
+#include "compare/distance/sampling.h"
 
 #include "core/numbers/vec.h"
 #include "core/process/error.h"

@@ -7,7 +7,7 @@
 // depends on no lattice.
 #pragma once
 
-#include "compare/nominal.h"
+#include "compare/distance/nominal.h"
 
 #include <span>
 #include <vector>

@@ -1,4 +1,4 @@
-#include "compare/flat_patches.h"
+#include "compare/distance/flat_patches.h"
 
 #include "core/numbers/vec.h"
 #include "mesh/solid/half_edges.h"

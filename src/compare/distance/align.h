@@ -1,7 +1,7 @@
 // Moving the part onto the nominal before they are compared.
 #pragma once
 
-#include "compare/nominal.h"
+#include "compare/distance/nominal.h"
 #include <mrsim/compare.h>
 
 namespace mrsim {

@@ -1,4 +1,4 @@
-#include "compare/packed.h"
+#include "compare/report/packed.h"
 
 #include "core/text/base64.h"
 #include "core/text/zip.h"

@@ -1,4 +1,4 @@
-#include "compare/reach.h"
+#include "compare/reach/reach.h"
 
 #include "core/numbers/vec.h"
 

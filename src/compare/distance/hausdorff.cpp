@@ -1,4 +1,4 @@
-#include "compare/hausdorff.h"
+#include "compare/distance/hausdorff.h"
 
 #include "core/numbers/vec.h"
 #include "core/process/parallel.h"

@@ -1,5 +1,5 @@
 // What people and CI dashboards read of a comparison.
-#include "compare/align.h"
+#include "compare/distance/align.h"
 #include "core/numbers/units.h"
 #include "core/text/text_io.h"
 #include <mrsim/compare.h>

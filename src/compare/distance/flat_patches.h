@@ -5,7 +5,7 @@
 // surfaces a triangle and those about it are nearly flat, and serve in the same way.
 #pragma once
 
-#include "compare/nominal.h"
+#include "compare/distance/nominal.h"
 
 #include <optional>
 #include <vector>

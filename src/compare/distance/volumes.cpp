@@ -1,6 +1,6 @@
-#include "compare/volumes.h"
+#include "compare/distance/volumes.h"
 
-#include "compare/sampling.h"
+#include "compare/distance/sampling.h"
 #include "core/numbers/vec.h"
 #include "core/process/parallel.h"
 #include "mesh/solid/check.h"

@@ -1,7 +1,7 @@
 // Points spread evenly over a surface, and their deviations.
 #pragma once
 
-#include "compare/nominal.h"
+#include "compare/distance/nominal.h"
 #include "core/numbers/vec.h"
 #include <mrsim/compare.h>
 

@@ -1,7 +1,7 @@
 // Surface out of tolerance, put together into regions, and the lines that are to blame.
 #pragma once
 
-#include "compare/blame.h"
+#include "compare/blame/blame.h"
 #include <mrsim/compare.h>
 
 namespace mrsim {
