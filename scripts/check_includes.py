@@ -80,7 +80,11 @@ ROOMS = {
     "compare/blame": CORE + ("mesh/solid/", "compare/distance/"),
     "compare/report": CORE + ("mesh/solid/", "compare/distance/", "compare/blame/"),
     "compare": CORE + ("mesh/solid/", "compare/"),
-    "cli": CORE,
+    "cli/console": CORE,
+    "cli/options": CORE + ("cli/console/",),
+    "cli/report": CORE + ("cli/console/", "cli/options/"),
+    "cli/commands": CORE + ("cli/console/", "cli/options/", "cli/report/"),
+    "cli": CORE + ("cli/",),
     "": ("core/", "interp/", "setup/", "removal/", "mesh/", "compare/"),
 }
 # What tests of a stage may include besides its own rooms.
@@ -101,7 +105,7 @@ THIRD_PARTY = {
     "STEPControl_": r"src/compare/step/.*|tests/(compare|cli)/.*",
     "BRep": r"src/compare/step/.*|tests/(compare|cli)/.*",
     "png.h": r"src/mesh/draw/[^/]*\.cpp|tests/mesh/.*",
-    "CLI/": r"src/cli/typed_options\.cpp",
+    "CLI/": r"src/cli/options/typed_options\.cpp",
     "toml++/": r"src/setup/([^/]*\.cpp|toml_text\.h)",
     "zlib.h": r"src/core/text/zip\.cpp|src/mesh/.*|tests/.*",
 }

@@ -1,13 +1,13 @@
 // The program mrsim: arguments to a command, faults to text and an exit code. The only place that
 // catches.
-#include "cli/arguments.h"
-#include "cli/commands.h"
-#include "cli/compare_command.h"
-#include "cli/diagnostics.h"
-#include "cli/shortage.h"
-#include "cli/standard_streams.h"
-#include "cli/stop.h"
-#include "cli/terminal.h"
+#include "cli/commands/commands.h"
+#include "cli/commands/compare_command.h"
+#include "cli/console/shortage.h"
+#include "cli/console/standard_streams.h"
+#include "cli/console/stop.h"
+#include "cli/console/terminal.h"
+#include "cli/options/arguments.h"
+#include "cli/report/diagnostics.h"
 #include "core/process/heap.h"
 
 #include <csignal>

@@ -1,0 +1,70 @@
+// The commands of the program: arguments in, text out, exit code back. They throw what the library
+// throws; main turns that into text and an exit code.
+#pragma once
+
+#include "cli/console/exit_codes.h"
+#include "cli/options/arguments.h"
+#include "core/output/output_place.h"
+
+#include <functional>
+#include <string>
+#include <vector>
+
+namespace mrsim::cli {
+
+/// What an Error that reaches main ends with; where the user stopped the run, that code.
+int exit_code_of(const Error& error);
+
+/// --json and --junit of a command that has failed: where to, or empty, and what.
+struct LastWords {
+  std::string json_path, json, junit_path, junit;
+};
+/// Writes both files. A file that cannot be written is named on the standard error; nothing is
+/// thrown. Never replaces a file in `kept`. A refused command may have inputs that are not known,
+/// so an existing file is replaced only if it begins like an earlier result. If both paths are the
+/// same text, the JSON is written; if they are two names of one file, neither.
+void write_last_words(const LastWords& words, const std::vector<NamedPath>& kept);
+
+/// Throws Error "output-is-input" (usage) where an output is one of a program's files.
+void protect_program(const std::vector<std::string>& files, const std::vector<NamedPath>& outputs);
+
+/// What ended a command.
+struct Failure {
+  std::string code, text;
+  int exit_code = 0;
+  bool at_work = false;  ///< the user has stopped it, but it still goes on, on another thread
+};
+/// The exit code of `work`. Where it ends with an exception, or the user stops it, `tell` comes
+/// first. Once `work` makes the file that tells how it went, set_last_words({}) keeps a second
+/// one from following it.
+int run_told(const std::function<int()>& work, const std::function<void(const Failure&)>& tell);
+
+/// parse_arguments(); what is refused is told in --json and --junit of a run, and on the standard
+/// output of trace and check with --json.
+Arguments typed_arguments(int argc, const char* const* argv);
+
+int run_simulate(const Arguments& arguments);
+/// Runs to earlier moments, once the whole program has been run.
+using FrameChoice = std::function<std::vector<Arguments>(const JobResult& whole)>;
+/// `result` has what was found. The files of the frames, if any, appear with those of the whole.
+int run_simulate(const Arguments& arguments, JobResult& result,
+                 const FrameChoice& choose_frames = {});
+/// Writes --json and --junit of a run whose command line, tools or job were refused with `error`.
+void tell_refused(const Arguments& refused, const Error& error);
+/// The parts of arguments.frames moments: all of them or none.
+int run_frames(const Arguments& arguments);
+/// A picture of the part at each of arguments.frames moments, or the film of them.
+int run_picture_frames(const Arguments& arguments);
+int run_trace(const Arguments& arguments);
+int run_check(const Arguments& arguments);
+int run_render(const Arguments& arguments);
+
+/// Commands with options of their own; argv[0] is the command. They throw Errors of kind usage.
+/// `mrsim rest`: what is left to cut of a part.
+int run_rest(int argc, const char* const* argv);
+/// `mrsim tools FILE`: what a tool table or library holds, listed and drawn.
+int run_tools(int argc, const char* const* argv);
+/// `mrsim view`: the page of a run or of a part, in a temporary file, opened.
+int run_view(int argc, const char* const* argv);
+
+}  // namespace mrsim::cli

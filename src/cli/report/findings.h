@@ -1,0 +1,46 @@
+// Findings of a program on their way to the user, counted.
+#pragma once
+
+#include "cli/options/arguments.h"
+#include <mrsim/types.h>
+
+#include <array>
+#include <cstddef>
+#include <string>
+#include <vector>
+
+namespace mrsim::cli {
+
+/// Prints findings to stderr (JSON: to stdout) as they come and counts them.
+class Findings {
+ public:
+  /// `program`: stands in each JSON object, for a run over several programs; empty: it does not.
+  explicit Findings(const Arguments& arguments, std::string program = "");
+
+  void add(const Diagnostic& diagnostic);
+  /// What is no finding of a reader: of `path` where it says no place of its own.
+  void add(const Error& error, const std::string& path = "");
+  void add(const std::vector<Diagnostic>& diagnostics) {
+    for (const Diagnostic& diagnostic : diagnostics) add(diagnostic);
+  }
+
+  std::size_t errors() const { return count_[static_cast<std::size_t>(Severity::error)]; }
+  std::size_t warnings() const { return count_[static_cast<std::size_t>(Severity::warning)]; }
+  std::size_t notes() const { return count_[static_cast<std::size_t>(Severity::note)]; }
+  bool failed() const { return errors() > 0 || (strict_ && warnings() > 0); }
+  /// "1 error, 0 warnings, 2 notes"
+  std::string summary() const;
+
+ private:
+  bool fails(Severity severity) const {
+    return severity == Severity::error || (strict_ && severity == Severity::warning);
+  }
+  std::string program_, other_file_;
+  bool quiet_, strict_, json_, colours_;
+  std::array<std::size_t, 3> count_{};
+};
+
+/// From now on a stop is told as an error, with --json as an object of its line like others.
+void tell_stop_as_finding(const Arguments& arguments);
+
+}  // namespace mrsim::cli
