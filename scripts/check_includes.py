@@ -85,7 +85,14 @@ ROOMS = {
     "cli/report": CORE + ("cli/console/", "cli/options/"),
     "cli/commands": CORE + ("cli/console/", "cli/options/", "cli/report/"),
     "cli": CORE + ("cli/",),
-    "": ("core/", "interp/", "setup/", "removal/", "mesh/", "compare/"),
+    "run/files": CORE + ("removal/part/", "removal/vdb/", "mesh/solid/", "mesh/format/", "compare/distance/"),
+    "run/tools": CORE + ("interp/comments/", "setup/", "removal/tool/", "mesh/draw/"),
+    "run/cuts": CORE + ("interp/text/", "removal/tool/", "removal/part/", "removal/history/", "run/tools/"),
+    "run/mesh": CORE + ("removal/field/", "removal/tool/", "removal/part/", "mesh/", "compare/distance/", "run/files/",
+        "run/cuts/"),
+    "run/findings": CORE + ("interp/text/", "removal/tool/", "removal/forms/", "removal/part/", "mesh/", "run/cuts/",
+        "run/mesh/"),
+    "": ("core/", "interp/", "setup/", "removal/", "mesh/", "compare/", "run/"),
 }
 # What tests of a stage may include besides its own rooms.
 TESTED = {"core": CORE, "interp": CORE + ("interp/",), "timing": CORE + ("timing/",), "setup": CORE + ("setup/",), "removal": CORE + ("removal/",),

@@ -1,13 +1,13 @@
 // The compare part of the facade that needs every stage: parts from .vdb, programs beside parts.
 #include "core/process/error.h"
 #include "core/text/text_io.h"
-#include "cuts.h"
 #include "mesh/draw/palette.h"
 #include "mesh/extract.h"
 #include "mesh/solid/check.h"
 #include "mesh/solid/solid_repair.h"
-#include "outputs.h"
-#include "vdb_files.h"
+#include "run/cuts/cuts.h"
+#include "run/files/outputs.h"
+#include "run/files/vdb_files.h"
 #include <mrsim/mrsim.h>
 #include <mrsim/solid_files.h>
 

@@ -11,7 +11,7 @@
 #include "mesh/solid/check.h"
 #include "mesh/solid/half_edges.h"
 #include "mesh/solid/pieces.h"
-#include "voxel_module.h"
+#include "run/files/voxel_module.h"
 #include <mrsim/rest.h>
 
 #include <algorithm>

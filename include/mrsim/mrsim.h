@@ -179,8 +179,7 @@ struct Job {
   /// run is not done in slabs, and a .vdb does not change.
   std::size_t max_triangles = 0;
   /// The moment at which the program ends: "12" (a line), "O100:7" (a line of another file) or
-  /// "#5000" (a motion), see src/until.h; empty: its end. The stock and the tools are those of the
-  /// whole program.
+  /// "#5000" (a motion); empty: its end. The stock and the tools are those of the whole program.
   std::string until;
   /// What each motion removes is found, too, for JobResult::history.
   HistoryDetail history = HistoryDetail::summary;

@@ -1,7 +1,7 @@
 // The border to OpenVDB, which src/removal/vdb alone knows: the samples of a part in a narrow band.
 //
 // What lies behind it is linked in, as the stages' tests do, or stands in a module that the library
-// opens when the first samples are wanted (src/voxel_module.h): binding the 69 000 symbols of
+// opens when the first samples are wanted (voxel_module.h): binding the 69 000 symbols of
 // OpenVDB takes 35 ms, and most runs need no grid.
 #pragma once
 

@@ -1,9 +1,9 @@
-#include "vdb_files.h"
+#include "run/files/vdb_files.h"
 
 #include "core/process/child_process.h"
 #include "core/process/error.h"
 #include "core/text/text_io.h"
-#include "voxel_module.h"
+#include "run/files/voxel_module.h"
 
 #include <algorithm>
 #include <utility>

@@ -1,4 +1,4 @@
-#include "part_findings.h"
+#include "run/findings/part_findings.h"
 
 #include "core/numbers/rounding.h"
 #include "core/process/error.h"
@@ -6,7 +6,7 @@
 #include "mesh/solid/pieces.h"
 #include "removal/part/default_stock.h"
 #include "removal/part/stock_margin.h"
-#include "thread_passes.h"
+#include "run/findings/thread_passes.h"
 
 #include <algorithm>
 #include <vector>

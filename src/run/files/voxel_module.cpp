@@ -1,4 +1,4 @@
-#include "voxel_module.h"
+#include "run/files/voxel_module.h"
 
 #include "core/process/error.h"
 #include "core/process/memory_limit.h"

@@ -1,13 +1,13 @@
-#include "play.h"
+#include "run/cuts/play.h"
 
 #include "core/numbers/vec.h"
 #include "core/process/error.h"
-#include "cut_pieces.h"
 #include "removal/history/cut_faces.h"
 #include "removal/history/cut_volume.h"
 #include "removal/history/removed_volumes.h"
 #include "removal/part/stock_grid.h"
-#include "tool_outlines.h"
+#include "run/cuts/cut_pieces.h"
+#include "run/tools/tool_outlines.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "tool_outlines.h"
+#include "run/tools/tool_outlines.h"
 
 #include "core/numbers/trig.h"
 #include "core/numbers/units.h"

@@ -1,4 +1,4 @@
-#include "stock_wrap.h"
+#include "run/files/stock_wrap.h"
 
 #include "compare/distance/hausdorff.h"
 #include "core/process/child_parcel.h"

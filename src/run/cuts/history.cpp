@@ -1,12 +1,12 @@
-#include "history.h"
+#include "run/cuts/history.h"
 
 #include "core/numbers/vec.h"
-#include "cut_pieces.h"
 #include "removal/history/cut_heights.h"
 #include "removal/history/removed_volumes.h"
 #include "removal/part/default_stock.h"
 #include "removal/part/stock_grid.h"
 #include "removal/tool/tool.h"
+#include "run/cuts/cut_pieces.h"
 
 #include <algorithm>
 #include <cmath>

@@ -2,9 +2,9 @@
 #pragma once
 
 #include "mesh/extract.h"
-#include "mesh_choice.h"
-#include "mesh_store.h"
 #include "removal/part/stock.h"
+#include "run/mesh/mesh_choice.h"
+#include "run/mesh/mesh_store.h"
 #include <mrsim/mrsim.h>
 
 #include <string>

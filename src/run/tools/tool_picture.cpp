@@ -3,7 +3,7 @@
 #include "core/text/text_io.h"
 #include "mesh/draw/picture.h"
 #include "mesh/draw/picture_text.h"
-#include "tool_outlines.h"
+#include "run/tools/tool_outlines.h"
 #include <mrsim/mrsim.h>
 
 #include <algorithm>

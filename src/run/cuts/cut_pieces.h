@@ -1,7 +1,7 @@
 // Cuts in pieces, so that what happens along a motion can be reported.
 #pragma once
 
-#include "cuts.h"
+#include "run/cuts/cuts.h"
 
 #include <cstddef>
 #include <vector>

@@ -4,8 +4,8 @@
 // the number of threads, so that equal inputs give equal bytes.
 #pragma once
 
-#include "cuts.h"
 #include "removal/field/field.h"
+#include "run/cuts/cuts.h"
 #include <mrsim/mrsim.h>
 
 #include <string>

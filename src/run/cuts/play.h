@@ -1,8 +1,8 @@
 // What a page plays of a run, from its cuts.
 #pragma once
 
-#include "cuts.h"
 #include "removal/part/stock.h"
+#include "run/cuts/cuts.h"
 #include <mrsim/mrsim.h>
 
 namespace mrsim {

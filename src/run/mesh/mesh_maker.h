@@ -4,10 +4,10 @@
 
 #include "mesh/cells/mesh_report.h"
 #include "mesh/solid/mesh_plan.h"
-#include "mesh_choice.h"
-#include "mesh_store.h"
-#include "outputs.h"
 #include "removal/part/stock.h"
+#include "run/files/outputs.h"
+#include "run/mesh/mesh_choice.h"
+#include "run/mesh/mesh_store.h"
 #include <mrsim/mrsim.h>
 
 #include <optional>

@@ -1,4 +1,4 @@
-#include "mesh_choice.h"
+#include "run/mesh/mesh_choice.h"
 
 #include "core/numbers/rounding.h"
 #include "core/numbers/units.h"

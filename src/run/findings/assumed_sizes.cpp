@@ -1,12 +1,12 @@
-#include "assumed_sizes.h"
+#include "run/findings/assumed_sizes.h"
 
 #include "core/numbers/rounding.h"
 #include "core/numbers/trig.h"
-#include "core/words/tool_types.h"
-#include "part_findings.h"
+#include "core/words/tip_orientation.h"
 #include "removal/forms/sweep_motion.h"
 #include "removal/part/default_stock.h"
 #include "removal/tool/tool.h"
+#include "run/findings/part_findings.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,8 +1,8 @@
 // The history of a run: what its motions remove (removal/history), with the time they take.
 #pragma once
 
-#include "cuts.h"
 #include "removal/part/stock.h"
+#include "run/cuts/cuts.h"
 #include <mrsim/mrsim.h>
 
 namespace mrsim {

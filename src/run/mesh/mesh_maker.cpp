@@ -1,4 +1,4 @@
-#include "mesh_maker.h"
+#include "run/mesh/mesh_maker.h"
 
 #include "compare/distance/hausdorff.h"
 #include "core/numbers/units.h"
@@ -9,7 +9,7 @@
 #include "mesh/mesh_part.h"
 #include "mesh/reduce/reduce.h"
 #include "mesh/solid/check.h"
-#include "outputs.h"
+#include "run/files/outputs.h"
 
 #include <algorithm>
 #include <limits>

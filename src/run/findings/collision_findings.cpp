@@ -1,4 +1,4 @@
-#include "collision_findings.h"
+#include "run/findings/collision_findings.h"
 
 #include "core/text/text_io.h"
 #include "interp/text/source.h"

@@ -1,4 +1,4 @@
-#include "until.h"
+#include "run/cuts/until.h"
 
 #include "core/process/error.h"
 #include "interp/text/source.h"

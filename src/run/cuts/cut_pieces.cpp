@@ -1,4 +1,4 @@
-#include "cut_pieces.h"
+#include "run/cuts/cut_pieces.h"
 
 #include "core/numbers/trig.h"
 #include "core/numbers/vec.h"

@@ -1,4 +1,4 @@
-#include "cuts.h"
+#include "run/cuts/cuts.h"
 
 namespace mrsim {
 

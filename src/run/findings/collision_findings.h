@@ -1,7 +1,7 @@
 // Collisions as findings about the program's lines.
 #pragma once
 
-#include "cuts.h"
+#include "run/cuts/cuts.h"
 #include <mrsim/collisions.h>
 
 namespace mrsim {

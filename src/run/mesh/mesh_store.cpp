@@ -1,4 +1,4 @@
-#include "mesh_store.h"
+#include "run/mesh/mesh_store.h"
 
 #include "core/process/error.h"
 

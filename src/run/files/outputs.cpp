@@ -1,4 +1,4 @@
-#include "outputs.h"
+#include "run/files/outputs.h"
 
 #include "core/output/publish.h"
 #include "core/output/scratch_file.h"

@@ -1,4 +1,4 @@
-#include "thread_passes.h"
+#include "run/findings/thread_passes.h"
 
 #include "removal/part/default_stock.h"
 
