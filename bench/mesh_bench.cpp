@@ -17,6 +17,8 @@
 namespace mrsim::bench {
 namespace {
 
+using namespace mrsim::testing;
+
 struct Case {
   const char* program;
   double voxel, tolerance;

@@ -9,6 +9,8 @@
 namespace mrsim {
 namespace {
 
+using namespace mrsim::testing;
+
 class BadInput : public CliTest {
  protected:
   void expect_bad_stock(const std::string& text) {

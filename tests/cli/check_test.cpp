@@ -7,6 +7,8 @@
 namespace mrsim {
 namespace {
 
+using namespace mrsim::testing;
+
 using CheckCli = CliTest;
 
 const char* const kPart = "T1 M6 (6MM ENDMILL)\nG21 G90\nG0 X0 Y0 Z5\nG1 Z-1 F100\nX20\nM30\n";

@@ -10,6 +10,8 @@
 namespace mrsim {
 namespace {
 
+using namespace mrsim::testing;
+
 class CollisionsSeen : public CliTest {
  protected:
   // A slot 3 mm deep, then a rapid 1 mm too low through what stands beside it.

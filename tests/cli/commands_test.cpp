@@ -8,6 +8,8 @@
 namespace mrsim {
 namespace {
 
+using namespace mrsim::testing;
+
 using Cli = CliTest;
 
 TEST_F(Cli, HelpAndVersion) {

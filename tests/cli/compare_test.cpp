@@ -8,6 +8,8 @@
 namespace mrsim {
 namespace {
 
+using namespace mrsim::testing;
+
 using Json = nlohmann::json;
 
 class Compare : public CliTest {

@@ -8,6 +8,8 @@
 namespace mrsim {
 namespace {
 
+using namespace mrsim::testing;
+
 constexpr double kPi = std::numbers::pi;
 const double kRemoved2F = 2 * (5 * 37.5 * kPi + 6.25 * kPi);
 const double kPart2F = 60000 - kRemoved2F;

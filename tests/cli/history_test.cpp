@@ -11,6 +11,8 @@
 namespace mrsim {
 namespace {
 
+using namespace mrsim::testing;
+
 using Json = nlohmann::json;
 
 class HistoryOfRun : public CliTest {

@@ -4,6 +4,8 @@
 namespace mrsim {
 namespace {
 
+using namespace mrsim::testing;
+
 class JobRun : public CliTest {
  protected:
   void SetUp() override {

@@ -4,6 +4,8 @@
 namespace mrsim {
 namespace {
 
+using namespace mrsim::testing;
+
 class Limits : public CliTest {
  protected:
   // A raster of many short lines, so that files of its mesh are large.

@@ -7,6 +7,8 @@
 namespace mrsim {
 namespace {
 
+using namespace mrsim::testing;
+
 class Loops : public CliTest {
  protected:
   const std::string rest_ =

@@ -6,6 +6,8 @@
 namespace mrsim {
 namespace {
 
+using namespace mrsim::testing;
+
 class MaxTriangles : public CliTest {
  protected:
   const std::string part_ = "PRIMER_2F.MPF --stock block.stl ";

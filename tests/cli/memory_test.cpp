@@ -4,6 +4,8 @@
 namespace mrsim {
 namespace {
 
+using namespace mrsim::testing;
+
 class Memory : public CliTest {
  protected:
   // Rows of short moves of a ball mill, 1 mm apart, over waves: cells with many faces.

@@ -5,6 +5,8 @@
 namespace mrsim {
 namespace {
 
+using namespace mrsim::testing;
+
 class Modules : public CliTest {
  protected:
   // A library elsewhere that finds its module, if it is there and is one.

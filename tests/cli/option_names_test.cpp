@@ -8,6 +8,8 @@
 namespace mrsim {
 namespace {
 
+using namespace mrsim::testing;
+
 using Names = std::set<std::string>;
 
 // All matches of a group of `pattern`.

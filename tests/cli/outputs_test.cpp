@@ -14,6 +14,8 @@
 namespace mrsim {
 namespace {
 
+using namespace mrsim::testing;
+
 namespace fs = std::filesystem;
 
 class OutputFiles : public CliTest {

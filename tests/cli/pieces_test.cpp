@@ -4,6 +4,8 @@
 namespace mrsim {
 namespace {
 
+using namespace mrsim::testing;
+
 class Pieces : public CliTest {
  protected:
   // A slot of 2 mm through a block 20 x 10 x 4 at x = 12..14: pieces of 480 and 240 mm3.

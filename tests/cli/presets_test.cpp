@@ -10,6 +10,8 @@
 namespace mrsim {
 namespace {
 
+using namespace mrsim::testing;
+
 // What one preset sets and the next one does not stays as it was: `./setup test` behind
 // `./setup demo` found no tests.
 TEST(Presets, ThoseOfOneFolderSetTheSameOptions) {

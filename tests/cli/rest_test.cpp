@@ -12,6 +12,8 @@
 namespace mrsim {
 namespace {
 
+using namespace mrsim::testing;
+
 using Json = nlohmann::json;
 using Polygon = std::vector<std::pair<double, double>>;
 

@@ -6,6 +6,8 @@
 namespace mrsim {
 namespace {
 
+using namespace mrsim::testing;
+
 using Json = nlohmann::json;
 
 class RunJson : public CliTest {

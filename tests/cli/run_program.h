@@ -11,7 +11,7 @@
 #include <gtest/gtest.h>
 #include <sys/wait.h>
 
-namespace mrsim {
+namespace mrsim::testing {
 
 #if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
 inline constexpr bool kIsPlain = false;  // a sanitizer's shadow is memory as well
@@ -33,7 +33,7 @@ inline bool contains(const std::string& text, const std::string& part) {
   return text.find(part) != std::string::npos;
 }
 
-class CliTest : public testing::TempFolderTest {
+class CliTest : public TempFolderTest {
  protected:
   void SetUp() override {
     for (const char* name : {"PRIMER_2F.MPF", "PRIMER_2S.MPF", "block.stl", "bar.stl"})
@@ -91,4 +91,4 @@ inline double number_after(const std::string& text, const std::string& label) {
   return std::stod("0" + digits);
 }
 
-}  // namespace mrsim
+}  // namespace mrsim::testing

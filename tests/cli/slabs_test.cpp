@@ -9,6 +9,8 @@
 namespace mrsim {
 namespace {
 
+using namespace mrsim::testing;
+
 class Slabs : public CliTest {
  protected:
   // A slot of 2 mm through a block 60 x 20 x 4 at x = 40..42: two pieces.

@@ -23,6 +23,8 @@
 namespace mrsim {
 namespace {
 
+using namespace mrsim::testing;
+
 class SolidFiles : public CliTest {
  protected:
   void SetUp() override {

@@ -15,6 +15,8 @@
 namespace mrsim {
 namespace {
 
+using namespace mrsim::testing;
+
 using Json = nlohmann::json;
 
 using Corner = std::vector<double>;

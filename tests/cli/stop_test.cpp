@@ -8,6 +8,8 @@
 namespace mrsim {
 namespace {
 
+using namespace mrsim::testing;
+
 class Stop : public CliTest {
  protected:
   // A run of a minute or more gets the signal after a second.

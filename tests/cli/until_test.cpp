@@ -6,6 +6,8 @@
 namespace mrsim {
 namespace {
 
+using namespace mrsim::testing;
+
 class Until : public CliTest {
  protected:
   // PRIMER_2F up to `line`, then M30.

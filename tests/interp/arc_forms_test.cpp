@@ -12,6 +12,8 @@
 namespace mrsim {
 namespace {
 
+using namespace mrsim::testing;
+
 struct Arc {
   int plane = 0;  // 0 = G17, 1 = G18, 2 = G19
   double cu = 0, cv = 0, radius = 1;

@@ -4,6 +4,8 @@
 namespace mrsim {
 namespace {
 
+using namespace mrsim::testing;
+
 std::string codesys(const std::string& text,
                     const InterpOptions& options = at_origin(Dialect::codesys)) {
   return path_text(read_text(text, options));

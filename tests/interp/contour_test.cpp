@@ -8,6 +8,8 @@
 namespace mrsim {
 namespace {
 
+using namespace mrsim::testing;
+
 // "x,y" of the ends of all motions behind the first, with "a" before arcs.
 std::string track(const Program& p, std::size_t from = 1) {
   std::string out;

@@ -8,6 +8,8 @@
 namespace mrsim {
 namespace {
 
+using namespace mrsim::testing;
+
 std::string mill(const std::string& text, Dialect dialect = Dialect::fanuc) {
   return path_text(read_text(text, at_origin(dialect)));
 }

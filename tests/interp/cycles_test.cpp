@@ -5,6 +5,8 @@
 namespace mrsim {
 namespace {
 
+using namespace mrsim::testing;
+
 // "r X Y Z" for a rapid, "l X Y Z" for a line, to the end of each motion.
 std::string ends(const Program& program) {
   std::string out;

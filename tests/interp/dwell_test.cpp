@@ -1,9 +1,11 @@
 // How long the tool stays: G4 and drilling cycles, in the units of each control.
-#include "interp/show/motion_text.h"
-#include "support.h"
+#include "interp/show/event_text.h"
+#include "interp/support.h"
 
 namespace mrsim {
 namespace {
+
+using namespace mrsim::testing;
 
 // "after:seconds" of each dwell, then the codes of notes about dwells.
 std::string dwells(const std::string& text, Dialect dialect,

@@ -11,6 +11,8 @@
 namespace mrsim {
 namespace {
 
+using namespace mrsim::testing;
+
 struct Cuts {
   Vec3 low{1e9, 1e9, 1e9}, high{-1e9, -1e9, -1e9};
   std::size_t plunges = 0;

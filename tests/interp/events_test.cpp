@@ -1,9 +1,11 @@
 // What a control does beside its motions, and between which of them.
-#include "interp/show/motion_text.h"
-#include "support.h"
+#include "interp/show/event_text.h"
+#include "interp/support.h"
 
 namespace mrsim {
 namespace {
+
+using namespace mrsim::testing;
 
 // "before:what" of each event, those of the tool left out.
 std::string events(const std::string& text, Dialect dialect,

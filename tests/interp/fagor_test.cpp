@@ -6,6 +6,8 @@
 namespace mrsim {
 namespace {
 
+using namespace mrsim::testing;
+
 std::string fagor(const std::string& text) {
   return path_text(read_text(text, at_origin(Dialect::iso)));
 }

@@ -6,6 +6,8 @@
 namespace mrsim {
 namespace {
 
+using namespace mrsim::testing;
+
 TEST(FanucVariables, AreAnsweredFromTables) {
   InterpOptions options = at_origin(Dialect::fanuc);
   options.table.offsets = {{"H2", 0, 0.5, 80}, {"D2", 4, 0.25, 0}};

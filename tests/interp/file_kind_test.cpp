@@ -4,6 +4,8 @@
 namespace mrsim {
 namespace {
 
+using namespace mrsim::testing;
+
 TEST(FileKind, TextBehindTheTapeIsNamed) {
   const auto notes = [](const char* text) {
     return codes(read_text(text, at_origin(Dialect::fanuc)), Severity::note);

@@ -4,6 +4,8 @@
 namespace mrsim {
 namespace {
 
+using namespace mrsim::testing;
+
 struct Row {
   Dialect dialect;
   const char* text;

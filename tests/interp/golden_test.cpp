@@ -11,6 +11,8 @@
 namespace mrsim {
 namespace {
 
+using namespace mrsim::testing;
+
 namespace fs = std::filesystem;
 
 std::map<std::string, std::string> read_case(const fs::path& path) {

@@ -7,6 +7,8 @@
 namespace mrsim {
 namespace {
 
+using namespace mrsim::testing;
+
 std::string haas_path(const std::string& text) {
   return path_text(read_text(text, at_origin(Dialect::fanuc)));
 }

@@ -6,6 +6,8 @@
 namespace mrsim {
 namespace {
 
+using namespace mrsim::testing;
+
 const InterpOptions kFanuc = at_origin(Dialect::fanuc);
 
 std::string milled_path(const std::string& text) { return path_text(read_text(text, kFanuc)); }

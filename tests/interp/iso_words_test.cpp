@@ -4,6 +4,8 @@
 namespace mrsim {
 namespace {
 
+using namespace mrsim::testing;
+
 std::string iso(const std::string& text) {
   return path_text(read_text("G1 X0 Y0 F100\n" + text, at_origin(Dialect::iso)));
 }

@@ -7,6 +7,8 @@
 namespace mrsim {
 namespace {
 
+using namespace mrsim::testing;
+
 TEST(Language, JumpsBackWithoutAConditionAreTheNextPart) {
   const std::pair<Dialect, const char*> rows[] = {
       {Dialect::fanuc, "N1 G1 X1 F1\n#501=5\nX2\nGOTO1\nM30\n"},

@@ -4,6 +4,8 @@
 namespace mrsim {
 namespace {
 
+using namespace mrsim::testing;
+
 Program on_lathe(const std::string& text, Dialect dialect = Dialect::fanuc) {
   return read_text(text, at_origin(dialect, MachineKind::lathe));
 }

@@ -4,6 +4,8 @@
 namespace mrsim {
 namespace {
 
+using namespace mrsim::testing;
+
 TEST(LatheToolReadings, Inserts) {
   expect_readings({
       {lathe_mm, "80* ROUGH TURNING TOOL", "turning, insert 80"},

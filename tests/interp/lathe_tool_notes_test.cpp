@@ -9,6 +9,8 @@
 namespace mrsim {
 namespace {
 
+using namespace mrsim::testing;
+
 TEST(ToolNotes, FourDigitsAreStationAndOffsetOnLathes) {
   InterpOptions options;
   options.dialect = Dialect::fanuc;

@@ -6,6 +6,8 @@
 namespace mrsim {
 namespace {
 
+using namespace mrsim::testing;
+
 // A tool of radius 2 goes along X to 20, left of the contour.
 std::string beside(const std::string& text) {
   return path_text(

@@ -14,6 +14,8 @@
 namespace mrsim {
 namespace {
 
+using namespace mrsim::testing;
+
 namespace fs = std::filesystem;
 
 // Of ends and centres, mm: the calls are printed with 7 decimals of the program's unit.

@@ -5,6 +5,8 @@
 namespace mrsim {
 namespace {
 
+using namespace mrsim::testing;
+
 // A shaft of radius 8 and a collar of radius 14; the stock has radius 20.
 constexpr char kCollar[] =
     "G18 G21 G8 F100\n"

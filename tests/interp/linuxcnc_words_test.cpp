@@ -4,6 +4,8 @@
 namespace mrsim {
 namespace {
 
+using namespace mrsim::testing;
+
 Program run_words(const std::string& text) {
   return read_text(text, at_origin(Dialect::ngc), "part.ngc");
 }

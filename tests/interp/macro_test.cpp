@@ -5,6 +5,8 @@
 namespace mrsim {
 namespace {
 
+using namespace mrsim::testing;
+
 TEST(Macro, WhileLoopsEqualTheWrittenOutProgram) {
   std::string plain = "G1 X0 Y0 F100\n";
   for (int row = 0; row < 3; ++row)

@@ -13,6 +13,8 @@
 namespace mrsim {
 namespace {
 
+using namespace mrsim::testing;
+
 constexpr double kRadius = 5;  // of the cutter of at_origin
 
 /// Signed distance of (x, y) from the shape, mm; below 0 inside.

@@ -5,6 +5,8 @@
 namespace mrsim {
 namespace {
 
+using namespace mrsim::testing;
+
 std::string mill(const std::string& text) {
   return path_text(read_text(text, at_origin(Dialect::fanuc)));
 }

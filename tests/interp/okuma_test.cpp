@@ -4,6 +4,8 @@
 namespace mrsim {
 namespace {
 
+using namespace mrsim::testing;
+
 std::string osp_turned(const std::string& text) {
   return path_text(read_text(text, at_origin(Dialect::fanuc, MachineKind::lathe)));
 }

@@ -7,6 +7,8 @@
 namespace mrsim {
 namespace {
 
+using namespace mrsim::testing;
+
 TEST(OperatorStops, WhatCommentsSay) {
   const auto said = [](const char* comment, bool lathe = false) {
     return says_part_is_turned(comment, lathe);

@@ -10,6 +10,8 @@
 namespace mrsim {
 namespace {
 
+using namespace mrsim::testing;
+
 Program run(const std::string& text, Dialect dialect = Dialect::sinumerik) {
   return read_text(text, at_origin(dialect));
 }

@@ -7,7 +7,7 @@
 
 #include <fmt/format.h>
 
-namespace mrsim {
+namespace mrsim::testing {
 
 /// End points of the motions, and the codes of errors and warnings.
 inline std::string path_of(const Program& program) {
@@ -21,4 +21,4 @@ inline std::string run(Dialect dialect, const std::string& text) {
   return path_of(read_text(text, at_origin(dialect)));
 }
 
-}  // namespace mrsim
+}  // namespace mrsim::testing

@@ -6,6 +6,8 @@
 namespace mrsim {
 namespace {
 
+using namespace mrsim::testing;
+
 struct Row {
   const char* what;
   const char* text;  // after a start at the origin

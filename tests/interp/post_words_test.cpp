@@ -5,6 +5,8 @@
 namespace mrsim {
 namespace {
 
+using namespace mrsim::testing;
+
 TEST(PostWords, ASafeStartNeverWarns) {
   const std::pair<Dialect, const char*> starts[] = {
       {Dialect::fanuc, "G90 G94 G17 G21 G40 G49 G80 G69 G50"},

@@ -5,6 +5,8 @@
 namespace mrsim {
 namespace {
 
+using namespace mrsim::testing;
+
 struct PathOfPost {
   const char* file;
   Dialect dialect;

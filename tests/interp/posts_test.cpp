@@ -8,6 +8,8 @@
 namespace mrsim {
 namespace {
 
+using namespace mrsim::testing;
+
 struct Post {
   const char* file;
   Dialect dialect;

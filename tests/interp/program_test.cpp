@@ -7,6 +7,8 @@
 namespace mrsim {
 namespace {
 
+using namespace mrsim::testing;
+
 std::string data(const std::string& name) { return std::string(MRSIM_DATA_DIR) + "/" + name; }
 
 TEST(Recognise, Dialects) {

@@ -8,6 +8,8 @@
 namespace mrsim {
 namespace {
 
+using namespace mrsim::testing;
+
 Recognition recognised(const std::string& text, const std::string& name = "a.nc") {
   const Scratch scratch;
   return recognise(scratch.write(name, text), {});

@@ -6,6 +6,8 @@
 namespace mrsim {
 namespace {
 
+using namespace mrsim::testing;
+
 std::string ends(const Program& p, bool lathe) {
   std::string out;
   for (const Motion& m : p.motions)

@@ -7,6 +7,8 @@
 namespace mrsim {
 namespace {
 
+using namespace mrsim::testing;
+
 std::string moves(const std::string& text, const std::map<std::string, std::string>& subs = {}) {
   const Scratch scratch;
   for (const auto& [name, sub] : subs) scratch.write(name, sub);

@@ -4,6 +4,8 @@
 namespace mrsim {
 namespace {
 
+using namespace mrsim::testing;
+
 std::string pocketed(const std::string& text) {
   return path_text(read_text("T1 D1 M6\nG0 X50 Y50 Z50\n" + text, at_origin(Dialect::sinumerik)));
 }

@@ -7,6 +7,8 @@
 namespace mrsim {
 namespace {
 
+using namespace mrsim::testing;
+
 /// End points of the motions, and the codes of errors and warnings.
 std::string run(const std::string& text) {
   InterpOptions options = at_origin(Dialect::sinumerik);

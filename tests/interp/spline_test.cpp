@@ -8,6 +8,8 @@
 namespace mrsim {
 namespace {
 
+using namespace mrsim::testing;
+
 // The largest distance of the curve's points from the nearest point of the motions.
 double deviation(const Program& program, const std::vector<Vec2>& control) {
   std::vector<Vec3> path;

@@ -6,6 +6,8 @@
 namespace mrsim {
 namespace {
 
+using namespace mrsim::testing;
+
 constexpr Dialect kAll[] = {Dialect::sinumerik, Dialect::iso, Dialect::codesys, Dialect::fanuc};
 
 std::string xyz(const Vec3& p) {

@@ -4,6 +4,8 @@
 namespace mrsim {
 namespace {
 
+using namespace mrsim::testing;
+
 constexpr const char* kOneCut = "T1 M6 (6MM ENDMILL)\nG0 X0 Y0 Z5\nG1 Z-1 F100\nX1\nG0 Z5\nM30\n";
 
 // "0 0 -12 to 100 90 0"; "-": none is told.

@@ -14,7 +14,7 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
-namespace mrsim {
+namespace mrsim::testing {
 
 /// A folder of its own that is removed at the end.
 class Scratch {
@@ -26,11 +26,11 @@ class Scratch {
   }
 
  private:
-  testing::TempFolder folder_;
+  TempFolder folder_;
 };
 
 inline Program read_program(const std::string& path, const InterpOptions& options) {
-  testing::CollectingSink sink;
+  CollectingSink sink;
   Program program = interpret(path, options, sink);
   program.motions = std::move(sink.motions);
   program.events = std::move(sink.events);
@@ -66,6 +66,9 @@ inline Program read_text(const std::string& text, const InterpOptions& options,
   return read_program(scratch.write(name, text), options);
 }
 
+/// A program's first cut, behind a tool change.
+inline const char* const kCut = "G0 X0 Y0 Z5\nG1 Z-1 F100\nX5\n";
+
 inline std::string codes(const Program& program, Severity least = Severity::warning) {
   std::string out;
   for (const Diagnostic& d : program.diagnostics)
@@ -96,4 +99,4 @@ inline void expect_near(const Vec3& actual, const Vec3& expected, double toleran
   EXPECT_NEAR(actual.z, expected.z, tolerance);
 }
 
-}  // namespace mrsim
+}  // namespace mrsim::testing

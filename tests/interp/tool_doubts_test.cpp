@@ -4,6 +4,8 @@
 namespace mrsim {
 namespace {
 
+using namespace mrsim::testing;
+
 TEST(ToolCommentDoubts, RegistersBesideADiameter) {
   expect_readings({
       {mm, "T01 FRAISE 2T D10 H1 D1", "endmill 10"},

@@ -11,7 +11,7 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
-namespace mrsim {
+namespace mrsim::testing {
 
 // "drill 6.35, point 118": what a program in this unit makes of the comment; "? ..." why it asks;
 // "-": the comment is not about a tool.
@@ -57,4 +57,4 @@ inline void expect_readings(const std::vector<Reading>& rows) {
   }
 }
 
-}  // namespace mrsim
+}  // namespace mrsim::testing

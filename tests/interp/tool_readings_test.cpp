@@ -4,6 +4,8 @@
 namespace mrsim {
 namespace {
 
+using namespace mrsim::testing;
+
 TEST(ToolCommentReadings, Threads) {
   expect_readings({
       {mm, "M8 X 1.25 TAP", "endmill 8"},

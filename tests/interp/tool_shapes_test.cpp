@@ -7,6 +7,8 @@
 namespace mrsim {
 namespace {
 
+using namespace mrsim::testing;
+
 TEST(ToolShapes, RouterBits) {
   expect_readings({
       {mm, "T1 6MM O-FLUTE", "endmill 6"},

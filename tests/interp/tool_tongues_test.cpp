@@ -4,6 +4,8 @@
 namespace mrsim {
 namespace {
 
+using namespace mrsim::testing;
+
 TEST(ToolCommentReadings, Tongues) {
   expect_readings({
       {mm, "FRÄSER Ø 20", "endmill 20"},

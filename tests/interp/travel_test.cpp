@@ -1,8 +1,10 @@
 // Travel limits of the machine, in its own coordinates.
-#include "support.h"
+#include "interp/support.h"
 
 namespace mrsim {
 namespace {
+
+using namespace mrsim::testing;
 
 // G54 lies at X-300 Y-200 Z-400 of a machine of 600 x 400 x 500 mm.
 InterpOptions on_machine(Dialect dialect = Dialect::fanuc) {

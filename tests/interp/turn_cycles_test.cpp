@@ -9,6 +9,8 @@
 namespace mrsim {
 namespace {
 
+using namespace mrsim::testing;
+
 /// The ends of the motions as X (radius) and Z, then the codes of what was said.
 std::string lathe_path(const std::string& text, const Tool& tool = {}) {
   InterpOptions options = at_origin(Dialect::sinumerik, MachineKind::lathe);

@@ -9,6 +9,8 @@
 namespace mrsim {
 namespace {
 
+using namespace mrsim::testing;
+
 // "r X Z" for a rapid, "l X Z" for a line, "t X Z" for a thread, "a X Z" for an arc.
 std::string turned(const Program& program) {
   std::string out;

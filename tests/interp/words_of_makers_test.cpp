@@ -5,6 +5,8 @@
 namespace mrsim {
 namespace {
 
+using namespace mrsim::testing;
+
 TEST(WordsOfMakers, FeedPerToothIsAFeed) {
   const Program p =
       read_text("G1 G95 FZ=0.1 X10\nX20\nG94 F100 X30\n", at_origin(Dialect::sinumerik));

@@ -14,6 +14,8 @@
 namespace mrsim {
 namespace {
 
+using namespace mrsim::testing;
+
 using Distance = std::function<double(const openvdb::Vec3d&)>;
 
 struct Grids {

@@ -9,7 +9,7 @@
 
 #include <openvdb/tools/VolumeToMesh.h>
 
-namespace mrsim {
+namespace mrsim::testing {
 namespace {
 
 // Splits quads along their shorter diagonal; VolumeToMesh runs clockwise.
@@ -77,4 +77,4 @@ TriMesh mesh_grid(const openvdb::FloatGrid& distance, const openvdb::Int32Grid* 
   return mesh;
 }
 
-}  // namespace mrsim
+}  // namespace mrsim::testing

@@ -5,7 +5,7 @@
 
 #include <openvdb/openvdb.h>
 
-namespace mrsim {
+namespace mrsim::testing {
 
 /// The surface distance = -kInsideTolerance by OpenVDB's VolumeToMesh: quads split along their
 /// shorter diagonal, taken apart where sheets touch (repair.h), each triangle with the owner of the
@@ -15,4 +15,4 @@ namespace mrsim {
 TriMesh mesh_grid(const openvdb::FloatGrid& distance, const openvdb::Int32Grid* owners,
                   int threads = 0);
 
-}  // namespace mrsim
+}  // namespace mrsim::testing

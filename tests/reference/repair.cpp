@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <tuple>
 
-namespace mrsim {
+namespace mrsim::testing {
 namespace {
 
 constexpr double kStep = 1.0 / 64;  // of the way to the neighbours
@@ -239,4 +239,4 @@ void make_manifold(TriMesh& mesh) {
   }
 }
 
-}  // namespace mrsim
+}  // namespace mrsim::testing

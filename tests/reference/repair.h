@@ -4,7 +4,7 @@
 
 #include <mrsim/types.h>
 
-namespace mrsim {
+namespace mrsim::testing {
 
 /// Splits edges and vertices at which sheets of the surface touch, so that pieces of material that
 /// touch along them come apart (as a cut that leaves nothing between would), and moves the copies
@@ -14,4 +14,4 @@ namespace mrsim {
 /// as the other; a mesh where it does not is returned with that fault.
 void make_manifold(TriMesh& mesh);
 
-}  // namespace mrsim
+}  // namespace mrsim::testing
