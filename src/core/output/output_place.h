@@ -4,6 +4,7 @@
 
 #include <mrsim/files.h>
 
+#include <cstddef>
 #include <span>
 #include <string>
 
@@ -37,5 +38,22 @@ std::string folder_of(const std::string& path);
 
 /// Throws Error "output-full" or "output-unwritable" for an errno.
 [[noreturn]] void fail_output(const std::string& path, int error);
+
+/// The near end of a device, FIFO or socket, for an output that is written to it.
+class StreamEnd {
+ public:
+  /// Opens `place`; of a FIFO, waits for its reader. Throws what write() throws.
+  explicit StreamEnd(const OutputPlace& place);
+  StreamEnd(const StreamEnd&) = delete;
+  StreamEnd& operator=(const StreamEnd&) = delete;
+  ~StreamEnd();
+
+  /// Throws Error "output-full" or "output-unwritable", also where the reader has gone.
+  void write(const char* data, std::size_t size);
+
+ private:
+  const OutputPlace& place_;
+  int fd_ = -1;
+};
 
 }  // namespace mrsim

@@ -1,21 +1,73 @@
 #include "core/output/publish.h"
 
 #include "core/output/draft_file.h"
-#include "core/output/folder_lock.h"
 #include "core/output/publish_journal.h"
 #include "core/process/error.h"
 
 #include <cerrno>
+#include <chrono>
 #include <memory>
 #include <set>
+#include <string>
+#include <thread>
 #include <vector>
 
+#include <fcntl.h>
 #include <fmt/format.h>
+#include <sys/file.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
 namespace mrsim {
 namespace {
+
+// Of a run that waits for the end of another.
+constexpr auto kPatience = std::chrono::seconds(60);
+constexpr auto kPause = std::chrono::milliseconds(5);
+
+/// Holds all folders of a set, until it goes away or the process ends. Leaves no file behind: the
+/// lock is on the folder itself. A file system without such locks (NFS) holds nobody off.
+class FolderLocks {
+ public:
+  /// Requires: absolute names without links. Throws Error "output-busy" when another process holds
+  /// one for a minute.
+  explicit FolderLocks(const std::set<std::string>& folders);
+  FolderLocks(const FolderLocks&) = delete;
+  FolderLocks& operator=(const FolderLocks&) = delete;
+  ~FolderLocks();
+
+ private:
+  void take(const std::string& folder);
+  std::vector<int> held_;
+};
+
+// In the order of their names, so that two processes never wait for each other.
+FolderLocks::FolderLocks(const std::set<std::string>& folders) {
+  try {
+    for (const std::string& folder : folders) take(folder);
+  } catch (...) {
+    for (const int fd : held_) ::close(fd);
+    throw;
+  }
+}
+
+FolderLocks::~FolderLocks() {
+  for (const int fd : held_) ::close(fd);
+}
+
+void FolderLocks::take(const std::string& folder) {
+  const int fd = ::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+  if (fd < 0) return;  // writable but not readable: nothing can be locked there
+  held_.push_back(fd);
+  const auto begin = std::chrono::steady_clock::now();
+  while (::flock(fd, LOCK_EX | LOCK_NB) != 0) {
+    if (errno != EWOULDBLOCK && errno != EINTR) return;  // no locks on this file system
+    if (std::chrono::steady_clock::now() - begin > kPatience)
+      throw Error("output-busy",
+                  fmt::format("another run is writing into {}: wait for its end", folder));
+    std::this_thread::sleep_for(kPause);
+  }
+}
 
 // Locks the folders and settles what dead runs left there, and in the folders of those runs.
 std::unique_ptr<FolderLocks> lock_and_recover(std::set<std::string> folders) {

@@ -24,7 +24,7 @@ struct JournalEntry {
 };
 
 /// The names of one set and what to do with them. Its folders are to be locked meanwhile
-/// (folder_lock.h).
+/// (FolderLocks in publish.cpp).
 class PublishJournal {
  public:
   /// A set of files of this process. Requires: not empty.

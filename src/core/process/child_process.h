@@ -2,6 +2,7 @@
 #pragma once
 
 #include <mrsim/files.h>
+#include <mrsim/types.h>
 
 #include <cstddef>
 #include <functional>
@@ -35,5 +36,21 @@ enum class ProgramLife { ours, own };
 /// Starts a program that is found by PATH, with the signals as a shell would set them. Its process,
 /// or -1 where it can not be started.
 int start_program(const std::vector<std::string>& words, ProgramLife life);
+
+/// What the work hands back.
+struct ChildParcel {
+  std::vector<double> numbers;
+  std::vector<std::string> texts;
+  TriMesh mesh;  ///< its vertices and triangles
+};
+
+struct ChildDelivery {
+  ChildOutcome::End end = ChildOutcome::End::done;
+  ChildParcel parcel;  ///< where `end` is done
+};
+
+/// As run_in_child(). An Error that `work` throws is thrown here.
+ChildDelivery deliver_from_child(const ChildLimits& limits,
+                                 const std::function<ChildParcel()>& work);
 
 }  // namespace mrsim

@@ -1,4 +1,5 @@
-// The types of tool by their names: in tools.toml, in --tool, and in what runs write.
+// Types of tools by their names: in tools.toml, in --tool, and in what runs write; and which way
+// the tip of a turning tool looks where its data do not say it.
 #pragma once
 
 #include <mrsim/types.h>
@@ -13,5 +14,20 @@ namespace mrsim {
 std::optional<ToolType> tool_type(std::string_view name);
 std::string_view tool_type_name(ToolType type);
 const std::vector<std::string_view>& tool_type_names();
+
+/// 1 to 9 as on the control: Tool::tip, else that of a threading tool (8), a boring bar (2,
+/// left-hand 1) or any other (3, left-hand 4). The insert and radius compensation must agree on it.
+inline int tip_orientation(const Tool& tool) {
+  if (tool.tip >= 1 && tool.tip <= 9) return tool.tip;
+  if (tool.type == ToolType::threading) return 8;
+  if (tool.type == ToolType::boring) return tool.left_hand ? 1 : 2;
+  return tool.left_hand ? 4 : 3;
+}
+
+/// Whether the tool works towards +X, inside of the part.
+inline bool is_inside_tool(const Tool& tool) {
+  const int tip = tip_orientation(tool);
+  return tip == 1 || tip == 2 || tip == 6;
+}
 
 }  // namespace mrsim

@@ -1,7 +1,7 @@
 #include "run/files/stock_wrap.h"
 
 #include "compare/distance/hausdorff.h"
-#include "core/process/child_parcel.h"
+#include "core/process/child_process.h"
 #include "core/process/error.h"
 #include "mesh/solid/wrap.h"
 

@@ -2,7 +2,7 @@
 
 #include "core/numbers/rounding.h"
 #include "core/numbers/trig.h"
-#include "core/words/tip_orientation.h"
+#include "core/words/tool_types.h"
 #include "removal/forms/sweep_motion.h"
 #include "removal/part/default_stock.h"
 #include "removal/tool/tool.h"
