@@ -7,7 +7,7 @@
 #include "cli/console/stop.h"
 #include "cli/console/terminal.h"
 #include "cli/options/arguments.h"
-#include "cli/report/diagnostics.h"
+#include "cli/report/findings.h"
 #include "core/process/heap.h"
 
 #include <csignal>

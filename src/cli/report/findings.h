@@ -1,4 +1,5 @@
-// Findings of a program on their way to the user, counted.
+// Findings of a program on their way to the user: counted, and as a person reads them,
+// "file:line:column: error: text [code]", the line, a caret.
 #pragma once
 
 #include "cli/options/arguments.h"
@@ -42,5 +43,12 @@ class Findings {
 
 /// From now on a stop is told as an error, with --json as an object of its line like others.
 void tell_stop_as_finding(const Arguments& arguments);
+
+/// The finding as text that ends with a line end. The line of the file and a caret follow errors
+/// and warnings; tabs stay tabs, so that the caret stands right in any terminal.
+std::string format_diagnostic(const Diagnostic& diagnostic, bool colours);
+
+/// A fault that has no place in a file: "mrsim: error: text [code]".
+std::string format_error(const std::string& text, const std::string& code, bool colours);
 
 }  // namespace mrsim::cli
