@@ -1,5 +1,5 @@
 // How long the tool stays: G4 and drilling cycles, in the units of each control.
-#include "interp/show/event_text.h"
+#include "interp/show/motion_text.h"
 #include "interp/support.h"
 
 namespace mrsim {

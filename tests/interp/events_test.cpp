@@ -1,5 +1,5 @@
 // What a control does beside its motions, and between which of them.
-#include "interp/show/event_text.h"
+#include "interp/show/motion_text.h"
 #include "interp/support.h"
 
 namespace mrsim {

@@ -1,8 +1,9 @@
-// Motions and diagnostics as text: the JSON lines of `mrsim trace --json` (docs/interp.md), and a
-// line for people. The functions themselves are declared in <mrsim/mrsim.h>.
+// Motions, events and diagnostics as text: the JSON lines of `mrsim trace --json` (docs/interp.md),
+// and a line for people. The functions for motions and diagnostics are declared in <mrsim/mrsim.h>.
 #pragma once
 
 #include <mrsim/mrsim.h>
+#include <mrsim/types.h>
 
 #include <string>
 
@@ -20,5 +21,9 @@ std::string called_text(const Program& program, int file, int call);
 
 /// "[x,y,z]"
 std::string vector_text(const Vec3& v);
+
+/// An event as a line of the trace, as JSON and for people.
+std::string event_json(const Program& program, const Event& event);
+std::string event_text(const Program& program, const Event& event);
 
 }  // namespace mrsim
