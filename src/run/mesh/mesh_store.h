@@ -4,7 +4,6 @@
 
 #include "mesh/solid/mesh_audit.h"
 #include "mesh/solid/mesh_source.h"
-#include "mesh/solid/mesh_spill.h"
 #include "mesh/solid/owner_set.h"
 #include "mesh/solid/pieces.h"
 
