@@ -7,7 +7,7 @@
 #include "removal/history/removed_volumes.h"
 #include "removal/part/stock_grid.h"
 #include "run/cuts/cut_pieces.h"
-#include "run/tools/tool_outlines.h"
+#include "run/tools/tool_picture.h"
 
 #include <algorithm>
 #include <cmath>
