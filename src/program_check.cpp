@@ -23,7 +23,7 @@ class CheckSink : public MotionSink {
   void motion(const Motion& motion) override;
   void diagnostic(const Diagnostic& diagnostic) override { found_(diagnostic); }
 
-  /// Tells what only the whole program shows.
+  /// Reports what only the whole program shows.
   void end(const Program& program) const {
     for (const Diagnostic& d : threads_.warnings(program)) found_(d);
   }

@@ -33,7 +33,7 @@ constexpr double kNear = 2;          // voxels from a piece's surface: inner edg
 constexpr double kSquareMemory = 180, kSurfaceTriangle = 100;
 constexpr double kMostVoxels = 2500;  // along it: some 10 GB for the surfaces of a block
 
-// Both surfaces, asked for the place that is nearest.
+// Both surfaces, searched for their nearest place.
 class Surfaces {
  public:
   Surfaces(const TriMesh& part, const TriMesh& nominal, int threads)

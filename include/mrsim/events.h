@@ -12,7 +12,7 @@ enum class SpindleTurn : std::uint8_t { off, clockwise, counter_clockwise };
 enum class Coolant : std::uint8_t { off, mist, flood, through };
 enum class StopKind : std::uint8_t {
   program,   ///< M0: until the operator goes on
-  optional,  ///< M1: the same where the operator asked for it
+  optional,  ///< M1: a stop where the operator has switched it on
   end,       ///< M2 M30
 };
 enum class PathMode : std::uint8_t {

@@ -1,4 +1,4 @@
-// STEP files through the module that reads them, opened when the first one is asked for.
+// STEP files through the module that reads them, opened when the first one is read.
 #include "compare/step/module.h"
 #include "core/process/child_process.h"
 #include "core/process/error.h"

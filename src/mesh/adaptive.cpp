@@ -372,7 +372,7 @@ class AdaptiveMesher {
   // How finely the surface about a triangle that misses the tolerance by `factor` has to be drawn
   // in the same cells: with the square of the length of its edges the distance falls by two from
   // step to step. Flat: cells must be split; so they are in the end, since detail about one edge
-  // can ask for detail about the next one, all along a curve.
+  // can need detail about the next one, all along a curve.
   Detail detail_for(const BaseMesh& base, std::size_t t, double factor) const {
     const Crossing& c = surface_->crossings()[static_cast<std::size_t>(base.crossings[t])];
     if (report_.passes > kDrawnRounds) return Detail::flat;
@@ -384,7 +384,7 @@ class AdaptiveMesher {
   // another round.
   bool is_late() const { return report_.passes > kCarefulRounds && few_failed_; }
 
-  // Tells a triangle from all others of former rounds, which need not be certified again.
+  // Equal for equal triangles: those of former rounds need not be certified again.
   static std::uint64_t triangle_hash(const LabelledMesh& mesh, std::size_t t) {
     InputHash hash;
     hash.add(mesh.faces[mesh.labels[t]]);

@@ -25,8 +25,8 @@ constexpr double kLargest = 1e6, kLargestCount = 1e15;
 using Value = OptionValue;
 
 // The keys of the table of options, and the program, which is an input on the command line. The
-// option's own check follows when the command line is read; here stands what can be told with line
-// and column.
+// option's own check follows when the command line is read; here stands what can be refused with
+// line and column.
 std::vector<OptionRow> job_keys() {
   std::vector<OptionRow> keys = {
       {"", "", kUseRun, OptionGroup::program, Value::path, "", "", "program"}};

@@ -13,7 +13,7 @@
 namespace mrsim {
 namespace {
 
-// The kind of tool; a sentence where it can not be told.
+// The kind of tool; a sentence where it is not known.
 std::string shape_tool(const std::string& shape, double length, double snub, Tool& tool) {
   if (!(tool.diameter > 0)) return "no diameter";
   tool.flute_length = length;

@@ -1,5 +1,5 @@
 // Tool libraries of other programs: LinuxCNC .tbl, CAMotics projects and tool tables, Fusion .json
-// and .tools, FreeCAD .fctb and .fctl. The format is told by the content, not by the name.
+// and .tools, FreeCAD .fctb and .fctl. The content decides the format, not the name.
 //
 // Guarantees: sizes and nesting are bounded; a tool whose data do not make a tool is left out with
 // a sentence in `skipped`, never changed into another. What the formats do not hold (LinuxCNC: the

@@ -36,7 +36,7 @@ bool stops_between(const Motion& before, const Motion& after) {
          (before.kind == MotionKind::rapid) != (after.kind == MotionKind::rapid);
 }
 
-// What events say of the corners, asked in the order of the motions.
+// What events say of the corners, read in the order of the motions.
 class EventStops {
  public:
   enum class Corner : std::uint8_t { rounded, exact, stop };

@@ -34,12 +34,12 @@ struct Failure {
   int exit_code = 0;
   bool at_work = false;  ///< the user has stopped it, but it still goes on, on another thread
 };
-/// The exit code of `work`. Where it ends with an exception, or the user stops it, `tell` comes
-/// first. Once `work` makes the file that tells how it went, set_last_words({}) keeps a second
-/// one from following it.
+/// The exit code of `work`. Where it ends with an exception, or the user stops it, `tell` is
+/// called first. Once `work` writes the file that says how it ended, set_last_words({}) keeps a
+/// second one from following it.
 int run_told(const std::function<int()>& work, const std::function<void(const Failure&)>& tell);
 
-/// parse_arguments(); what is refused is told in --json and --junit of a run, and on the standard
+/// parse_arguments(); a refusal is written to --json and --junit of a run, and to the standard
 /// output of trace and check with --json.
 Arguments typed_arguments(int argc, const char* const* argv);
 

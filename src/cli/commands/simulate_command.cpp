@@ -39,7 +39,7 @@ class PartComparison {
     request_.folders.push_back(std::filesystem::path(arguments.input).parent_path().string());
   }
 
-  /// Whether anything is to be told of the mesh.
+  /// Whether the mesh is needed: for a comparison or for the page.
   bool is_wanted() const { return is_compared() || !request_.report.empty(); }
 
   void measure(const TriMesh& part) {
@@ -208,7 +208,7 @@ std::size_t beside(const JobResult& whole, std::size_t max_memory) {
 }
 
 // Frames, if any, whose files appear with those of the whole run: an earlier moment each. The files
-// of the whole are told with theirs; where one fails, that is the result.
+// of the whole are listed with theirs; where one fails, that is the result.
 bool prepare_frames(const std::vector<Arguments>& frames, PreparedFiles& files, bool hash_files,
                     JobResult& whole) {
   std::vector<WrittenFile> written;

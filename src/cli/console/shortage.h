@@ -19,8 +19,8 @@ const Shortage* find_shortage(const std::exception& error);
 /// (TBB). Other calls of std::terminate end as before.
 void catch_shortages();
 
-/// Throws Error "memory" where the stack may not grow to a megabyte (ulimit -s): no one can be told
-/// once it is used up.
+/// Throws Error "memory" where the stack may not grow to a megabyte (ulimit -s): once it is used
+/// up no error can be printed.
 void require_stack();
 
 }  // namespace mrsim::cli

@@ -5,7 +5,7 @@
 
 namespace mrsim::cli {
 
-/// Takes SIGINT and SIGTERM from now on. Once one has come, stop_code() tells it; a run that has
+/// Takes SIGINT and SIGTERM from now on. Once one has come, stop_code() returns it; a run that has
 /// not ended within 0.2 s, or a second signal, ends the process with that code. Nothing is lost by
 /// that: drafts have no names, and what is just being published is settled by the next run. SIGPIPE
 /// is blocked: writing to a pipe without a reader fails. Call it before the process has other
@@ -15,8 +15,8 @@ void watch_signals();
 /// 130 (SIGINT), 143 (SIGTERM) or 129 (SIGHUP) once the user has asked for the end, else 0.
 int stop_code();
 
-/// `say` tells the user what is left of the run where the process is ended before its time; it is
-/// called from another thread, once. Empty: nothing is told.
+/// `say` prints what is left of the run where the process is ended before its time; it is
+/// called from another thread, once. Empty: nothing is printed.
 void set_last_words(std::function<void(int code)> say);
 
 /// All outputs are written and stay: from now on a stop says no more than that.

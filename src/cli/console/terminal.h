@@ -24,7 +24,7 @@ std::string styled(std::string_view text, Style style, bool colours);
 /// as an escape sequence. Tabs stay.
 std::string printable(std::string_view text);
 
-/// What stderr is told of long work: a note, once, as soon as a stage's first seconds show that it
+/// What stderr shows of long work: a note, once, as soon as a stage's first seconds show that it
 /// will take more than ten; and on a terminal a bar after one second.
 class ProgressBar {
  public:
@@ -33,7 +33,7 @@ class ProgressBar {
   ProgressBar& operator=(const ProgressBar&) = delete;
   ~ProgressBar();
 
-  /// Tells, and says whether to go on: false once the user has stopped the run.
+  /// Draws or notes what is due. False once the user has stopped the run.
   bool update(const char* stage, double fraction);
   void clear();
   Progress callback();

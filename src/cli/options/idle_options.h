@@ -1,4 +1,4 @@
-// Options that were typed and do nothing in what was asked for.
+// Options that were typed and do nothing in this command.
 #pragma once
 
 #include <string>
@@ -9,7 +9,8 @@ namespace mrsim::cli {
 struct CommandLine;
 class TypedOptions;
 
-/// One sentence each: what the option would need. What depends on the program, its reader tells.
+/// One sentence each: what the option would need. The reader of a program reports what depends on
+/// it.
 std::vector<std::string> idle_options(const CommandLine& line, const TypedOptions& typed);
 
 /// Prints them as notes, unless --quiet was typed.

@@ -70,7 +70,8 @@ std::string empty_value(const CLI::App& app) {
   return "";
 }
 
-// The same of --stock=$BLOCK, where CLI11 would take the next word for the value.
+// Refuses --stock= without a value, as --stock=$BLOCK may become, where CLI11 would take the next
+// word for the value.
 void refuse_empty_assignments(int argc, const char* const* argv) {
   for (int i = 1; i < argc; ++i) {
     const std::string_view word = argv[i];

@@ -13,8 +13,8 @@ namespace mrsim::cli {
 
 class TypedOptions {
  public:
-  /// What is wrong with the words is kept for refuse_unknown(), so that a refusal can be told in
-  /// the files that they name.
+  /// Faults of the words are kept for refuse_unknown(), so that a refusal can be written to the
+  /// files that the words name.
   TypedOptions(const CommandLine& line, int argc, const char* const* argv);
 
   /// Usage error for an option without its value, and for the first word that is no option, with

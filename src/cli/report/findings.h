@@ -41,7 +41,7 @@ class Findings {
   std::array<std::size_t, 3> count_{};
 };
 
-/// From now on a stop is told as an error, with --json as an object of its line like others.
+/// From now on a stop by the user is printed as an error, with --json as an object of its own line.
 void tell_stop_as_finding(const Arguments& arguments);
 
 /// The finding as text that ends with a line end. The line of the file and a caret follow errors

@@ -79,7 +79,8 @@ std::string bound_text(const JobResult& result) {
   if (!(result.mesh_bound > 0)) return "";
   std::string bound =
       fmt::format(", within {:.2g} mm of the exact part", printed_bound(result.mesh_bound));
-  // Of a measured mesh the triangles are near the part; parts without a triangle are not told of.
+  // Measured are the triangles of the mesh; a piece of the part that has no triangle is not
+  // measured.
   if (result.mesh_usual > 0)
     bound =
         fmt::format(", measured: each within {:.2g} mm of the exact part, 99 % within {:.2g} mm",

@@ -11,7 +11,7 @@ namespace mrsim::cli {
 
 /// The lines of a run that collide, the deepest first.
 std::vector<ReportCollision> collisions_of(const JobResult& result);
-/// What a run tells the report.
+/// The facts of a run for its report.
 ReportFacts facts_of(const JobResult& result, const std::string& program);
 
 }  // namespace mrsim::cli

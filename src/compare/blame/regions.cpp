@@ -175,7 +175,7 @@ void blame_cutters(const std::vector<std::uint32_t>& members, const Both& both,
   for (const auto& [key, score] : ranked) {
     const double share = total > 0 ? score.sum / total : 0;
     if (key.is_stock()) {
-      // A part without owners does not tell what is stock.
+      // A part without owners does not know what is stock.
       if (!both.in.part_mesh.owners.empty()) region.stock_share = share;
     } else if (region.lines.size() < kMostLines) {
       BlamedLine line = name_line(key, both.in.part_mesh.origin, both.in.texts);

@@ -53,7 +53,7 @@ bool has_area(const TriMesh& mesh, std::size_t f) {
   return dot(n, n) > 0;
 }
 
-// Bit i of a triangle: its corner i (0..2), edge i - 3 (3..5) or face (6) cannot tell the sign.
+// Bit i of a triangle: its corner i (0..2), edge i - 3 (3..5) or face (6) cannot decide the sign.
 std::vector<std::uint8_t> doubtful_features(const TriMesh& mesh, int threads) {
   const std::vector<std::uint32_t> opposite = find_opposites(mesh, threads);
   const std::vector<std::uint8_t> vertices = doubtful_vertices(mesh, opposite);

@@ -66,7 +66,7 @@ bool is_proven(const Comparison& c) {
   return !*c.accepted || c.hausdorff.upper <= std::min(-c.band.lo, c.band.hi);
 }
 
-// With as many digits as tell on which side of the limit it is.
+// With as many digits as show on which side of the limit it is.
 std::string found_text(double found, double limit) {
   int digits = 4;
   for (double scale = 1e4; digits < 9; scale *= 10, ++digits) {

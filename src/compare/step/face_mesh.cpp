@@ -19,7 +19,7 @@ constexpr std::uint32_t kNone = UINT32_MAX;
 // Of the distance: the middle of a triangle is farther from the face than the middles of its sides
 // by up to a third.
 constexpr double kSideShare = 0.7;
-// Barycentric places on a triangle where the face is asked: centre, sides, towards the corners.
+// Barycentric places on a triangle where the face is evaluated: centre, sides, towards the corners.
 constexpr double kPlaces[][3] = {{1 / 3., 1 / 3., 1 / 3.},
                                  {.5, .5, 0},
                                  {0, .5, .5},
@@ -125,7 +125,7 @@ double deviation_of(const BRepAdaptor_Surface& face, const FaceMesh& mesh) {
     const gp_XYZ normal = (q - p).Crossed(r - p);
     const double area = normal.Modulus();
     const double longest = std::max({(q - p).Modulus(), (r - q).Modulus(), (p - r).Modulus()});
-    // The plane of a sliver is not known; its neighbours are asked along the sides they share.
+    // The plane of a sliver is not known; its neighbours are measured along the sides they share.
     if (area <= kThin * longest) continue;
     for (const auto& w : kPlaces) {
       const gp_XY at = mesh.places[a] * w[0] + mesh.places[b] * w[1] + mesh.places[c] * w[2];

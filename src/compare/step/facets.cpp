@@ -28,7 +28,7 @@ constexpr double kAngle = 0.2;       // radians between neighbouring chords of a
 constexpr double kInnerAngle = 0.5;  // between facets, which are divided further
 constexpr double kInnerShare = 16;   // of the deflection: what facets may miss before
 constexpr int kRounds = 3;           // of finer chords
-constexpr double kFiner = 0.3;       // what a round asks for, of the one before
+constexpr double kFiner = 0.3;       // deflection of a round, of the one before
 
 // Edges end at their chords; within a face facets may miss it by `inner` times as much. At 1 Open
 // CASCADE looks for itself how far they do.

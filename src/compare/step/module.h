@@ -1,7 +1,7 @@
 // The border between the library and the module that reads STEP files.
 //
 // The module, <folder of the library>/mrsim/step.so, is linked against Open CASCADE and against
-// nothing of mrsim. The library opens it when the first STEP file is asked for, so that all other
+// nothing of mrsim. The library opens it when the first STEP file is read, so that all other
 // runs do not pay for it: binding the 60 000 symbols of Open CASCADE takes 30 ms. Only plain
 // data and no exception crosses the border; memory goes back to its owner.
 #pragma once

@@ -8,7 +8,7 @@
 
 namespace mrsim {
 
-/// Tells equal from unequal, and stands for random identifiers in files. Not for secrets.
+/// Compares contents, and stands for random identifiers in files. Not for secrets.
 class ContentHash {
  public:
   void update(const void* data, std::size_t size);

@@ -35,7 +35,8 @@ class PublishJournal {
   std::vector<JournalEntry>& entries() { return entries_; }
   std::set<std::string> folders() const;
 
-  /// Tells the other folders where the journal will be: before files of the set get names there.
+  /// Writes into the other folders where the journal will be: before files of the set get names
+  /// there.
   void announce() const;
   /// From now on a crash is undone. Requires: the new files have their names. On the disk when it
   /// returns.

@@ -50,8 +50,8 @@ bool has_address_space(std::size_t bytes);
 bool is_address_space_limited();
 
 /// Throws Error "memory" where the address space has a limit and too little of it is free for that
-/// many threads to start. Nobody can be told later: the C library ends the process where the first
-/// object of a thread does not fit.
+/// many threads to start. No error can be raised later: the C library ends the process where the
+/// first object of a thread does not fit.
 void require_address_space(int threads);
 
 }  // namespace mrsim

@@ -31,7 +31,7 @@ std::string Module::find() const {
   return (library.parent_path() / "mrsim" / about_.name).string() + ".so";
 }
 
-// The loader tells a lack of memory by its words alone.
+// Only the text of the loader shows that memory ran out.
 void Module::fail_to_open(const std::string& why) const {
   for (const char* words : {"failed to map", "cannot map", "cannot allocate", "Cannot allocate"})
     if (why.find(words) != why.npos)

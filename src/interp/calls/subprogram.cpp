@@ -56,7 +56,7 @@ std::string sinumerik_section(std::string_view line) {
   return name;
 }
 
-// The file behind a link; as it stands where that can not be told.
+// The file behind a link; the link itself where that is not known.
 }  // namespace
 
 std::string section_name(std::string_view line, Dialect dialect) {

@@ -23,7 +23,7 @@ enum class WordRole : std::uint8_t {
   tip,
   count,  ///< "4 HOLES"
   other,  ///< a number of no interest: depth, speed, shank, register
-  work    ///< the same of words about the work: "STOCK .5", "50MM PCD"
+  work    ///< a number about the work: "STOCK .5", "50MM PCD"
 };
 
 /// Where the number of a word stands.

@@ -16,7 +16,7 @@ enum class PartTurned : std::uint8_t {
 /// `bytes` in whatever encoding they came; `lathe`: "TURN PART" is what the machine does.
 PartTurned says_part_is_turned(std::string_view bytes, bool lathe);
 
-/// The same of a change of the tool by hand.
+/// Whether the comment asks for a change of the tool by hand.
 bool says_tool_is_changed(std::string_view bytes);
 
 }  // namespace mrsim

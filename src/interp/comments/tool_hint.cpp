@@ -19,7 +19,7 @@ constexpr double kRounded = 0.05;            // mm: a radius in inches with thre
 constexpr double kLeastVee = 1;              // mm: of a V-bit; a smaller size is rather its tip's
 constexpr double kLargestWithoutUnit = 150;  // mm: a larger one is rather a size in another unit
 constexpr double kLargestMetric = 500;       // mm: a larger one is rather a name, "endmill1000"
-constexpr double kWidestBlade = 25;          // mm: a wider one is rather told in another unit
+constexpr double kWidestBlade = 25;          // mm: a wider one is rather given in another unit
 
 // mm in a program of this unit. A fraction is a size in inches wherever it stands.
 double in_mm(const ToolLength& length, double unit) {
@@ -34,7 +34,7 @@ std::string as_written(const ToolLength& length) {
                                        : "");
 }
 
-// 3.175 of a program in inches: 1/8 inch told in mm.
+// 3.175 in a program in inches: 1/8 inch given in mm.
 bool is_inch_size_in_mm(const ToolLength& length) {
   const double sizes = length.value / kMmPerInch * 32;
   const double whole = std::round(sizes);

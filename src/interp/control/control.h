@@ -64,8 +64,8 @@ struct Control {
   bool machine_known = false;
   std::optional<Vec3> stored_places[2];      ///< by G28.1 and G30.1, in the stock's coordinates
   std::map<std::string, double> work_turns;  ///< about Z, degrees, by the name of the offset
-  std::vector<OffsetRegister> registers;     ///< the same
-  /// Wears that the program sets where no register tells the radius: the tool's own stands.
+  std::vector<OffsetRegister> registers;     ///< of the tool table, changed by G10
+  /// Wears that the program sets where no register holds the radius: the tool's own stands.
   std::map<std::string, double> bare_wears;
   SetLengths lengths;
   std::size_t cuts = 0;                       ///< lines and arcs that were given on
@@ -74,7 +74,7 @@ struct Control {
   int register_changes = 0;                   ///< how often the program has set one
   bool skips_data = false;   ///< blocks up to G11 set what is not read: lives, parameters
   bool paused = false;       ///< M0, or a tool changed by hand, and no motion since
-  bool level_plane = false;  ///< G68.2 without a tilt is in force
+  bool untilted_plane = false;  ///< G68.2 without a tilt is in force
   int unread_end = 0;        ///< a refused mode is in force: the word that ends it, see UnreadModes
 
   /// One name for the offsets that have several, without blanks: G154 P1 and G110 of Haas are

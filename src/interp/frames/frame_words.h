@@ -44,7 +44,7 @@ class FrameWords : public ControlPart {
   bool sinumerik_step(const Vec3& values, unsigned named);
   bool fanuc(const Word& word);
   bool fanuc_scaling(const Word& word, const Vec3& center);
-  bool level_plane(Vec3 zero, unsigned named, const Word& word);
+  bool untilted_plane(Vec3 zero, unsigned named, const Word& word);
   void shift_locally(const Vec3& values, unsigned named, const Word& word);
   void turn_about(double angle, int axis, const Vec3& center, bool adds, const Word& word);
   bool turns_in_space();

@@ -19,7 +19,7 @@ bool FrameWords::fanuc(const Word& word) {
   if (!cancels) arguments(values, named, true);
   switch (block_.frame_op) {
     case Code::rotation_on: {
-      if (word.value != 68) return level_plane(values, named, word);
+      if (word.value != 68) return untilted_plane(values, named, word);
       const Word* r = take('R');
       if (!r) return error("value-missing", "G68 needs the angle R", word);
       if (turns_in_space())
@@ -69,7 +69,7 @@ bool FrameWords::fanuc(const Word& word) {
 }
 
 // G68.2 whose angles tilt nothing: its X Y Z are the zero, its angles turn about Z.
-bool FrameWords::level_plane(Vec3 zero, unsigned named, const Word& word) {
+bool FrameWords::untilted_plane(Vec3 zero, unsigned named, const Word& word) {
   double angle = 0;
   for (const char c : {'I', 'J', 'K'})
     if (const Word* w = take(c)) angle += w->value;

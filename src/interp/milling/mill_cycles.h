@@ -1,5 +1,5 @@
 // SINUMERIK's milling cycles: pockets, slots, long holes, spigots, faces, milled threads. Their
-// final shape is that of the manual; the way to it is one of loops, told in docs/interp.md.
+// final shape is that of the manual; the way to it is one of loops, described in docs/interp.md.
 // Private to src/interp.
 #pragma once
 

@@ -1,6 +1,6 @@
 // A cutter clears a region of the plane, level by level: pockets and spigots of any contour. The
-// final shape is that of the contours; docs/interp.md tells by which loops the cutter gets there.
-// Private to src/interp.
+// final shape is that of the contours; docs/interp.md describes the loops by which the cutter gets
+// there. Private to src/interp.
 #pragma once
 
 #include "interp/cycles/cycle_mover.h"

@@ -7,6 +7,12 @@
 #include <algorithm>
 
 namespace mrsim {
+namespace {
+
+// Of a diameter: a chord up to this long is one whose ends the program has rounded.
+constexpr double kRoundedChord = 1 + 1e-6;
+
+}  // namespace
 
 double fold_sweep(Vec2 a, Vec2 b, bool ccw) {
   const double angle = atan2(cross(a, b), dot(a, b));
@@ -39,7 +45,7 @@ Vec2 bisector_center(Vec2 start, Vec2 end, Vec2 center) {
 std::optional<PlaneArc> arc_by_radius(Vec2 start, Vec2 end, double radius, bool ccw) {
   const Vec2 chord = end - start;
   const double l = length(chord), r = std::abs(radius);
-  if (l > 2 * r * (1 + 1e-6) && l - 2 * r > kSamePoint) return std::nullopt;
+  if (l > 2 * r * kRoundedChord && l - 2 * r > kSamePoint) return std::nullopt;
   const double used = std::max(r, l / 2);  // the chord wins over a radius that is rounded short
   // A difference of squares below its rounding is none: half a circle.
   constexpr double kNoDifference = 1e-12;

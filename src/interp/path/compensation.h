@@ -40,7 +40,7 @@ class CompensationStage {
   bool active_ = false;
   bool resumes_ = false;  ///< the last one ran suspended (CUTCONON), or on the other side
   Vec3 at_;               ///< where the last motion given on ended
-  Vec2 cursor_;           ///< the same in the plane, as tool centre
+  Vec2 cursor_;           ///< the tool's centre there, in the plane
 };
 
 }  // namespace mrsim

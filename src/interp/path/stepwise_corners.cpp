@@ -70,7 +70,7 @@ CornerWay stepwise_way(const PathMove& first, const PlanePiece& piece, const Pat
   const PlanePiece next = moved(after);
   CornerWay way;
   way.end = piece.end;
-  if (is_void(next)) return way;  // told of in its turn
+  if (is_void(next)) return way;  // reported in its turn
   const Corner kind = stepwise_kind(first, after);
   if (kind == Corner::inside && !meets_inside(piece, next, way.end)) {
     too_tight = true;

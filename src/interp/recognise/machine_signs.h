@@ -26,7 +26,7 @@ class MachineSigns {
   // Where the first such sign is; empty: there is none.
   std::string mill_, lathe_;
   std::string ngc_lathe_;                    ///< G7, G8: diameters of LinuxCNC
-  std::string fanuc_lathe_;                  ///< the same, of FANUC's words: G71 with P and Q
+  std::string fanuc_lathe_;                  ///< words of FANUC's lathes: G71 with P and Q
   std::string fanuc_turning_;                ///< FANUC's words, if nothing moves in Y
   std::string turning_;                      ///< G18, if nothing moves in Y
   std::string turret_;                       ///< T0101, if nothing is changed by M6

@@ -16,9 +16,9 @@
 namespace mrsim {
 namespace {
 
-// Files that are no programs at all are told by how they begin: one sentence instead of a hundred
-// errors about their characters.
-constexpr std::size_t kFileHead = 512;  // bytes that tell the kind of a file
+// Files that are no programs at all are recognised by how they begin: one sentence instead of a
+// hundred errors about their characters.
+constexpr std::size_t kFileHead = 512;  // bytes by which the kind of a file is recognised
 
 constexpr std::size_t kStlHeader = 80, kStlTriangle = 50;
 
@@ -91,8 +91,9 @@ std::string_view kind_of_file(std::string_view head, std::uint64_t size) {
   return {};
 }
 
-constexpr int kDialectLines = 20000;  // enough to tell a control; the machine may need the rest
-constexpr int kOkumaLines = 300;      // where Okuma's programs say whose they are
+constexpr int kDialectLines =
+    20000;                        // enough to recognise a control; the machine may need the rest
+constexpr int kOkumaLines = 300;  // where Okuma's programs say whose they are
 constexpr std::size_t kLongestScan = 4000;  // bytes of a line
 
 /// Text before the first % of a tape is no program: how many lines, once content follows the mark.

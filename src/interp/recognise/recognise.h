@@ -11,7 +11,7 @@ namespace mrsim {
 struct Recognition {
   Dialect dialect = Dialect::automatic;
   std::string dialect_reason;
-  MachineKind machine = MachineKind::automatic;  ///< automatic: not to be told
+  MachineKind machine = MachineKind::automatic;  ///< automatic: not known
   std::string machine_reason;
   bool okuma = false;    ///< FANUC's words as Okuma's OSP has them
   int leader_lines = 0;  ///< text before the first % of a FANUC or ISO tape

@@ -172,7 +172,7 @@ bool OwordStatements::oword(const FlowEntry& entry, std::size_t p) {
   }
 }
 
-// Behind a false condition the next elseif is asked; behind a true one its end comes.
+// Behind a false condition the next elseif is evaluated; behind a true one its end comes.
 bool OwordStatements::branch(const FlowEntry& entry, std::size_t p) {
   const bool first = entry.word == FlowWord::branch;
   const bool asked = first || std::exchange(arriving_, false);

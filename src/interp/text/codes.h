@@ -13,11 +13,11 @@ namespace mrsim {
 enum class Code : std::uint8_t {
   unknown,
   ignored,          ///< known, without effect on geometry
-  path_continuous,  ///< the same, but the control's mode at corners: an event
+  path_continuous,  ///< known, the control's mode at corners: an event
   path_exact,       ///< ... G61 of LinuxCNC
   path_stops,       ///< ... G60 G61
   path_stops_once,  ///< ... G9
-  ignored_words,    ///< the same, and so are the other words of its block
+  ignored_words,    ///< ignored with the other words of its block
   high_speed,       ///< FANUC G5 P, G5.1 Q, G8 P: ignored; with axes it is a spline
   unsupported,      ///< known, not read yet: an error
   statement,        ///< read before the others, by the language or IsoWords

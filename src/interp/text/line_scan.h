@@ -33,8 +33,8 @@ struct LineScan {
   bool ends_block = false;  ///< ';' with nothing behind it
 };
 
-/// Comments are told from calls with brackets, and the ";" that ends a block from that of a
-/// comment.
+/// Comments are distinguished from calls with brackets, and the ";" that ends a block from that of
+/// a comment.
 void scan_line(std::string_view line, LineScan& out);
 
 /// What a line of plain motion says of its control.

@@ -23,7 +23,7 @@ bool Reporter::seen(const std::string& key) {
   return !seen_.insert(key).second;
 }
 
-// Counts a finding. False: it was told before, or enough of its kind were.
+// Counts a finding. False: it was reported before, or enough of its kind were.
 bool Reporter::is_told(Severity severity, const char* code, const SourcePlace& place, int call) {
   // A subprogram that runs fifty times says everything once.
   const bool again = call >= 0 || repeating_;

@@ -1,5 +1,5 @@
 // Findings with their place. Knows the block being read, so that a fault only needs its word.
-// Of a kind, 100 findings are told and the rest is counted: a damaged program is no flood.
+// Of each kind, 100 findings are reported and the rest is counted: a damaged program is no flood.
 #pragma once
 
 #include "interp/text/block.h"
@@ -27,7 +27,7 @@ class Reporter {
   /// From here on a line may be read more than once: it says everything once.
   void set_repeating() { repeating_ = true; }
 
-  /// What stands in the lines to come is not read: nothing is told of them.
+  /// The lines to come are not read: nothing in them is reported.
   void set_muted(bool muted) { muted_ = muted; }
 
   /// The buffer of the line is gone.
@@ -53,7 +53,7 @@ class Reporter {
 
   std::size_t errors() const { return errors_; }
 
-  /// At the end of the program: tells how many findings of a kind were counted only.
+  /// At the end of the program: reports how many findings of a kind were counted only.
   void finish();
 
  private:
@@ -76,7 +76,7 @@ class Reporter {
   std::size_t errors_ = 0;
   int lookups_ = 0;
   std::unordered_set<std::string> seen_;
-  std::map<std::string, std::size_t> again_;  ///< text of an error told once -> how often again
+  std::map<std::string, std::size_t> again_;  ///< text of an error reported once -> how often again
   std::vector<Kind> kinds_;                   ///< in the order of their first findings; a few dozen
 };
 

@@ -178,8 +178,8 @@ void SpecialWords::codesys_name(Block& block) {
   push(block, word, from);
 }
 
-// "$H" homes, as G28 does; "$X", "$32=0" and the like tell Grbl something and move nothing; "$J="
-// jogs. False: "$1" names a spindle of LinuxCNC.
+// "$H" homes, as G28 does. "$X" and "$32=0" change the state or a setting of Grbl and move nothing.
+// "$J=" jogs. False: "$1" names a spindle of LinuxCNC.
 bool SpecialWords::grbl_command(Block& block) {
   const std::string_view line = line_.substr(p_);
   const std::size_t digits = line.find_first_not_of("0123456789", 1);

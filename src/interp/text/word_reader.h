@@ -1,5 +1,5 @@
-// The words of a block, one after another: told by their first character, and where a control has
-// words of its own, given to their reader. Private to src/interp.
+// The words of a block, one after another: recognised by their first character, and where a control
+// has words of its own, given to their reader. Private to src/interp.
 #pragma once
 
 #include "interp/text/okuma_words.h"

@@ -32,7 +32,7 @@ class EventWords : public ControlPart {
 
   MotionEmitter& out_;
   std::vector<MCode> late_;  ///< M words that wait for the block's motion
-  bool stops_once_ = false;  ///< G9, the same
+  bool stops_once_ = false;  ///< a G9 that waits for the motion, too
   SpindleTurn turn_ = SpindleTurn::off;
   double told_speed_ = 0;
   bool told_surface_ = false;

@@ -67,13 +67,13 @@ bool UnreadModes::begins_or_ends(const Word& word) {
   const int g = number_by_10(word);
   if (g < kLeast) return false;
   if (g == kTiltedPlane && is_untilted()) {
-    control_.level_plane = true;
+    control_.untilted_plane = true;
     block_.frame_code = &word;
     block_.frame_op = Code::rotation_on;
     return true;
   }
-  if (g == kTiltedMove && (control_.unread_end != 0 || control_.level_plane)) return true;
-  if (g == kRotationOff) control_.level_plane = false;
+  if (g == kTiltedMove && (control_.unread_end != 0 || control_.untilted_plane)) return true;
+  if (g == kRotationOff) control_.untilted_plane = false;
   const bool ended = ends(g);
   if (ended) control_.unread_end = 0;
   for (const ModeWords& mode : kFanucModes) {

@@ -1,6 +1,6 @@
 // Modes that are refused by name, such as polar interpolation or tool centre point control. What
 // stands in them has the meaning that the mode gives it, so until the word that ends the mode no
-// move is run and nothing else is told of: one cause, one error. Private to src/interp.
+// move is run and nothing else is reported: one cause, one error. Private to src/interp.
 #pragma once
 
 #include "interp/control/control.h"

@@ -147,7 +147,7 @@ bool ValueWords::feed() {
   const bool cycle = modal_.drill.number != 0 || modal_.turn.number != 0 || block_.turn_cycle != 0;
   const bool thread = is_thread(current_motion()) && !cycle;
   if (thread && !is(Dialect::sinumerik)) return true;  // the lead, see below
-  if (modal_.turn.number == 92) return true;           // the same
+  if (modal_.turn.number == 92) return true;           // the lead, too
   if (word->value < 0 || (word->value == 0 && is(Dialect::sinumerik)))
     return error("feed-range",
                  fmt::format("F{:g}: the feed must be above 0{}", word->value,
@@ -257,7 +257,7 @@ bool ValueWords::length_register() {
   modal_.length_number = word->value;
   const std::string name = fmt::format("H{:g}", word->value);
   const OffsetRegister* reg = tools_.find_register(name);
-  if (!reg && word->value != 0) {  // told once where the table has no lengths at all
+  if (!reg && word->value != 0) {  // reported once where the table has no lengths at all
     const std::vector<OffsetRegister>& all = control_.registers;
     const bool lengths = std::any_of(all.begin(), all.end(),
                                      [](const auto& one) { return one.name.starts_with('H'); });

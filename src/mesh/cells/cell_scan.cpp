@@ -76,9 +76,9 @@ Box3 box_about(const Vec3& a, const Vec3& b) {
   return inflated(Box3{lo, hi}, kQuantum);
 }
 
-// Goes through the points, without those of whole ranges that `Judge` tells to be far from what is
-// looked for, until it finds that. Lists of candidates become shorter on the way; they hold for all
-// d from -Judge::band() up, and tell no more than that of what lies deeper.
+// Goes through the points until it finds what `Judge` looks for, and leaves out whole ranges that
+// `Judge` finds to be far from it. Lists of candidates become shorter on the way; they hold for all
+// d from -Judge::band() up; of what lies deeper they give no more than that it does.
 template <class Judge>
 class Scan {
  public:
@@ -153,7 +153,7 @@ struct Views {
   // Deeper than that, d differs from a plane near the surface by more than the limit as well.
   double band() const { return 2 * limits.near + kQuantum; }
 
-  // All material, or all air, by more than the limits, in whatever way it is told.
+  // All material, or all air, by more than the limits, whichever bound shows it.
   bool is_far(const Box3& box, List list) const {
     const Vec3 center = 0.5 * (box.lo + box.hi);
     const double d = field.sample(center, list).distance;
@@ -208,7 +208,7 @@ struct Sides {
   }
 };
 
-// Whether two faces of one owner that join smoothly look like a crease all the same, as the floor
+// Whether two faces of one owner that join smoothly look like a crease nevertheless, as the floor
 // and the wall that a flat mill leaves on a ramp: one of them, continued to the other's point, has
 // turned into it, and their planes meet in the cell, near the surface.
 bool turns_at_once(const ExactField& field, List candidates, const CellSurface::Point& p,

@@ -9,8 +9,8 @@
 
 namespace mrsim::detail {
 
-/// How many rounds there will be is not known: the share done is told from how long all may take,
-/// and approaches 1.
+/// The number of rounds is not known in advance: the share done is estimated from how long all may
+/// take, and approaches 1.
 class StepTimer {
  public:
   StepTimer(MeshReport& report, Progress progress)

@@ -21,7 +21,7 @@ constexpr std::size_t kEnough = 12000;          ///< blocks that give the area w
 struct Count {
   std::size_t blocks = 0, sweeps = 0;
   std::size_t tried = 0, creasing = 0;  ///< of some blocks, and the sweeps that leave creases there
-  double sheets = 0;                    ///< in the same, of the surface
+  double sheets = 0;                    ///< of the surface in these blocks
 };
 
 // One in so many, evenly spread, whatever the order.
@@ -49,11 +49,11 @@ bool has_creases(const ExactField& field, const Box3& box, const Candidates& swe
 }
 
 // How often the surface crosses a line through the box along each axis, somewhere in it: the edges
-// of a lattice that it crosses there, for each square of its cells. Sheets are told apart
-// that are farther from each other than the points on a line are. The points begin up to half a
-// step before the box or in it, so that a sheet between two boxes counts in one of them.
+// of a lattice that it crosses there, for each square of its cells. Two sheets
+// count as two where they are farther apart than the points on a line. The points begin up to half
+// a step before the box or in it, so that a sheet between two boxes counts in one of them.
 double sheets_in(const ExactField& field, const Box3& box, const Candidates& sweeps) {
-  constexpr std::size_t kMost = 24, kLeast = 6, kAsked = 400;  // steps; sweeps that all may ask
+  constexpr std::size_t kMost = 24, kLeast = 6, kAsked = 400;  // steps; distances to sweeps in all
   constexpr double kGolden = 0.618033988749895;
   const std::size_t steps = std::clamp(kAsked / sweeps.size(), kLeast, kMost);
   const double size = box.hi.x - box.lo.x;

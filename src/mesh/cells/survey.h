@@ -1,4 +1,4 @@
-// How much surface the sweeps have made, told from coarse blocks: what a mesh of it will take
+// How much surface the sweeps have made, estimated from coarse blocks: what a mesh of it will take
 // (docs/mesh.md, Default settings).
 #pragma once
 

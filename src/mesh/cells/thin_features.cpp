@@ -16,7 +16,7 @@ constexpr int kSearchSteps = 14;
 constexpr int kBeside = 4;        ///< lines beside an edge are apart by this share of its length
 constexpr int kMostPassages = 4;  ///< on one edge, one after the other, that a mesh may hold
 constexpr int kHiddenSteps = 24;
-constexpr double kGridDepth = 1.0 / 16;  ///< of a voxel: what a grid is asked for beside its edges
+constexpr double kGridDepth = 1.0 / 16;  ///< of a voxel: of what a grid holds beside its edges
 
 struct EdgeEnd {
   Vec3 position;
@@ -167,12 +167,12 @@ std::optional<ThinFeature> find_hidden(const ExactField& field, const SurfaceCel
   return {};
 }
 
-// Looks for what a mesh has lost. A closed mesh has a point on the side that the pseudonormal at
-// its nearest point tells. A wall is held on an edge of the grid where the two points in which the
-// edge passes the wall's sides are no farther than the tolerance from the mesh, and a point in it
-// is in the mesh, or no farther from it either: the crests between the rows of a raster are walls
-// that a mesh may cut off. That the tip of a wall is held on one edge does not say how much of it
-// is, so the same is asked on lines beside the edge, in all cells about it.
+// Looks for what a mesh has lost. A closed mesh has a point on the side to which the
+// pseudonormal at its nearest point looks. A wall is held on an edge of the grid where the two
+// points in which the edge passes the wall's sides are no farther than the tolerance from the mesh,
+// and a point in it is in the mesh, or no farther from it either: the crests between the rows of a
+// raster are walls that a mesh may cut off. That the tip of a wall is held on one edge does not say
+// how much of it is, so lines beside the edge are searched too, in all cells about it.
 class LostSearch {
  public:
   LostSearch(const ExactField& field, const SurfaceCells& cells, const TriMesh& mesh,
@@ -272,7 +272,7 @@ class LostSearch {
 
 namespace {
 
-// Blocks that hold nothing of a depth are told by the first projections in most cases.
+// In most blocks that hold nothing of a depth the first projections show it.
 std::optional<ThinFeature> find_material(const ExactField& field, const Box3& box, double voxel,
                                          std::span<const std::uint32_t> candidates) {
   Candidates own;

@@ -12,10 +12,10 @@
 
 namespace mrsim::detail {
 
-/// Edge of the blocks that tell thin features of the same owners from each other, voxels.
+/// Edge of a block, voxels: thin features of the same owners in two blocks are two features.
 inline constexpr int kThinBlock = 8;
 
-/// A thin feature and what tells it from others: its owners and its block.
+/// A thin feature and what identifies it: its owners and its block.
 struct FoundThin {
   ThinFeature feature;
   std::uint64_t block = 0;

@@ -175,7 +175,7 @@ void CellTile::sample_node(const LatticePoint& origin, std::span<const std::uint
 }
 
 // A node in which the box of the stock alone decides: its planes give most signs, and the other
-// corners are sampled when they are asked for.
+// corners are sampled when they are needed.
 template <std::int32_t kSize>
 void CellTile::mark_stock_node(const LatticePoint& origin) {
   const std::uint64_t all = bit_range(origin.z, kSize);

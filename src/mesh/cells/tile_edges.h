@@ -1,5 +1,5 @@
-// The edges of a tile that the surface crosses, numbered so that a count of bits tells which edge
-// has which number (docs/mesh.md, Tiles).
+// The edges of a tile that the surface crosses, numbered so that a count of bits finds the number
+// of an edge (docs/mesh.md, Tiles).
 #pragma once
 
 #include <cstddef>

@@ -40,7 +40,7 @@ Rgb ramp(std::size_t i, std::size_t count) {
   return i % 2 == 0 ? out : scaled(out, 86);
 }
 
-// After the seven colours the same again, darker.
+// After the seven colours follow their darker shades.
 Rgb tool_color(std::size_t tool) {
   constexpr std::size_t kCount = std::size(kToolColors);
   return scaled(kToolColors[tool % kCount],

@@ -1,5 +1,5 @@
-// Colours that tell which line or which tool cut a face: the same for the same mesh, and told apart
-// by colour-blind people too.
+// Colours that show which line or which tool cut a face: equal meshes have equal colours, which
+// colour-blind people distinguish too.
 #pragma once
 
 #include "mesh/solid/mesh_source.h"

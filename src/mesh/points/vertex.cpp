@@ -8,8 +8,8 @@ namespace mrsim::detail {
 namespace {
 
 constexpr double kLeastDeterminant = 1e-4;  ///< of the normals of three faces that meet in a corner
-constexpr double kClearDeterminant = 0.25;  ///< the same of a corner outside of its cell
-constexpr double kSharpDeterminant = 0.05;  ///< the same, seen from a crease
+constexpr double kClearDeterminant = 0.25;  ///< of a corner outside of its cell
+constexpr double kSharpDeterminant = 0.05;  ///< of a corner seen from a crease
 
 // Up to `most` different faces, in the order of their first crossing.
 std::size_t distinct_faces(std::span<const FieldSample> in, FieldSample* out, std::size_t most) {
@@ -198,7 +198,7 @@ SurfacePoint point_in_cell(const Probe& probe, const Box3& room, const CellHints
   if (n >= 3)
     if (SurfacePoint s = try_corners(probe, room, start, {faces, n}); s.count > 0) return s;
   if (n >= 2) {
-    // Without ends of creases both starts are the same; one end is the start.
+    // Without ends of creases both starts are one point; one end is the start.
     const Vec3 starts[2] = {start, mean};
     const std::span<const Vec3> means(starts, ends.empty() ? 1 : 2);
     if (SurfacePoint s = try_creases(probe, room, means, {faces, n}); s.count > 0) return s;

@@ -199,7 +199,7 @@ class Decimation {
            dot(before, after) > kLeastCosine * size * length(before);
   }
 
-  // All about the end that is left are asked again, at once where nothing could collapse.
+  // All vertices about the end that is left are evaluated again, at once where none could collapse.
   void collapse(Edge edge) {
     const Vertex from = mesh_.from_vertex_handle(edge), to = mesh_.to_vertex_handle(edge);
     mesh_.collapse(edge);

@@ -1,10 +1,10 @@
 // Edges of a mesh collapse into one of their ends, the one first that moves the surface least by
 // quadrics (Garland and Heckbert 1997), on OpenMesh's half edges and with its quadrics.
 //
-// Why not OpenMesh's own loop: it asks all edges about each collapse again whether they may
-// collapse and what that costs, which is most of its time. Here a vertex is asked again when it is
-// the next one, and of its edges the cheapest that may collapse. Its error can only have grown
-// since, but for edges that have become legal; so the order is the same, or nearly.
+// Why not OpenMesh's own loop: after each collapse it evaluates all edges about it again,
+// which is most of its time: may they collapse, and at what cost? Here a vertex is evaluated when
+// it is the next one, and of its edges the cheapest that may collapse. Its error can only have
+// grown since, but for edges that have become legal; so the order is the same, or nearly.
 #pragma once
 
 #include <mrsim/types.h>

@@ -11,7 +11,7 @@ struct TriangleBound {
   double distance = 0;
   bool is_proven = false;  ///< by ExactField::patch_range; else from samples of g
 };
-/// Proven where the field encloses g: as close as it takes to tell whether g stays below `limit`.
+/// Proven where the field encloses g: as close as it takes to decide whether g stays below `limit`.
 /// Else the largest value at 15 nodes (quarters of the sides), and what g can do between them by
 /// its second differences there. Above `limit` it may be a value of g instead of a bound.
 TriangleBound triangle_bound(FaceDistances& distances, const FieldSample& face, const Vec3& a,

@@ -17,7 +17,7 @@ class CutMesh {
 
   LabelledMesh mesh;
   /// By triangle: true where the surface has moved, by the rounding of a new point. In a plane on
-  /// which a coordinate is the same it never does.
+  /// which one coordinate is constant it never does.
   std::vector<char> moved;
 
   std::uint32_t opposite(std::uint32_t h) const { return opposites_[h]; }

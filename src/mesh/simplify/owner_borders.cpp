@@ -155,7 +155,7 @@ class BorderCutter {
   }
 
   // Where borders cross the edges of a triangle with these corners: up to the first one, of the
-  // edges that had not been asked by then.
+  // edges that had not been searched by then.
   struct Crossed {
     CutMesh::Corners corners{};
     std::array<bool, 3> is_known{};
@@ -163,7 +163,7 @@ class BorderCutter {
   };
 
   // Most of the time goes into this, so it is found for many triangles at once. One that is changed
-  // before its turn comes is asked again.
+  // before its turn comes is searched again.
   std::vector<Crossed> ask(const std::vector<std::uint32_t>& triangles) const {
     std::vector<Crossed> found(triangles.size());
     parallel_for(
@@ -298,7 +298,7 @@ class BorderCutter {
     return face && face->owner == owner;
   }
 
-  // Halves the way between the two with no other sweep asked. False where neither is on the surface
+  // Bisects between the two, by these two sweeps alone. False where neither is on the surface
   // at a point of it.
   template <class PointAt>
   bool halve_between(const PointAt& point_at, Owned& from, Owned& to) const {

@@ -20,7 +20,7 @@ using Triangle = std::array<std::uint32_t, 3>;
 constexpr double kGrowth = 1.6;          ///< of the length of new edges, from pass to pass
 constexpr double kLeastAltitude = 2e-5;  ///< mm: of a new triangle
 constexpr double kFineCosine = 0.98;  ///< between a new triangle and the exact surface: 11 degrees
-constexpr double kLeastCosine = 0.3;  ///< the same where the triangles before lie no better
+constexpr double kLeastCosine = 0.3;  ///< where the triangles before lie no better
 constexpr double kNoSquare = 1e-30;   ///< mm^2: in place of the length of two equal places, squared
 constexpr double kStraightCosine = 1 - 1e-9;
 constexpr std::size_t kBlocks = 8;        ///< parts of the mesh that are worked on at once
@@ -160,7 +160,7 @@ class Simplifier {
     const std::uint32_t to = ring_[k].next;
     if (!keeps_manifold(to, k) || !keeps_crease(v, k)) return false;
     const std::size_t n = ring_.size();
-    std::optional<double> least;  // asked of the triangles before where it matters
+    std::optional<double> least;  // cosine of the triangles before, found when needed
     for (std::size_t m = 1; m + 1 < n; ++m)
       if (!may_become(v, ring_[(k + m) % n], to, least)) return false;
     return true;

@@ -16,7 +16,7 @@ namespace mrsim::detail {
 struct SimplifyLimits {
   double tolerance = 0;  ///< mm
   double lateral = 0;    ///< mm: how far a border between owners may move on a smooth curved face
-  double straight = 0;   ///< mm: the same on a plane face, in which the border's vertices lie
+  double straight = 0;   ///< mm: how far it may move on a plane face, in which its vertices lie
 };
 
 /// Which measured triangles lie within the limits. Kept so that simplifying the same mesh again,

@@ -1,4 +1,4 @@
-// What the mesher is asked for: the options of the user, and what a run has decided about them.
+// What the mesher is to make: the options of the user, and what a run has decided about them.
 #pragma once
 
 #include <mrsim/options.h>
@@ -16,7 +16,7 @@ struct MeshPlan {
   /// Without a tolerance: measure how far the mesh is from the exact part.
   bool measure = false;
   /// A mesh within the tolerance is given up (MeshReport::given_up) where it takes more nodes of an
-  /// octree than these, by what its first cells tell, or more memory, or is not possible. 0 =
+  /// octree than these, as its first cells show, or more memory, or is not possible. 0 =
   /// never: that is an Error.
   std::size_t most_nodes = 0;
   /// mm: before it is given up for its nodes, the tolerance is doubled as long as it does not

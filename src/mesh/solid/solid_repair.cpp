@@ -154,8 +154,8 @@ bool overlap_at(const Point& p, const std::array<Point, 2>& a, const std::array<
          (along(a[0], b[0]) && along(a[1], b[1])) || (along(a[0], b[1]) && along(a[1], b[0]));
 }
 
-// Of two triangles that CGAL tells: whether they only touch, in a corner or an edge of the same
-// place. Neighbours in one surface always do: files have needles that lie on their neighbours.
+// Whether two triangles that CGAL reports only touch, in a corner or an edge of the same place.
+// Neighbours in one surface always do: files have needles that lie on their neighbours.
 bool touch_only(const SurfaceMesh& surface, SurfaceMesh::Face_index f, SurfaceMesh::Face_index g) {
   const auto corners = [&](SurfaceMesh::Face_index face) {
     std::vector<SurfaceMesh::Vertex_index> out;
@@ -214,8 +214,8 @@ void refuse_folds(const SurfaceMesh& surface, const std::string& name) {
   }
 }
 
-// CGAL asks by rays which body lies in which. A triangle without area is in one plane with any ray,
-// which is then drawn anew, without an end where the triangle's box holds the point.
+// CGAL finds by rays which body lies in which. A triangle without area is in one plane with any
+// ray, which is then drawn anew, without an end where the triangle's box holds the point.
 bool rays_may_fail(const SurfaceMesh& surface) {
   const auto faces = surface.faces();
   return std::any_of(faces.begin(), faces.end(), [&](SurfaceMesh::Face_index f) {
@@ -242,8 +242,8 @@ TriMesh oriented(const TriMesh& mesh, const std::string& name) {
   return to_mesh(surface);
 }
 
-// Closed surfaces that hold less than the precision of their corners tells apart: triangles back to
-// back, needles. No point is certainly inside them. Returns how many were dropped.
+// Closed surfaces whose volume is less than the rounding of their corners: triangles back to back,
+// needles. No point is certainly inside them. Returns how many were dropped.
 std::size_t drop_sheets(TriMesh& mesh) {
   const std::vector<std::uint32_t> opposite = find_opposites(mesh, 1);
   const double thinnest = weld_distance(mesh);

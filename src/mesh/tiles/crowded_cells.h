@@ -41,7 +41,7 @@ struct CrowdedTile {
 };
 
 /// The cells whose triangles meet others. Requires: layers ascend. Takes the memory of a few layers
-/// at a time, or of `kTogether` triangles.
+/// at a time, or of 100 000 triangles where layers have fewer.
 std::set<CellPlace> crossed_cells(std::span<const CrowdedTile> tiles, int threads);
 
 }  // namespace mrsim::detail

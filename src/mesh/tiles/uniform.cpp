@@ -300,7 +300,7 @@ class UniformMesher {
     return out;
   }
 
-  // Whether anything was found that asks for all tiles to be made again.
+  // Whether anything was found for which all tiles must be made again.
   bool mend() {
     bool is_new = false;
     for (const auto& gap : gaps_) is_new = settle({gap[0], gap[1], gap[2]}) || is_new;

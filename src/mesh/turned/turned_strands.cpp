@@ -13,7 +13,7 @@ namespace {
 constexpr int kMostHalvings = 16;    ///< of the curve between two points
 constexpr double kChordTurn = 0.5;   ///< cosine between the normals at a chord's ends, at least
 constexpr double kStraight = 1e-12;  ///< product of two sines: straight at an end, but for rounding
-constexpr double kJoined = 0.98;     ///< the same of chords over several faces
+constexpr double kJoined = 0.98;     ///< cosine between normals, for chords over several faces
 
 /// Where the outline passes a line of the lattice. Named by the shortest part of the line that
 /// holds it, so that all squares about it agree.
@@ -99,7 +99,7 @@ class SquareTracer {
   }
 
   // All crossings on a part of a line, upwards: d is 1-Lipschitz, so that its values at the ends
-  // tell where none can be. What is found does not depend on the part one begins with.
+  // exclude parts of it. The crossings found do not depend on the part that is searched first.
   void find_crossings(LatticeNode low, int axis, std::int32_t size, double at_low, double at_high,
                       std::vector<LineCrossing>& out) {
     const auto node = [&](std::int32_t along) {

@@ -3,7 +3,7 @@
 //
 // d is negative in the material and 1-Lipschitz; |d| is a lower bound of the distance to the
 // surface, exact near it. Nothing here knows a grid: the carver samples this function into OpenVDB,
-// the mesher asks it for crossings and normals.
+// the mesher evaluates it for crossings and normals.
 //
 // Candidates. A caller that works its way down from large blocks to small ones keeps, for each, the
 // list of sweeps that can matter in it (restrict_to). Every query takes such a list; a longer list

@@ -43,7 +43,7 @@ class ConeHelix {
 
   const ToolPath& path_;
   const Vec3 away_;    // p from the centre
-  const Vec2 facing_;  // the same in plan, in (u, v)
+  const Vec2 facing_;  // `away_` in plan, in (u, v)
   const double d_;     // from the axis
   const Place ends_[2];
   std::optional<Place> nearest_;  // in plan, but for the ends

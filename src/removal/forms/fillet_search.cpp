@@ -64,7 +64,7 @@ class Fillet {
   const Vec2 before_, behind_;
 };
 
-// The positions from which a place outside of the pieces may lie where the arc tells more than
+// The positions from which a place outside of the pieces may lie where the arc decides and not
 // these: between the arc, its centre and the tangents at its ends. On lines and about Z the height
 // above the tip says which; others are left out.
 struct Span {

@@ -13,7 +13,7 @@
 
 namespace mrsim {
 
-/// F, F', F'', and what the tangent plane there tells of how F bends: I and |n h| of
+/// F, F', F'', and what the tangent plane there says about the curvature of F: I and |n h| of
 /// path_search.cpp.
 struct PathValue {
   double f = 0, slope = 0, bend = 0;

@@ -154,7 +154,7 @@ PathSample search_steep(const PathObjective& F, const Profile& tool, const ToolP
   return best;
 }
 
-// The cones of a tool on a path about Z, if they may tell what is nearest.
+// The cones of a tool on a path about Z, if one of them may be nearest.
 std::optional<ConeHelix> cones_about(const ToolPath& path, const Vec3& p, double begin,
                                      double end) {
   if (!path.horizontal || end - begin > kTwoPi) return std::nullopt;

@@ -172,7 +172,7 @@ bool HeightWalker::narrow(const Square& square, std::size_t level, bool& is_even
   List& left = lists_[level + 1];
   left.clear();
   const List& list = lists_[level];
-  std::uint32_t asked = 0;  // index behind the last run that was asked
+  std::uint32_t asked = 0;  // index behind the last run that was measured
   for (std::size_t i = 0; i < list.size(); ++i) {
     const std::uint32_t index = list[i];
     if (most <= low_) break;
@@ -243,8 +243,8 @@ HeightWalker::Parts HeightWalker::parts_of(const Square& square) const {
   return parts;
 }
 
-// Balls alone: a sweep is asked at 16 points in plan together, first for squares of columns, then
-// for columns.
+// Balls alone: a sweep is measured at 16 points in plan together, first for squares of columns,
+// then for columns.
 void HeightWalker::cut_parts(const Square& square, std::size_t level) {
   const Parts parts = parts_of(square);
   PlanPoints points = parts.points;

@@ -21,7 +21,8 @@ class RingPlanes {
     double end = 0;
     std::int32_t value = 0;  ///< a motion, kStillThere, kNeverThere, or at most kAsk
   };
-  /// A narrow ring of more than one value: its voxels are asked one by one. kAsk - i is question i.
+  /// A narrow ring of more than one value: its voxels are evaluated one by one. kAsk - i is
+  /// question i.
   static constexpr std::int32_t kAsk = -3;
   struct Question {
     std::vector<std::uint32_t> sweeps;  ///< those that may be the first, ascending

@@ -41,7 +41,7 @@ struct Task {
   std::span<const CutFrame> frames;
 };
 
-// Blocks, tiles or rows in parallel, asking after each whether to go on.
+// Blocks, tiles or rows in parallel; after each the caller may stop the work.
 void for_each_task(std::size_t count, int threads, const Progress& progress,
                    const std::function<void(std::size_t)>& body) {
   std::mutex mutex;

@@ -1,4 +1,4 @@
-// What carve() is asked for: the options of the user, and what a run has decided about its mesh.
+// What carve() is to do: the options of the user, and what a run has decided about its mesh.
 #pragma once
 
 #include <mrsim/options.h>

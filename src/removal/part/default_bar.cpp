@@ -15,7 +15,7 @@
 namespace mrsim {
 namespace {
 
-// What the cuts of a lathe tell of its bar, in radius and Z.
+// What the cuts of a lathe show of its bar, in radius and Z.
 struct TurnedCuts {
   double along = 0;               // largest radius at which a tool cuts towards the chuck
   double inside = 0;              // largest radius of a bore or a drill

@@ -1,5 +1,5 @@
 // How much memory a run will take, an estimate, and whether it is done as a whole or in slabs.
-// What a mesh with a tolerance takes besides is told by its first cells
+// What a mesh with a tolerance takes besides is estimated from its first cells
 // (mesh/cells/mesh_memory.h).
 #pragma once
 
@@ -14,7 +14,7 @@ namespace mrsim {
 struct MemoryPlan {
   std::size_t limit = 0;  ///< bytes
   double expected = 0;    ///< bytes at the peak, as planned; without a mesh that has a tolerance
-  double whole = 0;       ///< the same as a whole
+  double whole = 0;       ///< bytes at the peak of a run that is not cut into slabs
   double mesh_room = 0;   ///< bytes, of the limit, that a mesh on the voxels may take as a whole
   bool in_slabs = false;
 };

@@ -184,7 +184,7 @@ ExactField::Region PartField::restrict_strips(const PruneRegion& region, double 
 void PartField::restrict_quarters(const PruneRegion& block, double band, const CandidateList& in,
                                   bool in_stock, Quarters& quarters) const {
   const bool strips = is_of_strips(sweeps_, in);
-  std::array<std::size_t, 4> near{};
+  std::array<std::size_t, kStripQuarters> near{};
   if (strips) near = nearest_strips(block, quarters.back().region.center.x - block.center.x, in);
   for (std::size_t k = 0; k < quarters.size(); ++k) {
     Quarter& c = quarters[k];

@@ -30,7 +30,7 @@ class Stock {
   std::size_t active_voxels() const;  ///< 0 where none were sampled
   std::size_t memory() const;         ///< bytes of the grids and their lists
   double memory_expected() const;     ///< bytes of the run, as in MemoryPlan
-  double memory_whole() const;        ///< the same, were it done as a whole
+  double memory_whole() const;        ///< bytes of the run, were it not cut into slabs
   std::size_t memory_limit() const;
   bool in_slabs() const;  ///< so that memory suffices, the mesh may not be held as a whole
   const StockGrid& grid() const { return *grid_; }

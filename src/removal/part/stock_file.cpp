@@ -51,7 +51,7 @@ class SinkBuffer : public std::streambuf {
     if (traits_type::eq_int_type(c, traits_type::eof())) return 0;
     return xsputn(&byte, 1) == 1 ? c : traits_type::eof();
   }
-  // OpenVDB asks where it is, and never goes back in a stream.
+  // OpenVDB reads the position of the stream, and never goes back in it.
   pos_type seekoff(off_type offset, std::ios_base::seekdir direction,
                    std::ios_base::openmode) override {
     return offset == 0 && direction == std::ios_base::cur

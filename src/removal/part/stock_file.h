@@ -5,7 +5,7 @@
 //
 // Metadata: "mrsim:recipe", a string: base64 of the version, a hash of the rest, and the recipe
 // (little endian); "mrsim:voxels", a string: the hash of the grid "distance" (level_set.h), which
-// tells whether another program has changed it. The random identifier that OpenVDB writes is
+// shows whether another program has changed it. The random identifier that OpenVDB writes is
 // replaced by a hash of the recipe. Behind OpenVDB's stream follow 16 bytes: the word "MRSIMVDB"
 // and a hash of all before, by which a file that nobody has written again is known to be whole.
 #pragma once

@@ -23,17 +23,17 @@ bool is_of_strips(const SweepTable& table, const CandidateList& list) {
          });
 }
 
-std::array<std::size_t, 4> nearest_strips(const PruneRegion& region, double beside,
-                                          const CandidateList& in) {
+std::array<std::size_t, kStripQuarters> nearest_strips(const PruneRegion& region, double beside,
+                                                       const CandidateList& in) {
   const RegionArgs at = region_args(region, in.origin);
-  std::array<std::size_t, 4> slots{};
-  float least[4];
-  std::fill_n(least, 4, std::numeric_limits<float>::infinity());
+  std::array<std::size_t, kStripQuarters> slots{};
+  float least[kStripQuarters];
+  std::fill_n(least, kStripQuarters, std::numeric_limits<float>::infinity());
   for (const CandidateList::Slice& slice : in.slices()) {
-    StripAt own[4];
+    StripAt own[kStripQuarters];
     candidate_kernels().strip_quarters(in.columns(slice.first), slice.count, at,
                                        static_cast<float>(beside), own);
-    for (std::size_t part = 0; part < 4; ++part)
+    for (std::size_t part = 0; part < kStripQuarters; ++part)
       if (own[part].squared < least[part])
         least[part] = own[part].squared, slots[part] = slice.first + own[part].slot;
   }
@@ -58,7 +58,7 @@ bool prune_strips(const SweepTable& table, const PruneRegion& region, double rea
   if (limit < 0) return true;
   const double band = reach - region.radius;
   if (farthest(region, beater.x, beater.y, beater.z) - round + 2 * delta < -band) return false;
-  const auto limits = static_cast<float>(limit * limit * (1 + 1e-6));
+  const auto limits = static_cast<float>(limit * limit * kWider);
   const float within = surely_within(at, region, reach);
   bool reaches = false;
   static thread_local std::vector<float> memory;

@@ -16,8 +16,8 @@ bool is_of_strips(const SweepTable& table, const CandidateList& list);
 
 /// Slots of strips near the four parts of a region, `beside` mm from its centre both ways in plan
 /// (CandidateKernels::strip_quarters); the nearest ones where that is 0.
-std::array<std::size_t, 4> nearest_strips(const PruneRegion& region, double beside,
-                                          const CandidateList& in);
+std::array<std::size_t, kStripQuarters> nearest_strips(const PruneRegion& region, double beside,
+                                                       const CandidateList& in);
 
 /// As prune() for a list with is_of_strips(), in a region without parts: the indices of what is
 /// left, in the order of the list. `near`: slot of a strip near the region; less is left the nearer

@@ -88,8 +88,8 @@ struct KeepArgs {
   RegionArgs at;
   float limit = 0;   ///< largest distance that is kept
   float beyond = 0;  ///< plan: squared distance from which two equal tips differ strictly
-  float within = 0;  ///< what is asked, see keep: of strips the distance from a skeleton, of level
-                     ///< moves the height of a tip
+  float within = 0;  ///< the threshold of keep: of strips a distance from the skeleton, of
+                     ///< horizontal moves the height of a tip
   bool plan = false, rising = false, has_cover = false;
   int beaters = 0;
   Beater beater[2], cover;
@@ -98,6 +98,8 @@ struct PlanBeaters {
   std::size_t nearest, lowest, cover;  ///< slots; cover: n when there is none
 };
 
+/// Parts of a region for which strip_quarters finds the nearest strip.
+inline constexpr std::size_t kStripQuarters = 4;
 /// Of several strips the first of the nearest ones, by the squared distance less one for all.
 struct StripAt {
   float squared;

@@ -233,7 +233,7 @@ static std::size_t keep(const KeepArgs& a, const CandidateRows& rows, const Cand
 // |q - c - v|^2 = |q - c|^2 - 2 v.(q - c) + |v|^2, the last the same for all.
 static void strip_quarters(const CandidateColumns& c, std::size_t n, const RegionArgs& a, float b,
                            StripAt* out) {
-  constexpr std::size_t kParts = 4;
+  constexpr std::size_t kParts = kStripQuarters;
   const V infinite = splat(kFloatInfinity), twice = splat(b + b);
   V least[kParts] = {infinite, infinite, infinite, infinite};
   V slots[kParts] = {infinite, infinite, infinite, infinite};

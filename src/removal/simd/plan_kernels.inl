@@ -103,7 +103,7 @@ static void plan_least_of_each(const Record* records, const std::uint32_t* rows,
 }
 
 // Distances grow with the distance in plan, rounded as they are: that is found once for a column,
-// and the least of them tells the least distance at each height. Of those that come to no more the
+// and the least of them gives the least distance at each height. Of those that come to no more the
 // first is the owner.
 template <class Record>
 static void plan_least_of(const Record* records, const std::uint32_t* rows,
@@ -156,7 +156,7 @@ static void plan_least_of(const Record* records, const std::uint32_t* rows,
   }
 }
 
-// In runs of one section whose ids ascend; points that fill no more than a register are asked
+// In runs of one section whose ids ascend; points that fill no more than a register are measured
 // alone.
 template <class Record>
 static void plan_least(const Record* records, const std::uint32_t* rows, const std::uint32_t* ids,

@@ -12,7 +12,7 @@ namespace mrsim {
 namespace {
 
 // Neighbouring triangles whose normals agree within 1e-4 rad are one flat face: float32 coordinates
-// do not tell more.
+// are no more precise.
 constexpr double kFlatCosine = 1 - 0.5e-8;
 
 }  // namespace

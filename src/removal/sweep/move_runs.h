@@ -1,5 +1,5 @@
-// A long list of sweeps that many points are asked of: straight moves of one convex tool that
-// follow one another nearly on a line are a run, and one bound tells that none of them is near.
+// A long list of sweeps to which many points are measured: straight moves of one convex tool that
+// follow one another nearly on a line are a run, and one bound shows that none of them is near.
 #pragma once
 
 #include "removal/columns/sweep_columns.h"

@@ -1,7 +1,7 @@
-// Sweeps as heights: an upright cutter that reaches above all that is asked and nowhere narrows
-// removes, at each place in plan, all above its bottom. Closed forms for straight and horizontal
-// moves and for helices of flat mills; other arcs lie near their chords and are found between those
-// bounds by their distances.
+// Sweeps as heights: an upright cutter that reaches above all places in question and nowhere
+// narrows removes, at each place in plan, all above its bottom. Closed forms for straight and
+// horizontal moves and for helices of flat mills; other arcs lie near their chords and are found
+// between those bounds by their distances.
 #pragma once
 
 #include "removal/simd/sweep_kernels.h"
@@ -36,7 +36,7 @@ class SweepUndersides {
 /// The heights of some sweeps, named by their indices in a list.
 class SweepHeights {
  public:
-  /// `low`, `high`: the heights between which anything is asked, mm. `close`: where bounds of a
+  /// `low`, `high`: the heights between which bottoms are wanted, mm. `close`: where bounds of a
   /// bottom without a closed form are no farther apart, their middle is good enough.
   SweepHeights(const SweepTable& sweeps, const SweepUndersides& tools, double low, double high,
                double close = 0)
@@ -58,7 +58,7 @@ class SweepHeights {
 
   /// The least height at (x, y) with distance(sweep, .) <= 0; infinite where there is none, or none
   /// below `high`, and perhaps where it is not below `below`; any height below `low` where it lies
-  /// there. Up to 1e-9 mm; of sweeps that are asked by distances, up to their error, or half of
+  /// there. Up to 1e-9 mm; of sweeps that are found by distances, up to their error, or half of
   /// `close`.
   double bottom(std::uint32_t index, double x, double y,
                 double below = std::numeric_limits<double>::infinity()) const;

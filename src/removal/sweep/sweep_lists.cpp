@@ -150,8 +150,8 @@ void least_of_packs(const SweepColumns& c, std::span<const std::uint32_t> ids,
   }
 }
 
-// The sweep with the least bound at one of the points, asked first: few others can then be nearer
-// to any of them.
+// The sweep with the least bound at one of the points, measured first: few others can then be
+// nearer to any of them.
 void take_promising(const SweepColumns& c, std::span<const std::uint32_t> ids,
                     PointColumns& points) {
   constexpr std::size_t kWorth = 8;  // sweeps

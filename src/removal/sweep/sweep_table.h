@@ -3,7 +3,7 @@
 // lists the forms and the error bound of the others).
 //
 // A motion is never chopped: one cutting motion, one sweep. Sweeps are kept by columns so that one
-// point can be asked of many sweeps, or many points of one, at a few nanoseconds each.
+// point can be measured to many sweeps, or many points to one, at a few nanoseconds each.
 #pragma once
 
 #include "removal/columns/sweep_selection.h"

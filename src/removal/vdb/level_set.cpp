@@ -19,7 +19,7 @@
 namespace mrsim {
 namespace {
 
-constexpr double kFinest = 1.0 / (1 << 20);  // of a voxel: what 32-bit floats tell apart
+constexpr double kFinest = 1.0 / (1 << 20);  // of a voxel: the resolution of 32-bit floats
 
 Error unreadable(const std::string& why) { return {"vdb-unreadable", why}; }
 

@@ -16,7 +16,7 @@ namespace {
 // Addresses that part the leaves into stretches of about as many; the last one has no end.
 std::vector<const FloatLeaf*> stretches(
     const std::vector<std::pair<FloatLeaf*, OwnerLeaf*>>& leaves, std::size_t parts) {
-  constexpr std::size_t kSome = 64;  // one of so many tells
+  constexpr std::size_t kSome = 64;  // every so many-th is looked at
   std::vector<const FloatLeaf*> some, ends;
   for (std::size_t k = 0; k < leaves.size(); k += kSome) some.push_back(leaves[k].first);
   std::sort(some.begin(), some.end(), std::less<>());

@@ -18,7 +18,7 @@ namespace {
 
 constexpr double kSummaryVoxels = 200;  // along the longest side
 
-// Columns below a sweep, of all sweeps, that the summary's history may ask: some 50 ms on two
+// Columns below sweeps that the summary's history may evaluate: some 50 ms on two
 // cores, and a share of what the sweeps of a long program take anyway.
 constexpr double kMostColumns = 1.5e6, kColumnsPerCut = 15;
 
@@ -36,8 +36,8 @@ constexpr double kColumnsSwept = 25e6, kColumnsSweptPerCut = 20;
 // Cost of a column below a cone or a bull-nosed mill, whose bottom takes longer.
 constexpr double kSlowBottom = 6;
 
-// Below upright arcs, and below helices of all but flat mills, each column asks the chords of a
-// sweep, 5 us, and searches where the cutter is steep.
+// Below upright arcs, and below helices of all but flat mills, each column measures the chords of
+// a sweep, 5 us, and searches where the cutter is steep.
 constexpr double kSearches = 15e3, kSearchesPerCut = 14;
 
 // Share of a voxel up to which a removed volume is rounding: that of a pass along a finished

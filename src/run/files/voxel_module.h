@@ -1,4 +1,4 @@
-// Voxels through the module that knows OpenVDB (removal/vdb), opened when the first are asked for,
+// Voxels through the module that knows OpenVDB (removal/vdb), opened when the first are needed,
 // or before that on a thread of its own.
 #pragma once
 

@@ -102,7 +102,7 @@ MeshReport MeshMaker::extract_grid(const MeshPlan& plan) {
 double volume_before(const Job& job, const StockShape& shape, const MeshChoice& choice) {
   if (!shape.history.motions.empty()) {
     CarvePlan plan = carve_plan(job.carve);
-    plan.keep_grid = false;  // of a stock that only its volume is asked of
+    plan.keep_grid = false;  // only the volume of this stock is needed
     const Stock stock = carve(shape, shape.history.motions, shape.history.tools, plan);
     MeshPlan mesh = mesh_plan(job.mesh);
     mesh.tolerance = choice.tolerance;

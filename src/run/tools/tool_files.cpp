@@ -32,7 +32,7 @@ double table_unit(const std::vector<LibraryTool>& tools, bool& told) {
   return inches > millimetres ? kMmPerInch : 1;
 }
 
-// A mill of the table's diameter: that tells the unit of a remark as "1/4 V-bit 60 deg", too.
+// A mill of the table's diameter: that shows the unit of a remark as "1/4 V-bit 60 deg", too.
 bool tells_mill(const ToolHint& hint, double unit, double diameter, Tool& said) {
   for (const double other : {unit, unit > 1 ? 1 : kMmPerInch}) {
     said = {};
@@ -77,7 +77,7 @@ void take_corner(const std::string& remark, double unit, Tool& tool) {
 }
 
 // Why no tool can be made of a table's row; empty: it is made. A remark that names a kind whose
-// shape it does not tell is no end mill.
+// shape it does not give is no end mill.
 std::string complete_linuxcnc(LibraryTool& entry, double unit) {
   Tool& tool = entry.tool;
   tool.diameter *= unit;

@@ -1,4 +1,6 @@
 // Tools drawn from the side, one beside the other, each to a scale of its own: .svg or .png.
+#include "run/tools/tool_picture.h"
+
 #include "core/numbers/trig.h"
 #include "core/numbers/units.h"
 #include "core/numbers/vec.h"
@@ -6,7 +8,6 @@
 #include "mesh/draw/picture.h"
 #include "mesh/draw/picture_text.h"
 #include "removal/tool/tool.h"
-#include "run/tools/tool_picture.h"
 #include <mrsim/mrsim.h>
 
 #include <algorithm>
