@@ -34,8 +34,8 @@ const char* escape_of(Style style) {
   return "";
 }
 
-// s, of a stage: then its share done shows how long it will take; of a very long stage the second
-// look does.
+// s of a stage: from then on its share done shows how long it will take; from the second on where
+// that share is still little.
 constexpr double kFirstLook = 1, kSecondLook = 5;
 constexpr double kLittle = 0.002;  // share done
 constexpr double kLong = 10;       // s: work that is announced
