@@ -67,9 +67,9 @@ struct CheckReport {
   Program program;
   std::size_t motions = 0, cuts = 0;
 };
-/// Reads a program like trace(), with the same errors and in as little memory, and tells, too, what
-/// a run of it would refuse: threads, moves that can not be swept, tools without a shape. `found`
-/// takes the findings as they come.
+/// Reads a program like trace(), with the same errors and in as little memory, and reports, too,
+/// what a run of it would refuse: threads, moves that can not be swept, tools without a shape.
+/// `found` takes the findings as they come.
 MRSIM_API CheckReport check_program(const std::string& path, const InterpOptions& options,
                                     const std::function<void(const Diagnostic&)>& found);
 
@@ -126,7 +126,7 @@ struct SideFile {
   NamedPath file;  ///< "-" is the standard output; the role is what messages call it, "--report"
   /// Called once the part's files are complete, in the order of Job::side_files.
   std::function<void(const JobResult& result, const ByteSink& sink)> write;
-  bool is_last = false;  ///< tells of all files: made when PreparedFiles are published
+  bool is_last = false;  ///< lists all files: made when PreparedFiles are published
 };
 
 /// A file that a run has written.

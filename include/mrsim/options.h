@@ -58,7 +58,7 @@ struct InterpOptions {
   /// Variables that have a value before the program starts: "R1", "#100", "#<_name>", and a number
   /// or, for SINUMERIK, a text.
   std::vector<std::pair<std::string, std::string>> variables;
-  /// Tell every assignment to the sink as it happens.
+  /// Hand every assignment to the sink as it happens.
   bool trace_variables = false;
 };
 

@@ -54,7 +54,7 @@ struct OptionRow {
 };
 
 /// All options in the order of --help. A name stands in several rows where commands differ; the
-/// manual tells the first.
+/// manual has the first.
 std::span<const OptionRow> option_table();
 
 /// The first row of a name that is offered in one of `uses`, or nullptr.

@@ -12,7 +12,7 @@ namespace mrsim {
 /// Empty: they would meet below it. Requires: sizes above 0, angle below a quarter turn.
 std::vector<ProfilePoint> dovetail_outline(double diameter, double angle, double height);
 
-/// For the reader of an error: "profile = [[0, 0], [6, 0], [3.69, 4]]" with what `hint` tells in a
+/// For the reader of an error: "profile = [[0, 0], [6, 0], [3.69, 4]]" with what `hint` says in a
 /// program whose unit is `unit` mm, and what is only an example in it. Empty: its kind has no such
 /// outline.
 std::string outline_example(const ToolHint& hint, double unit);

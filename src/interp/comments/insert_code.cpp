@@ -139,7 +139,7 @@ bool read_half_size(std::string_view text, const Shape& shape, InsertCode& code)
 
 bool is_any_of(char c, std::string_view letters) { return letters.find(c) != letters.npos; }
 
-// "PCLNR 2525 M12", "SDJCL-1212": clamp, shape, style, clearance, hand. The hand does not tell
+// "PCLNR 2525 M12", "SDJCL-1212": clamp, shape, style, clearance, hand. The hand does not say
 // which way the tool cuts: that depends on how it stands in its turret.
 std::optional<InsertCode> find_holder_code(const std::vector<CommentToken>& tokens) {
   for (std::size_t i = 0; i + 1 < tokens.size(); ++i) {

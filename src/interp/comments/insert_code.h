@@ -1,5 +1,5 @@
 // Codes of turning inserts: ISO 1832 ("CNMG 120408") and the inch form ("CNMG-432"); of their
-// holders (ISO 5608, "PCLNR 2525"), which tell the shape.
+// holders (ISO 5608, "PCLNR 2525"), which give the shape.
 #pragma once
 
 #include "interp/comments/comment_tokens.h"
@@ -11,7 +11,7 @@
 namespace mrsim {
 
 struct InsertCode {
-  std::string shape;               ///< "CNMG", "C" where a holder tells it
+  std::string shape;               ///< "CNMG", "C" where a holder gives it
   double edge_length = 0;          ///< mm, of the cutting edge; of a round insert its diameter
   double nose_radius = 0;          ///< mm
   std::string other;               ///< letters of a second code with another corner or nose

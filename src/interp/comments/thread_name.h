@@ -10,7 +10,7 @@
 namespace mrsim {
 
 struct ThreadName {
-  ToolLength diameter;             ///< major diameter; none where the name does not tell it
+  ToolLength diameter;             ///< major diameter; none where the name does not have it
   bool enlarged = false;           ///< for a wire insert: its tap is larger than the thread
   std::size_t first = 0, end = 0;  ///< tokens [first, end) are its name
 };

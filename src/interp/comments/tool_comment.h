@@ -2,8 +2,8 @@
 // "T239 | 10 FLAT ENDMILL | H239 | D239 | TOOL DIA. - 10.", "OD ROUGH - CNMG 120408".
 //
 // Guarantees: only whole words count; a register (D239 beside H239, DIA. OFF. - 41) is no diameter;
-// where two readings of a comment differ no tool is made and the reason is told. Does not know the
-// units of the program: fill_tool() of tool_hint.h is given them.
+// where two readings of a comment differ no tool is made and the reason is reported. Does not know
+// the units of the program: fill_tool() of tool_hint.h is given them.
 #pragma once
 
 #include "interp/comments/tool_kind.h"
@@ -60,7 +60,7 @@ struct ToolHint {
   double edge_length = 0;                     ///< mm
   bool left_hand = false, inside = false, bores = false, face_groove = false;
   BladePoint blade_point = BladePoint::untold;
-  int orientation = 0;         ///< of a lathe's tool, "TIP 3"; 0: not told
+  int orientation = 0;         ///< of a lathe's tool, "TIP 3"; 0: not given
   bool padded_radius = false;  ///< "R05", which may be R5 or R0.5
   bool bare_id = false;        ///< "TOOL NUMBER: 5" and nothing else
   bool bare_kind = false;      ///< nothing but the kind's name: "BAR STOP"

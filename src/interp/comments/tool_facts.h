@@ -34,7 +34,7 @@ struct ToolFacts {
   std::vector<ToolLength> named;     ///< diameters with a name: "DIA 10", "Ø5", "D=6"
   ToolLength letter_d;               ///< "D10": a diameter, or a register
   ToolLength second_d;               ///< of a pointed mill: a tip, or a register
-  std::optional<ToolLength> thread;  ///< diameter of the thread that is named; 0 = not told
+  std::optional<ToolLength> thread;  ///< diameter of the thread that is named; 0 = not given
   bool enlarged_thread = false;      ///< for a wire insert
   std::optional<ToolLength> gauge;   ///< "#7", "LETTER Q"
   std::string gauge_name;
@@ -66,7 +66,7 @@ struct ToolFacts {
   bool full_radius = false;  ///< "FULL RADIUS": the end of a blade is half a circle
   bool face_groove = false;  ///< "FACE GROOVE": the blade stands along Z
   BladePoint blade_point = BladePoint::untold;
-  int orientation = 0;           ///< "TIP 3", "TIP DIRECTION 2"; 0: not told
+  int orientation = 0;           ///< "TIP 3", "TIP DIRECTION 2"; 0: not given
   bool corner_line = false;      ///< "TIP RADIUS: 1.0" and nothing else
   bool diameter_line = false;    ///< "DIAMETER: 8.0" and nothing else
   bool angle_line = false;       ///< "TAPER ANGLE: 5.", "ANGLE: 60" and nothing else

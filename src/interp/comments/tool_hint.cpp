@@ -114,7 +114,7 @@ bool fill_corner(const ToolHint& hint, double unit, Tool& out, std::string& why)
   return true;
 }
 
-// The flank ends at the flute length, or at the diameter where the tip's is told, or where the
+// The flank ends at the flute length, or at the diameter where the tip's is given, or where the
 // program's cuts do.
 void fill_cone(const ToolHint& hint, double unit, Tool& out, std::string& why) {
   if (hint.flute_length) out.flute_length = beside(hint.flute_length, hint, unit);
@@ -208,12 +208,12 @@ bool fill_mill(const ToolHint& hint, double unit, Tool& out, std::string& why) {
 // No code of an insert and no angle: what cuts is the blade.
 bool insert_is_blade(const ToolHint& hint) { return hint.insert.empty() && hint.insert_angle == 0; }
 
-// Neutral, and nothing tells its width: its lead does.
+// Neutral and without a width: its lead gives the width.
 bool is_thread_tooth(const Tool& tool) {
   return tool.type == ToolType::threading && tool.lead_angle == 0 && tool.edge_length == 0;
 }
 
-// Orientation of a blade whose point the comment tells; 0: the usual one.
+// Orientation of a blade whose point the comment gives; 0: the usual one.
 int blade_tip(const ToolHint& hint) {
   switch (hint.blade_point) {
     case BladePoint::left:
@@ -330,7 +330,7 @@ void complete_turning_tool(Tool& tool) {
   const bool thread = tool.type == ToolType::threading;  // neutral, 60 degrees
   if (tool.insert.empty() && tool.insert_angle == 0) tool.insert_angle = radians(thread ? 60 : 35);
   if (tool.lead_angle == 0 && !round && !thread) tool.lead_angle = radians(93);
-  // The cuts tell how large a tooth is, and how much room there is inside.
+  // The cuts show how large a tooth is, and how much room there is inside.
   if (tool.edge_length == 0 && !thread && !is_inside_tool(tool)) tool.edge_length = 16;
 }
 

@@ -116,7 +116,7 @@ void merge_angle(ToolHint& into, const ToolHint& line) {
     into.tip_angle = line.tip_angle;
     return into.doubt.clear();
   }
-  if (!into.insert.empty() && !line.own_angle) return;  // it tells its own; "3 DEG TAPER"
+  if (!into.insert.empty() && !line.own_angle) return;  // it has its own; "3 DEG TAPER"
   const ToolHint both = read_tool_comment(in_one_line(into, line));
   const std::string doubt = doubt_of_angle(into, line, both);
   if (both.type) into.type = both.type;
@@ -138,7 +138,7 @@ bool is_same(const ToolLength& a, const ToolLength& b) {
   return std::abs(about_mm(a) - about_mm(b)) < kRounding;
 }
 
-// What is told twice must agree.
+// What is given twice must agree.
 void take_size(ToolHint& into, ToolLength ToolHint::*size, const ToolHint& both) {
   if (!(both.*size)) return;
   if (into.*size && !is_same(into.*size, both.*size) && into.doubt.empty())

@@ -61,7 +61,7 @@ std::vector<double> SizeSettler::settle() {
   return std::move(angles_);
 }
 
-// Beside the kind; elsewhere only where nothing else has told the diameter.
+// Beside the kind; elsewhere only where nothing else has given the diameter.
 void SizeSettler::add_groups() {
   for (const SizeGroup& group : facts_.before_kind) {
     if (!(facts_.holes && group.sizes.front().unit == 0)) add_group(group);

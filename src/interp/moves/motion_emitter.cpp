@@ -249,7 +249,7 @@ void MotionEmitter::refuse_undescribed_tool(const Motion& motion) {
 void MotionEmitter::refuse_live_tool(const Motion& motion) {
   if (motion.tool < 0) return;
   const Tool& tool = program_.tools[static_cast<std::size_t>(motion.tool)];
-  if (is_turning(tool.type) || tool.diameter == 0) return;  // without data: told at its T word
+  if (is_turning(tool.type) || tool.diameter == 0) return;  // without data: reported at its T word
   const double beside =
       std::max(motion.assumed_start ? 0.0 : std::abs(motion.start.x), std::abs(motion.end.x));
   if (beside <= kOnAxis) return;

@@ -18,7 +18,7 @@ class TravelCheck : public ControlPart {
   unsigned axes(const Motion& motion);
   /// Notes where `motion`, in the stock's coordinates, leaves the limits of these axes.
   void check(const Motion& motion, unsigned axes);
-  /// Tells what was found, and what could not be checked.
+  /// Reports what was found, and what could not be checked.
   void finish();
 
  private:

@@ -1,4 +1,4 @@
-// What the motions of a lathe's tool tell of it, where no data describe it. Private to src/interp.
+// What the motions of a lathe's tool show of it, where no data describe it. Private to src/interp.
 #pragma once
 
 #include <mrsim/types.h>

@@ -92,7 +92,7 @@ Fit arc_through(const Vec3& start, const Vec3& via, const Vec3& end, SpatialArc&
   const Vec3 a = via - start, b = end - start;
   const Vec3 n = cross(a, b);
   const double n2 = dot(n, n), a2 = dot(a, a), b2 = dot(b, b);
-  // All three on a line, with nothing to tell the arc's plane by: the sine between the two chords
+  // All three on a line, so that the arc has no plane: the sine between the two chords
   // is up to 1e-9, or `via` lies within 1e-12 mm of the chord.
   constexpr double kNoSineSquared = 1e-18, kNoHeightSquared = 1e-24;
   if (n2 <= kNoSineSquared * a2 * b2 + kNoHeightSquared * b2) {

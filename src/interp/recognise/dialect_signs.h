@@ -22,7 +22,7 @@ class DialectSigns {
   /// What the file's name says.
   void name(const std::string& path);
   void line(const LineScan& scan, std::string_view raw, int number);
-  /// A line of plain motion, as read_plain() tells it.
+  /// A line of plain motion, as read_plain() finds it.
   void plain(const PlainLine& line, int number) {
     if (line.arc) arcs_ = true;
     if (line.line) arcs_ = false;

@@ -22,7 +22,7 @@ class ForeignPrograms {
   }
   /// The lines to come can not make a laser's program of it.
   bool settled() const { return z_ || other_; }
-  /// Throws for what only the whole text tells: a laser's program, a pen plotter's.
+  /// Throws for what only the whole text shows: a laser's program, a pen plotter's.
   void finish() const;
 
  private:

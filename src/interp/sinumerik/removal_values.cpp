@@ -81,7 +81,7 @@ bool RemovalValues::removal_ways(RemovalPlan& r) {
   return true;
 }
 
-// UX and UZ, or U beside the contour; the ten thousands of VARI tell where a program has both.
+// UX and UZ, or U beside the contour; the ten thousands of VARI decide where a program has both.
 void RemovalValues::removal_allowances(RemovalPlan& r) {
   const double unit = scale();
   const double x = std::abs(call_.get("UX")) * unit, z = std::abs(call_.get("UZ")) * unit;

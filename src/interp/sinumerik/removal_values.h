@@ -17,7 +17,7 @@ struct RemovalPlan {
   double down = -1, run = -1;  ///< signs of the infeed in u and of the cut in v
   double clear = 1;
   double top = 0, start = 0;    ///< the first level's u less a pass; v where passes begin
-  std::optional<double> blank;  ///< u of its surface, where the cycle is told
+  std::optional<double> blank;  ///< u of its surface, where the cycle has it
   Vec3 allowance;
   double parallel = 0;                         ///< allowance along the contour's normal
   double depth = 0;                            ///< of a pass

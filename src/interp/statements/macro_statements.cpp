@@ -286,7 +286,7 @@ std::size_t MacroStatements::modal_count() const {
   return std::min(levels_.back().modal, modal_calls_.size());
 }
 
-// Whether a move in a macro of G65 runs the macro of a G66 before it is told by no manual.
+// No manual says whether a move in a macro of G65 runs the macro of a G66 before it.
 bool MacroStatements::is_modal_unclear() const {
   return !levels_.empty() && levels_.back().simple && modal_count() > 0 &&
          modal_calls_.size() <= levels_.back().base;

@@ -215,8 +215,8 @@ bool OspStatements::set(std::string_view name, const Value& value, std::size_t f
   return store(name, {}, value, from, to);
 }
 
-// MODIN: the program runs behind every block that moves. Whether it does in programs of CALL is
-// told by no manual at hand.
+// MODIN: the program runs behind every block that moves. Whether it does in programs of CALL no
+// manual at hand says.
 void OspStatements::end_block(bool moved) {
   if (!moved || !modal_ || runs_modal_) return MacroStatements::end_block(moved);
   if (calls_ == 0) {

@@ -53,7 +53,7 @@ class Statements : public ControlPart, public LanguageReader {
   /// The values of a call whose text between the brackets is `argument`, a part of the block's
   /// line; one may be left out. False: reported.
   bool call_values(std::string_view argument, std::vector<std::optional<Value>>& out);
-  /// Of an expression that stands in no block; a fault is told of at `word`.
+  /// Of an expression that stands in no block; a fault is reported at `word`.
   bool value_of(std::string_view expression, Value& out, const Word& word);
   /// The value of a numbered variable. False: it has none, or no number.
   bool variable(double number, double& out);

@@ -47,7 +47,7 @@ class LineParser {
   }
   void skip_blanks();
   void push(Block& block, Word& word, std::size_t from);
-  /// The block's number, read from `from` to p_; a second one tells of a lost end of line.
+  /// The block's number, read from `from` to p_; a second one shows a lost end of line.
   void block_number(Block& block, std::size_t from);
 
   /// Behind a number of at most 15 digits, as nearly all are, whose value and point `word` gets.

@@ -9,7 +9,7 @@ namespace mrsim {
 
 enum class MCode : std::uint8_t {
   unknown,
-  no_effect,  ///< gears, chucks, chip conveyors: nothing that an event tells
+  no_effect,  ///< gears, chucks, chip conveyors: nothing that an event reports
   flow,       ///< calls and returns
   stop,
   optional_stop,

@@ -147,7 +147,7 @@ bool ToolChanger::brings_waiting(const Word& word) {
   return true;
 }
 
-// T0101.1 of Mazak's lathes: the digits behind the point tell tools of one station apart. False: an
+// T0101.1 of Mazak's lathes: the digits behind the point number tools of one station. False: an
 // error was reported.
 bool ToolChanger::suffix(const Word& word) {
   if (!lathe() || !is(Dialect::fanuc))

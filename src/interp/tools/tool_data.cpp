@@ -84,7 +84,7 @@ bool ToolData::infer(const std::string& id, Tool& out, std::string& why, Severit
   if (const ToolHint* hint = said_of_it) {
     if (hint->plain_teeth()) said = Severity::warning;
     if (fill_tool(*hint, scale(), lathe(), out, why)) {
-      // "#7 DRILL" beside T7, unless another comment tells that size, too.
+      // "#7 DRILL" beside T7, unless another comment has that size, too.
       const bool number = !id.empty() && hint->gauge == id && hint->diameters.size() < 2;
       if (!number && !of_unknown_unit(*hint)) return true;
       why = number ? fmt::format("names drill {0}, or tool {0}", id)

@@ -12,8 +12,8 @@ constexpr double kSameNose = 0.01;  // mm: of radii in inches with three decimal
 
 }  // namespace
 
-// T0303 and T0313: a blade often has an offset for each of its corners, and which is which no
-// program tells.
+// T0303 and T0313: a blade often has an offset for each of its corners, and no program says
+// which is which.
 void ToolEdges::compare_offset(const Word& word, const Tool* used) {
   const long number = static_cast<long>(word.value), offset = number % 100;
   if (!lathe() || !is(Dialect::fanuc) || word.string || number < 100 || number > 9999 ||

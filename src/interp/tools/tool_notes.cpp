@@ -129,7 +129,7 @@ void ToolNotes::stands_alone(ToolHint hint, bool heads) {
   comments_.push_back(std::move(hint));
 }
 
-// The comments between two blocks, told apart by the tools that they name. The last of them wait
+// The comments between two blocks, sorted by the tools that they name. The last of them wait
 // for their tool.
 void ToolNotes::settle_comments() {
   if (comments_.empty()) return;

@@ -1,5 +1,5 @@
 // G words that machine makers read in their own way on a control of FANUC's kind: Okuma's OSP,
-// Brother, Haas, GSK. Each is told from FANUC's by the words beside it. Private to src/interp.
+// Brother, Haas, GSK. The words beside it distinguish each from FANUC's. Private to src/interp.
 #pragma once
 
 #include "interp/frames/frame_words.h"

@@ -17,7 +17,7 @@ class OperatorStops : public ControlPart {
   explicit OperatorStops(Control& control) : ControlPart(control) {}
   /// The texts of a block for the operator, before it runs.
   void read_texts();
-  /// The block has run; `cuts`: of the program so far. Tells at the first cut behind the stop.
+  /// The block has run; `cuts`: of the program so far. Reports at the first cut behind the stop.
   void end_block(std::size_t cuts);
 
  private:

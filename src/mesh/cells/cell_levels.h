@@ -10,7 +10,7 @@ namespace mrsim::detail {
 /// longer resolve the cells of a part within `bounds`, mm.
 int fine_levels(const Box3& bounds, double voxel, double tolerance);
 
-/// Throws Error "voxel-invalid" where coordinates as floats do not tell the planes of the voxels
+/// Throws Error "voxel-invalid" where float coordinates do not separate the planes of the voxels
 /// apart.
 void require_resolved(const Box3& bounds, double voxel);
 

@@ -28,7 +28,7 @@ enum : int {
   kElementBuffer = 34963
 };
 
-// All that tells one vertex of the file from another.
+// All in which two vertices of the file can differ.
 struct Corner {
   std::uint32_t vertex = 0;
   std::array<std::int8_t, 3> normal{};

@@ -13,7 +13,7 @@
 namespace mrsim {
 namespace {
 
-// The unit of a LinuxCNC table is the machine's; a remark such as "1/4 end mill" beside D0.25 tells
+// The unit of a LinuxCNC table is the machine's; a remark such as "1/4 end mill" beside D0.25 shows
 // it.
 double table_unit(const std::vector<LibraryTool>& tools, bool& told) {
   int inches = 0, millimetres = 0;
