@@ -27,7 +27,7 @@ namespace {
 constexpr double kAngle = 0.2;       // radians between neighbouring chords of an edge at most
 constexpr double kInnerAngle = 0.5;  // between facets, which are divided further
 constexpr double kInnerShare = 16;   // of the deflection: what facets may miss before
-constexpr int kRounds = 3;           // of finer chords
+constexpr int kChordRounds = 3;      // of finer chords
 constexpr double kFiner = 0.3;       // deflection of a round, of the one before
 
 // Edges end at their chords; within a face facets may miss it by `inner` times as much. At 1 Open
@@ -131,7 +131,7 @@ bool is_closed(const SolidFacets& facets) {
 SolidFacets facets_of(const TopoDS_Shape& solid, double deflection, double inner) {
   SolidFacets out;
   double asked = deflection;
-  for (int round = 0; round < kRounds; ++round, asked *= kFiner) {
+  for (int round = 0; round < kChordRounds; ++round, asked *= kFiner) {
     divide_edges(solid, asked, inner);
     out.deviation = edge_deviation(solid);
     if (out.deviation <= deflection) break;
