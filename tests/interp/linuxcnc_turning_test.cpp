@@ -17,10 +17,10 @@ Program run_profile(const std::string& text) {
   return read_text(text, at_origin(Dialect::ngc, MachineKind::lathe), "part.ngc");
 }
 
-std::string path_of(const std::string& text) { return path_text(run_profile(text)); }
+std::string turned_path(const std::string& text) { return path_text(run_profile(text)); }
 
 TEST(LinuxCncTurning, G71CutsLevelsFromTheStartDownAndThenAlongTheContour) {
-  EXPECT_EQ(path_of(std::string(kCollar) + "G71 Q100 I4 R1\nM2\n"),
+  EXPECT_EQ(turned_path(std::string(kCollar) + "G71 Q100 I4 R1\nM2\n"),
             "r20,0,2 "
             "l20,0,-20 r21,0,-19 r21,0,1 r20,0,2 "
             "r16,0,2 l16,0,-20 r17,0,-19 r17,0,1 r16,0,2 "
@@ -29,34 +29,34 @@ TEST(LinuxCncTurning, G71CutsLevelsFromTheStartDownAndThenAlongTheContour) {
 }
 
 TEST(LinuxCncTurning, XAndZOfTheCycleAreWhereItBegins) {
-  EXPECT_EQ(path_of(std::string(kCollar) + "G0 X30 Z10\nG71 Q100 X20 Z2 I20 R1\nM2\n"),
+  EXPECT_EQ(turned_path(std::string(kCollar) + "G0 X30 Z10\nG71 Q100 X20 Z2 I20 R1\nM2\n"),
             "r20,0,2 r30,0,10 r20,0,2 l20,0,-20 r21,0,-19 r21,0,1 r20,0,2 "
             "r8,0,2 l8,0,-10 l14,0,-10 l14,0,-20 l20,0,-20");
 }
 
 TEST(LinuxCncTurning, DiametersHoldForXAndU) {
-  EXPECT_EQ(path_of("G18 G7 F100\nO1 sub\nX16\nG1 W-12\nU12\nZ-20\nX40\nO1 endsub\n"
-                    "G71 Q1 X40 Z2 I20 R1\nM2\n"),
+  EXPECT_EQ(turned_path("G18 G7 F100\nO1 sub\nX16\nG1 W-12\nU12\nZ-20\nX40\nO1 endsub\n"
+                        "G71 Q1 X40 Z2 I20 R1\nM2\n"),
             "r20,0,2 l20,0,-20 r21,0,-19 r21,0,1 r20,0,2 "
             "r8,0,2 l8,0,-10 l14,0,-10 l14,0,-20 l20,0,-20");
 }
 
 TEST(LinuxCncTurning, InchesAndIncrementsOfTheContour) {
-  EXPECT_EQ(path_of("G18 G20 F4\nO1 sub\nX-12\nG1 Z-12\nX6\nZ-10\nX6\nO1 endsub\n"
-                    "G0 X20 Z2\nG91\nG71 Q1 X0 I20 R1\nM2\n"),
+  EXPECT_EQ(turned_path("G18 G20 F4\nO1 sub\nX-12\nG1 Z-12\nX6\nZ-10\nX6\nO1 endsub\n"
+                        "G0 X20 Z2\nG91\nG71 Q1 X0 I20 R1\nM2\n"),
             "r508,0,50.8 l508,0,-508 r533.4,0,-482.6 r533.4,0,25.4 r508,0,50.8 "
             "r203.2,0,50.8 l203.2,0,-254 l355.6,0,-254 l355.6,0,-508 l508,0,-508");
 }
 
 TEST(LinuxCncTurning, G72CutsLevelsAlongX) {
-  EXPECT_EQ(path_of("G18 F100\nO1 sub\nG1 Z-4\nX30\nZ0\nO1 endsub\nG72 Q1 X50 Z0 I2 R1\nM2\n"),
+  EXPECT_EQ(turned_path("G18 F100\nO1 sub\nG1 Z-4\nX30\nZ0\nO1 endsub\nG72 Q1 X50 Z0 I2 R1\nM2\n"),
             "r50,0,0 l30,0,0 r31,0,1 r49,0,1 r50,0,0 "
             "r50,0,-2 l30,0,-2 r31,0,-1 r49,0,-1 r50,0,-2 "
             "r50,0,-4 l30,0,-4 l30,0,0");
 }
 
 TEST(LinuxCncTurning, BoresAreCutOutwards) {
-  EXPECT_EQ(path_of("G18 F100\nO1 sub\nG1 X10\nZ-10\nX5\nO1 endsub\nG71 Q1 X5 Z1 I3 R1\nM2\n"),
+  EXPECT_EQ(turned_path("G18 F100\nO1 sub\nG1 X10\nZ-10\nX5\nO1 endsub\nG71 Q1 X5 Z1 I3 R1\nM2\n"),
             "r5,0,1 l5,0,-10 r4,0,-9 r4,0,0 r5,0,1 "
             "r8,0,1 l8,0,-10 r7,0,-9 r7,0,0 r8,0,1 "
             "r10,0,1 l10,0,-10 l5,0,-10");
@@ -76,10 +76,10 @@ TEST(LinuxCncTurning, G71_1LeavesPocketsAndG71_2CutsThem) {
       "l8,0,-10 l8,0,-16 r8.5,0,-15.5 r8.5,0,-10.5 l8,0,-10 "
       "l7,0,-11 l7,0,-15 r7.5,0,-14.5 r7.5,0,-11.5 l7,0,-11 "
       "l6,0,-12 l6,0,-14 l8,0,-16 l8,0,-20 l10,0,-20";
-  EXPECT_EQ(path_of(std::string(kGroove) + "G71.1 Q7 R0.5\nM2\n"),
+  EXPECT_EQ(turned_path(std::string(kGroove) + "G71.1 Q7 R0.5\nM2\n"),
             first + "l8,0,-10 l8,0,-16 l8,0,-20 l10,0,-20");
-  EXPECT_EQ(path_of(std::string(kGroove) + "G71.2 Q7 R0.5\nM2\n"), "r10,0,2 r8,0,2 " + pocket);
-  EXPECT_EQ(path_of(std::string(kGroove) + "G71 Q7 R0.5\nM2\n"), first + pocket);
+  EXPECT_EQ(turned_path(std::string(kGroove) + "G71.2 Q7 R0.5\nM2\n"), "r10,0,2 r8,0,2 " + pocket);
+  EXPECT_EQ(turned_path(std::string(kGroove) + "G71 Q7 R0.5\nM2\n"), first + pocket);
 }
 
 TEST(LinuxCncTurning, DIsLeftOnTheContour) {
@@ -95,14 +95,14 @@ TEST(LinuxCncTurning, DIsLeftOnTheContour) {
 
 TEST(LinuxCncTurning, G70RunsPassesAtDistancesFromDToE) {
   const std::string contour = "G18 F100\nO1 sub\nX8\nG1 Z-10\nX14\nO1 endsub\n";
-  EXPECT_EQ(path_of(contour + "G70 Q1 X20 Z2 D1 E0 P2\nM2\n"),
+  EXPECT_EQ(turned_path(contour + "G70 Q1 X20 Z2 D1 E0 P2\nM2\n"),
             "r20,0,2 r8.5,0,2 l8.5,0,-9.5 l14,0,-9.5 "
             "r20,0,2 r8,0,2 l8,0,-10 l14,0,-10");
 }
 
 TEST(LinuxCncTurning, FilletsAndChamfersStandAtTheEndOfTheirBlock) {
   const std::string before = "G18 F100\nO1 sub\nX8\nG1 Z-10 ", behind = "\nX14\nO1 endsub\n";
-  EXPECT_EQ(path_of(before + "C1" + behind + "G70 Q1 X20 Z2\nM2\n"),
+  EXPECT_EQ(turned_path(before + "C1" + behind + "G70 Q1 X20 Z2\nM2\n"),
             "r20,0,2 r8,0,2 l8,0,-9 l9,0,-10 l14,0,-10");
   const Program p = run_profile(before + "A1" + behind + "G70 Q1 X20 Z2\nM2\n");
   EXPECT_EQ(path_text(p), "r20,0,2 r8,0,2 l8,0,-9 a9,0,-10 l14,0,-10");
@@ -118,7 +118,7 @@ TEST(LinuxCncTurning, TheContourMayBranchAndCountAndKeepsNoFeed) {
 }
 
 TEST(LinuxCncTurning, TheMotionInForceIsThatOfTheLastMove) {
-  EXPECT_EQ(path_of(std::string(kCollar) + "G70 Q100\nX25\nM2\n"),
+  EXPECT_EQ(turned_path(std::string(kCollar) + "G70 Q100\nX25\nM2\n"),
             "r20,0,2 r8,0,2 l8,0,-10 l14,0,-10 l14,0,-20 l20,0,-20 l25,0,-20");
 }
 
