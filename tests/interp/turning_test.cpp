@@ -15,10 +15,7 @@ using namespace mrsim::testing;
 std::string turned(const Program& program) {
   std::string out;
   for (const Motion& m : program.motions) {
-    const char kind = m.kind == MotionKind::rapid ? 'r'
-                      : m.kind == MotionKind::arc ? 'a'
-                      : m.lead != 0               ? 't'
-                                                  : 'l';
+    const char kind = m.kind == MotionKind::line && m.lead != 0 ? 't' : "rla"[int(m.kind)];
     out += fmt::format("{}{:.4g},{:.4g} ", kind, m.end.x + 0.0, m.end.z + 0.0);
   }
   if (!out.empty()) out.pop_back();
