@@ -9,7 +9,7 @@ namespace mrsim {
 
 /// What toml::parse() gives and throws. A key of more than 16 parts ("a.b.c ...") is a
 /// toml::parse_error, too: the library makes a table of each part, and frees them by recursion,
-/// which takes all of the stack. Throws Error "memory" as well (core/memory_limit.h).
+/// which takes all of the stack. Throws Error "memory" as well (core/process/memory_limit.h).
 toml::table parse_toml(std::string_view text);
 
 /// Whether a word of a program can be `name`, which is compared with them as it stands ("G54",

@@ -1,6 +1,6 @@
 #include "cli/console/standard_streams.h"
 
-#include "cli/temporary_place.h"
+#include "cli/console/temporary_place.h"
 #include <mrsim/types.h>
 
 #include <cerrno>

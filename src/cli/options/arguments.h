@@ -1,8 +1,8 @@
 // The command line as values.
 #pragma once
 
-#include "cli/compare_request.h"
-#include "cli/job_places.h"
+#include "cli/options/compare_request.h"
+#include "cli/options/job_places.h"
 #include <mrsim/mrsim.h>
 
 #include <string>

@@ -72,10 +72,10 @@ struct Control {
   std::map<long, double> told_noses;          ///< mm, by the number of a lathe's offset
   std::map<std::string, double> kept_values;  ///< SINUMERIK's markers and outputs: $AC_MARKER[1]
   int register_changes = 0;                   ///< how often the program has set one
-  bool skips_data = false;   ///< blocks up to G11 set what is not read: lives, parameters
-  bool paused = false;       ///< M0, or a tool changed by hand, and no motion since
+  bool skips_data = false;      ///< blocks up to G11 set what is not read: lives, parameters
+  bool paused = false;          ///< M0, or a tool changed by hand, and no motion since
   bool untilted_plane = false;  ///< G68.2 without a tilt is in force
-  int unread_end = 0;        ///< a refused mode is in force: the word that ends it, see UnreadModes
+  int unread_end = 0;  ///< a refused mode is in force: the word that ends it, see UnreadModes
 
   /// One name for the offsets that have several, without blanks: G154 P1 and G110 of Haas are
   /// G54.1 P1.

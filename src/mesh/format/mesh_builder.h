@@ -29,7 +29,7 @@ void require_growth(const std::vector<T>& items, std::size_t bytes, const std::s
 }
 
 /// Builds a mesh from untrusted numbers. Every fault is an Error "<format>-index", "-nan",
-/// "-polygon", "-empty" that names the file, or "memory" (core/memory_limit.h).
+/// "-polygon", "-empty" that names the file, or "memory" (core/process/memory_limit.h).
 class MeshBuilder {
  public:
   /// `format` is the beginning of error codes, "obj".

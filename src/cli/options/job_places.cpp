@@ -1,4 +1,4 @@
-#include "cli/job_places.h"
+#include "cli/options/job_places.h"
 
 #include <algorithm>
 #include <string_view>
