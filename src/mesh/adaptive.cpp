@@ -43,6 +43,7 @@ constexpr std::size_t kCarefulRounds = 4;  ///< of splitting, by one step each
 constexpr int kLateSteps = 3;              ///< of splitting in one round after those
 constexpr std::size_t kFew = 100;          ///< cells are few where nodes are as many times more
 constexpr double kSplitNodes = 8;          ///< that a failed cell adds
+constexpr double kRaisedForNodes = 0.5;    ///< of the most tolerance
 constexpr double kRaisedShare = 0.7;  ///< of the most nodes, once the tolerance has been raised
 constexpr double kGrown = 1.25;    ///< times its present nodes, which the octree may grow by then
 constexpr double kFullRounds = 4;  ///< with the most nodes: what all rounds together may take
@@ -354,7 +355,8 @@ class AdaptiveMesher {
   bool has_taken_long() const { return work_ > full_rounds_ * most_nodes_; }
   // Once more for rounds than for nodes: the mesh is nearly done then.
   bool may_raise() const {
-    return tolerance_ * (has_taken_long() ? 1 : 2) <= options_.most_tolerance;
+    const double most = options_.most_tolerance * (has_taken_long() ? 1 : kRaisedForNodes);
+    return 2 * tolerance_ <= most;
   }
 
   detail::MeshCertifier certifier() const { return {field_, tree_, tolerance_, options_.threads}; }
@@ -437,7 +439,9 @@ std::optional<TriMesh> adaptive_mesh(const ExactField& field, double voxel, cons
     const int levels = detail::fine_levels(field.bounds(), voxel, tolerance);
     const Lattice lattice(field.bounds(), voxel, levels);
     try {
-      return AdaptiveMesher(field, lattice, tolerance, options, report).run();
+      TriMesh mesh = AdaptiveMesher(field, lattice, tolerance, options, report).run();
+      report.memory = std::max(report.memory, memory);
+      return mesh;
     } catch (const Error& error) {
       const bool has_no_mesh = error.code() == "mesh-unresolved";
       if ((!has_no_mesh && error.code() != "memory") || options.most_nodes == 0) throw;
@@ -447,7 +451,7 @@ std::optional<TriMesh> adaptive_mesh(const ExactField& field, double voxel, cons
       // Once the surface is drawn, the tolerance is raised without another octree.
       const bool may_retry = options.makes_new_octrees && has_no_mesh && report.passes == 0;
       report = {};
-      if (may_retry && 2 * tolerance <= options.most_tolerance) continue;
+      if (may_retry && 2 * tolerance <= kRaisedForNodes * options.most_tolerance) continue;
       report.memory = memory;
       report.given_up = error.what();
       return {};

@@ -19,8 +19,8 @@ struct MeshPlan {
   /// octree than these, as its first cells show, or more memory, or is not possible. 0 =
   /// never: that is an Error.
   std::size_t most_nodes = 0;
-  /// mm: before it is given up for its nodes, the tolerance is doubled as long as it does not
-  /// exceed this.
+  /// mm: before it is given up, the tolerance is doubled as long as it does not exceed this;
+  /// because of the octree's nodes, half of this.
   double most_tolerance = 0;
   /// Whether another octree may be made for that where one has too many nodes before any surface is
   /// drawn.

@@ -23,9 +23,9 @@ namespace {
 // keeps its volume within 0.03 % (docs/accuracy.md) in a run of a second.
 constexpr double kToleranceShare = 1.7e-4;
 
-// How many times as coarse a mesh within a tolerance may be before the grid takes its place: a
-// quarter of the grid's cells.
-constexpr double kMostRaised = 4;
+// How many times as coarse a mesh within a tolerance may be before the grid takes its place: half
+// of the grid's cells, a quarter of them because of the octree's nodes (MeshPlan::most_tolerance).
+constexpr double kMostRaised = 8;
 
 // Sweeps in the sample from which the area of the cut surface is estimated where the voxel is
 // given.
