@@ -319,6 +319,7 @@ TEST(Frames, WordsOfFramesCountLeastIncrements) {
   EXPECT_EQ(path("G52 X5000\nG1 X1000 F9"), "l6,0,0");
   EXPECT_EQ(path("G68 X1000 Y0 R90.\nG1 X2000 Y0 F9"), "l1,1,0");
   EXPECT_EQ(path("G68 X0 Y0 R90000\nG1 X2000 Y0 F9"), "l0,2,0");
+  EXPECT_EQ(path("G68.2 X1000 Y0 Z0 I30000 J0 K60.\nG53.1\nG1 X2000 Y0 F9"), "l1,2,0");
   EXPECT_EQ(path("G51 X1000 Y0 Z0 P2.\nG1 X2000 F9"), "l3,0,0");
   EXPECT_EQ(path("G51.1 X1000\nG1 X3000 F9"), "l-1,0,0");
   EXPECT_EQ(path("G16 G1 X10000 Y90000 F9"), "l0,10,0");

@@ -72,7 +72,7 @@ bool FrameWords::fanuc(const Word& word) {
 bool FrameWords::untilted_plane(Vec3 zero, unsigned named, const Word& word) {
   double angle = 0;
   for (const char c : {'I', 'J', 'K'})
-    if (const Word* w = take(c)) angle += w->value;
+    if (const Word* w = take(c)) angle += angle_value(*w);
   for (const char c : {'P', 'Q'}) take(c);
   for (int i = 0; i < 3; ++i)
     if ((named >> i & 1U) == 0) component(zero, i) = 0;
