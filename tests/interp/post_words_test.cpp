@@ -74,10 +74,11 @@ TEST(PostWords, WordsBehindASemicolonAreToldOf) {
   const auto said = [](const std::string& line) {
     return codes(read_text("G1 X0 F100\n" + line + "\n", at_origin(Dialect::fanuc)));
   };
-  for (const char* doubt : {"G1 X5.;Y6.", "G0 Z5. ;G1 Z-1. F100", "X5. ; Z-3"})
+  for (const char* doubt : {"G1 X5.;Y6.", "G0 Z5. ;G1 Z-1. F100", "X5. ; Z-3", "#1=5; G1 X3",
+                            "IF[1EQ1]THEN #1=5 ; G1 X3"})
     EXPECT_EQ(said(doubt), "block-end-sign") << doubt;
   for (const char* clear : {"G1 X5.;Y6.;", "G1 X5. ; FIRST CUT", ";G1 X5. Y6.", "X5. ; D10 R3",
-                            "X5.;", "X5. ; 10 MM", "X5. ;"})
+                            "X5.;", "X5. ; 10 MM", "X5. ;", "N7 (CUT) ; G1 X3", "#1=5; G1 X3;"})
     EXPECT_EQ(said(clear), "") << clear;
 }
 

@@ -21,13 +21,24 @@ bool is_dash(std::string_view text) {
          text.starts_with("\xE2\x80\x94");
 }
 
+// Whether a statement or an assignment stands there, and not comments and N words alone.
+bool says_something(std::string_view head) {
+  for (std::size_t i = 0; i < head.size(); ++i) {
+    if (head[i] == '(')
+      i = std::min(head.find(')', i), head.size());
+    else if (head[i] == '#' || (is_letter(head[i]) && upper(head[i]) != 'N'))
+      return true;
+  }
+  return false;
+}
+
 }  // namespace
 
 // FANUC's ";" ends a block, and many write comments behind it: where the line goes on with words,
 // either may be meant. Behind a tool "Z4" counts its flutes.
 void StrangeText::doubt_comment(const Block& block) {
   const auto is_tool = [](const Word& word) { return word.address == letter('T'); };
-  if (dialect_ != Dialect::fanuc || block.words.empty() ||
+  if (dialect_ != Dialect::fanuc || (block.words.empty() && !says_something(line_.substr(0, p_))) ||
       std::any_of(block.words.begin(), block.words.end(), is_tool) ||
       !looks_like_block(line_.substr(p_ + 1)) ||
       line_.find_first_of("GXYZgxyz", p_ + 1) == std::string_view::npos)
