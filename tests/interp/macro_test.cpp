@@ -199,6 +199,61 @@ TEST(Macro, BranchesOfSeveralLines) {
   EXPECT_EQ(told("#1=0\nIF[1 EQ 1]THEN #1=5. (OR ELSE 6)\nG1 X#1 F9\nM30\n"), "");
 }
 
+// The jump of an IF that is false passed over all of these, up to ENDIF.
+TEST(Macro, BlocksOfBranchesThatAreNotWhole) {
+  const auto read = [](const std::string& condition, const std::string& rest) {
+    return read_text(
+        "#1=0\nG1 F9\nIF[" + condition + "]THEN\nG1 X1 F9\n" + rest + "\nG1 X99\nM30\n",
+        at_origin(Dialect::fanuc));
+  };
+  for (const char* const rest :
+       {"ELSEIF[#1EQ0]THEN G1 X2\nENDIF", "ELSEIF[#1EQ0]\nG1 X2\nENDIF",
+        "ELSEIF[#1EQ0]GOTO 20\nN20 G1 X2\nENDIF", "(C) ELSEIF\nG1 X2\nENDIF",
+        "ELSIF[#1EQ0]THEN\nG1 X2\nENDIF", "N3 ELSEG1X2\nENDIF", "ELSE IF[#1EQ0]THEN\nENDIF",
+        "ELSE G1 X2\nENDIF", "ENDIF G1 X3", "ENDIF #1=7", "N9 (C) ENDIF (C) #1=7",
+        "ELSE\nX2\nELSE\nX3\nENDIF", "ELSE\nX2\nELSEIF[#1EQ0]THEN\nX3\nENDIF"})
+    for (const char* const condition : {"#1EQ1", "#1EQ0"}) {
+      const Program p = read(condition, rest);
+      EXPECT_EQ(codes(p), "structure") << rest;
+      EXPECT_TRUE(p.motions.empty()) << rest;
+    }
+  for (const char* const rest : {"(OTHER) ELSE\nX2\nENDIF", "N5(A) N6 (B)ELSE (C)\nX2\n (D) ENDIF",
+                                 "ELSEIF (C) [#1EQ0] (C) THEN (C)\nX2\n(C)ELSE\nX3\nENDIF"}) {
+    EXPECT_EQ(path_text(read("#1EQ1", rest)), "l2,0,0 l99,0,0") << rest;
+    EXPECT_EQ(path_text(read("#1EQ0", rest)), "l1,0,0 l99,0,0") << rest;
+  }
+  for (const char* const begin : {"(TEST) IF[#1EQ1]THEN", "N1 (A) IF (B) [#1EQ1] (C) THEN (D)"})
+    EXPECT_EQ(run(Dialect::fanuc, fmt::format("#1=0\n{}\nG1 X1 F9\nENDIF\nG1 X9 F9\nM30\n", begin)),
+              "9,0,0 ");
+}
+
+// All of it ran, or none.
+TEST(Macro, PartsOfBranchesThatBlockSkipLeavesOut) {
+  const auto told = [](const std::string& text, unsigned levels) {
+    InterpOptions options = at_origin(Dialect::fanuc);
+    options.block_skip = levels;
+    return codes(read_text(text, options));
+  };
+  for (const char* const condition : {"1EQ1", "1EQ2"}) {
+    const std::string head = fmt::format("IF[{}]THEN\nG1 X1 F9\n", condition);
+    EXPECT_EQ(told(head + "/ELSE\nG1 X2 F9\nENDIF\nG1 X9 F9\nM30\n", 1), "structure");
+    EXPECT_EQ(told(head + "N1 (A) /2 ELSE\nG1 X2 F9\nENDIF\nG1 X9 F9\nM30\n", 4), "structure");
+    EXPECT_EQ(told("/3" + head + "ENDIF\nG1 X9 F9\nM30\n", 8), "structure");
+    EXPECT_EQ(told(head + "/ELSE\nG1 X2 F9\nENDIF\nG1 X9 F9\nM30\n", 0), "");
+  }
+  EXPECT_EQ(told("/IF[1EQ1]THEN\n/G1 X2 F9\n/ENDIF\nG1 X9 F9\nM30\n", 1), "");
+}
+
+// Nothing of the line ran but its IF, and the program went on behind it.
+TEST(Macro, BranchesWithinALineThatNoSemicolonEnds) {
+  const std::string line = "IF[1EQ1]THEN; G1 X1 F9; ELSE; G1 X2 F9; ENDIF; G1 X3 F9";
+  const auto read = [&](const char* end) {
+    return read_text(line + end + "\nG1 X99 F9\nM30\n", at_origin(Dialect::fanuc));
+  };
+  EXPECT_EQ(codes(read("")), "structure");
+  EXPECT_EQ(path_text(read(";")), "l1,0,0 l3,0,0 l99,0,0");
+}
+
 // The control reads a block skip there.
 TEST(Macro, ADivisionWithoutBracketsIsToldOf) {
   const auto told = [](const char* text) {

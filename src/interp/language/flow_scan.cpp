@@ -68,8 +68,10 @@ constexpr Keyword kSinumerikWords[] = {
     {"UNTIL", FlowWord::loop_until, FlowWord::loop_repeat},
 };
 
-// The end of a FANUC block: behind ";" outside of comments.
+// The end of a FANUC block: ";" outside of comments. Where none ends the line, a comment begins.
 std::size_t end_of_block(std::string_view line, std::size_t p) {
+  const std::size_t last = line.find_last_not_of(" \t\r");
+  if (last == std::string_view::npos || line[last] != ';') return line.size();
   for (; p < line.size() && line[p] != ';'; ++p)
     if (line[p] == '(') {
       p = line.find(')', p);
@@ -97,9 +99,14 @@ bool ends_here(std::string_view line, std::size_t p) {
 
 }  // namespace
 
-bool ends_block(std::string_view line, std::size_t p) {
+std::size_t behind_comments(std::string_view line, std::size_t p) {
   for (p = skip_blanks(line, p); at(line, p) == '('; p = skip_blanks(line, p))
     p = std::min(line.find(')', p), line.size() - 1) + 1;
+  return p;
+}
+
+bool ends_block(std::string_view line, std::size_t p) {
+  p = behind_comments(line, p);
   return p >= line.size() || line[p] == ';';
 }
 
@@ -188,12 +195,41 @@ namespace {
 // Behind an IF or ELSEIF: a condition and a THEN that nothing follows, as branches of several
 // lines have it.
 bool opens_lines(std::string_view line, std::size_t& p) {
-  p = skip_blanks(line, p);
+  p = behind_comments(line, p);
   const std::size_t close = at(line, p) == '[' ? closing_bracket(line, p) : std::string_view::npos;
   if (close == std::string_view::npos) return false;
-  p = close + 1;
+  p = behind_comments(line, close + 1);
   const std::string name = letters_at(line, p);
   return name.size() >= 2 && std::string_view("THEN").starts_with(name) && ends_block(line, p);
+}
+
+// Words that can be nothing but a slip in ELSEIF, ELSE or ENDIF: "ELSIF", "ELSEG1", "ENDIFG1".
+bool resembles_branch(std::string_view name) {
+  const bool abbreviates = name.size() >= 2 && std::string_view("ELSEIF").starts_with(name);
+  return abbreviates || name.starts_with("ELS") || name == "ELIF" || name.starts_with("ENDI");
+}
+
+// IF, ELSEIF, ELSE and ENDIF, well formed or not: a jump must not pass over one that is not.
+bool scan_branch(std::string_view line, const std::string& name, FoundWord& found) {
+  std::size_t& p = found.behind;
+  for (const Keyword& known : kMacroBranches) {
+    if (known.name != name) continue;
+    const bool asks = known.word == FlowWord::branch || known.word == FlowWord::branch_else_if;
+    const bool whole = asks ? opens_lines(line, p) : ends_block(line, p);
+    if (known.word != FlowWord::branch || whole) found.word = known.word;
+    if (!whole && found.word != FlowWord::none)
+      found.fault = asks
+                        ? "ELSEIF needs [a condition] and THEN at the end of its block: write what "
+                          "is to be done into blocks of their own below it"
+                        : "words behind ELSE or ENDIF: write them into a block of their own";
+    return true;
+  }
+  if (!resembles_branch(name)) return false;
+  found.word = FlowWord::branch_else_if;
+  found.fault =
+      "this is neither ELSEIF nor ELSE nor ENDIF: write one of them, with nothing behind "
+      "it but the condition and THEN of ELSEIF";
+  return true;
 }
 
 FoundWord scan_macro_block(std::string_view line, std::size_t p) {
@@ -206,13 +242,8 @@ FoundWord scan_macro_block(std::string_view line, std::size_t p) {
     if (!found.name.empty()) found.word = FlowWord::section;
   } else if (c == 'W' || c == 'D' || c == 'E' || c == 'I') {
     std::string name = letters_at(line, p);
-    for (const Keyword& known : kMacroBranches)
-      if (known.name == name) {
-        const bool asks = c == 'I' || known.word == FlowWord::branch_else_if;
-        if (!asks || opens_lines(line, p)) found.word = known.word;
-        found.behind = p;
-        return found;
-      }
+    found.behind = p;
+    if (scan_branch(line, name, found)) return found;
     if (name.starts_with("WH") && name.size() <= 5) {
       p = skip_blanks(line, p);
       const std::size_t close = at(line, p) == '[' ? closing_bracket(line, p) : p;
@@ -235,10 +266,28 @@ FoundWord scan_macro_block(std::string_view line, std::size_t p) {
   return found;
 }
 
+// Behind all that may stand before the words of a block: comments, N words and "/2", whose level
+// counts for the rest of the line. "//" begins a comment.
+std::size_t behind_head(std::string_view line, std::size_t p, int& skip) {
+  for (long number = -1;;) {
+    p = behind_comments(line, p);
+    const char next = at(line, p + 1);
+    if (at(line, p) == '/' && next == '/') return p;
+    if (at(line, p) == '/' && skip < 0) skip = is_digit(next) ? next - '0' : 0;
+    const std::size_t behind = behind_number(line, p, number);
+    if (behind == p) return p;
+    p = behind;
+  }
+}
+
 void scan_macro_line(std::string_view line, std::vector<FoundWord>& out) {
+  int skip = -1;
   for (std::size_t from = 0; from < line.size(); from = end_of_block(line, from) + 1) {
     long number = -1;
-    FoundWord found = scan_macro_block(line, behind_number(line, from, number));
+    const std::size_t p = behind_head(line, from, skip);
+    FoundWord found = scan_macro_block(line, p);
+    found.skip = skip;
+    if (found.word == FlowWord::section && p != behind_number(line, from, number)) continue;
     if (found.word != FlowWord::none) out.push_back(std::move(found));
   }
 }

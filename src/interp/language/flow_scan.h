@@ -15,6 +15,8 @@ struct FoundWord {
   std::size_t at = 0, behind = 0;
   std::string name;                ///< loop number, label, name of a subprogram; upper case
   FlowWord ends = FlowWord::none;  ///< see FlowEntry
+  const char* fault = nullptr;     ///< what is wrong with the block, whether it runs or not
+  int skip = -1;                   ///< see FlowEntry
 };
 
 /// Appends what stands in the line.
@@ -22,6 +24,9 @@ void scan_flow(OutlineForm form, std::string_view line, std::vector<FoundWord>& 
 
 /// Where the words of a block begin behind blanks, "/2" and "N10". `number`: the N word, or -1.
 std::size_t behind_number(std::string_view line, std::size_t from, long& number);
+
+/// FANUC: `p` behind blanks and comments.
+std::size_t behind_comments(std::string_view line, std::size_t p);
 
 /// FANUC: nothing but blanks and comments stands between `p` and the end of the block.
 bool ends_block(std::string_view line, std::size_t p);

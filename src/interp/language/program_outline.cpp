@@ -83,6 +83,8 @@ ProgramOutline::ProgramOutline(const std::string& file, OutlineForm form) : name
       entry.word = one.word;
       entry.ends = one.ends;
       entry.name = one.name.empty() ? 0 : name_index(one.name);
+      entry.skip = one.skip;
+      if (one.fault) fault(entry.at, one.fault);
       if (one.word == FlowWord::section)
         begin_section(entry.at, open);
       else
@@ -170,7 +172,11 @@ void ProgramOutline::chain(int index, std::vector<Open>& open, bool last) {
   const int first = at->entry;
   FlowEntry& head = entries_[static_cast<std::size_t>(first)];
   const int tail = head.last < 0 ? first : head.last;
-  entries_[static_cast<std::size_t>(tail)].next = index;
+  FlowEntry& before = entries_[static_cast<std::size_t>(tail)];
+  if (before.word == FlowWord::branch_else && entry.word != FlowWord::branch_end)
+    fault(entry.at, fmt::format("{} behind the ELSE of line {}: ELSE is the last part of its IF",
+                                shown_end(entry), before.at.line + 1));
+  before.next = index;
   entry.first = first;
   head.last = index;
   if (!last) return;

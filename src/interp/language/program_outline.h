@@ -56,6 +56,7 @@ struct FlowEntry {
   std::uint32_t name = 0;                ///< index into ProgramOutline::names, 0 = none
   int first = -1, next = -1, last = -1;  ///< entries of the same structure
   int section = 0;
+  int skip = -1;  ///< level of the "/" before it, -1 = none; FANUC
 };
 
 /// How structures are written: FANUC WHILE DO END, LinuxCNC's O words, SINUMERIK's names, the

@@ -94,8 +94,9 @@ std::size_t MacroStatements::else_at(std::size_t p) const {
 // IF [...] GOTO 10, IF [...] THEN #1 = 2, and IF [...] THEN with its blocks below it.
 bool MacroStatements::if_statement(std::size_t from, std::size_t p) {
   bool holds = false;
+  p = behind_comments(block_.line, p);
   if (!condition(p, holds)) return false;
-  std::size_t behind = p;
+  std::size_t behind = p = behind_comments(block_.line, p);
   const std::string word = letters(behind);
   if (abbreviates(word, "GOTO")) {
     if (holds) return go_to(behind);

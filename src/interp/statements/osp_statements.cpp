@@ -1,6 +1,7 @@
 #include "interp/statements/osp_statements.h"
 
 #include "core/text/text_io.h"
+#include "interp/language/flow_scan.h"
 #include "interp/statements/lap_contour.h"
 #include "interp/text/characters.h"
 
@@ -43,7 +44,7 @@ bool OspStatements::starts_statement(std::string_view line, std::size_t p) {
 
 // The brackets of IF alone: in IF [VC1 GE 2] NEND the block NEND follows, and no comparison by NE.
 bool OspStatements::bracketed(std::size_t& p, bool& holds) {
-  p = skip_blanks(p);
+  p = behind_comments(block_.line, p);
   if (at(p) != '[') return condition(p, holds);
   double value = 0;
   decided_ = true;

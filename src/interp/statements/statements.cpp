@@ -288,6 +288,20 @@ bool Statements::call_sub(const std::string& name, CallRequest&&, const Word& wo
   return error("subprogram-missing", "there is no subprogram " + name, word);
 }
 
+// A jump would reach a part of a structure that --block-skip leaves out.
+bool Statements::is_whole(const FlowEntry& entry) {
+  const ProgramOutline& all = places_.outline();
+  for (int i = entry.first; i >= 0; i = all.entry(i).next) {
+    const FlowEntry& part = all.entry(i);
+    if (part.skip < 0 || (options_.block_skip >> part.skip & 1U) == 0) continue;
+    reporter_.set_place(block_.file, part.at.line + 1, block_.call, {});
+    return fail("structure",
+                "--block-skip leaves out this part of a branch or loop, and not all of it",
+                part.at.position, part.at.position + 1);
+  }
+  return true;
+}
+
 const FlowEntry* Statements::entry_at(std::size_t p) {
   const ProgramOutline& all = places_.outline();
   const Place here = reader_.place_at(p);
@@ -297,7 +311,7 @@ const FlowEntry* Statements::entry_at(std::size_t p) {
     fail("structure", wrong->text, wrong->at.position, wrong->at.position + 1);
     return nullptr;
   }
-  if (i >= 0) return &all.entry(i);
+  if (i >= 0) return is_whole(all.entry(i)) ? &all.entry(i) : nullptr;
   fail("structure", "this statement stands where the control does not look for it", p, p + 1);
   return nullptr;
 }

@@ -89,6 +89,7 @@ class Statements : public ControlPart, public LanguageReader {
 
   /// The entry of the statement at `p`; reports what is wrong with the structure.
   const FlowEntry* entry_at(std::size_t p);
+  bool is_whole(const FlowEntry& entry);
   bool jump_behind(const FlowEntry& entry);
   std::string letters(std::size_t& p) const { return letters_of(block_.line, p); }
   static std::string letters_of(std::string_view line, std::size_t& p);
