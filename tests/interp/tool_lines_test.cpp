@@ -150,16 +150,64 @@ TEST(ToolLines, LinesAboutTheWork) {
 // its own name or size.
 TEST(ToolLines, ShapesOfTheWorkBelowAPlainEndMill) {
   using enum ToolType;
-  for (const char* const work : {"DOVETAIL SLOT", "ROUGH DOVETAIL", "T-SLOT", "ROUGH T-SLOT",
-                                 "ROUND OVER", "ROUND OVER EDGES", "FINISH T SLOT SIDES"}) {
+  for (const char* const work : {"DOVETAIL SLOT", "ROUGH DOVETAIL", "ROUGH T-SLOT",
+                                 "ROUND OVER EDGES", "FINISH T SLOT SIDES"}) {
     EXPECT_EQ(below("10MM ENDMILL", work), tool_like(endmill, 10, 0, 0)) << work;
     EXPECT_EQ(first_tool(fmt::format("({})\n(10MM ENDMILL)\nT1 M6\n{}", work, kCut)),
               tool_like(endmill, 10, 0, 0))
         << work;
   }
   for (const char* const tool : {"DOVETAIL CUTTER", "T-SLOT CUTTER", "ROUND OVER BIT",
-                                 "DOVETAIL 60 DEG", "T-SLOT MILL", "WOODRUFF"})
+                                 "DOVETAIL 60 DEG", "T-SLOT MILL", "WOODRUFF", "DOVETAIL", "T-SLOT",
+                                 "KEYSEAT", "CORNER ROUND", "CORNER ROUNDING", "ROUND OVER"})
     EXPECT_NE(below("10MM ENDMILL", tool).find("different kinds"), std::string::npos) << tool;
+}
+
+// The comment of the block of the change, or right behind it, names the tool.
+TEST(ToolLines, FormsAtTheChangeToAPlainEndMill) {
+  const std::string cut = kCut, fusion = "(T1 D=10. CR=0. - ZMIN=-5. - FLAT END MILL)\n";
+  for (const char* const form :
+       {"DOVETAIL", "KEYSEAT", "T-SLOT", "ROUGH DOVETAIL", "DOVETAIL CUTTER"}) {
+    for (const std::string& head : {std::string("(T1 10MM END MILL)\n"), fusion}) {
+      const std::string beside = fmt::format("{}T1 M6 ({})\n{}", head, form, cut);
+      const std::string behind = fmt::format("{}T1 M6\n({})\n{}", head, form, cut);
+      EXPECT_NE(first_tool(beside).find("different kinds"), std::string::npos) << beside;
+      EXPECT_NE(first_tool(behind).find("different kinds"), std::string::npos) << behind;
+    }
+  }
+}
+
+// Such a size is that of a corner rounding cutter or of the head of a T-slot cutter.
+TEST(ToolLines, SizesOfAFormBesideAPlainEndMill) {
+  const std::string call = std::string("T1 M6\n") + kCut;
+  for (const char* const lines :
+       {"(CORNER ROUNDING)\n(10MM END MILL)\n(CR 3)\n", "(CORNER ROUNDING)\n(10MM END MILL R3)\n",
+        "(T-SLOT)\n(T1 D25 END MILL W8)\n", "(T-SLOT)\n(T1 D25 END MILL)\n(WIDTH 8)\n",
+        "(ROUND OVER EDGES)\n(10MM END MILL)\n(CR 3)\n", "(ROUND OVER EDGES)\n(10MM END MILL R3)\n",
+        "(T1 10MM END MILL R3)\n(ROUND OVER EDGES)\n", "(ROUGH T-SLOT)\n(T1 D25 END MILL W8)\n",
+        "(T1 D25 END MILL W8)\n(ROUGH T-SLOT)\n"})
+    EXPECT_NE(first_tool(lines + call).find("the comment"), std::string::npos) << lines;
+}
+
+// "MILL D25" may be any mill: the name of a form says which, and asks for what it lacks.
+TEST(ToolLines, AFormBelowAMillOfNoKind) {
+  const std::string cut = kCut, call = "T1 M6\n" + cut;
+  for (const std::string& text :
+       {"(T1 MILL D25)\nT1 M6 (T-SLOT CUTTER)\n" + cut, "(T1 MILL D25)\n(T-SLOT)\n" + call,
+        "(T1 MILL D25)\nT1 M6 (DOVETAIL CUTTER)\n" + cut, "(MILL D10)\n(DOVETAIL)\n" + call,
+        "(T-SLOT)\n(MILL D10)\n" + call, "(T1 MILL D25)\nT1 M6\n(T-SLOT)\n" + cut})
+    EXPECT_NE(first_tool(text).find("the comment"), std::string::npos) << text;
+}
+
+TEST(ToolLines, WhatIsTakenToBeTheWorkIsTold) {
+  InterpOptions options;
+  options.dialect = Dialect::fanuc;
+  const Program p =
+      read_text(std::string("(T1 10MM ENDMILL)\n(ROUGH T-SLOT)\nT1 M6\n") + kCut, options);
+  std::string told;
+  for (const Diagnostic& d : p.diagnostics)
+    if (d.code == "tool-inferred") told = d.text;
+  EXPECT_NE(told.find("\"ROUGH T-SLOT\" taken to be the work"), std::string::npos) << told;
 }
 
 // What F-Engrave writes of its V-bit.

@@ -71,6 +71,9 @@ struct ToolHint {
   bool settings = false;       ///< of the program that wrote it all
   bool tool_radius = false;    ///< such a line, "TOOL RADIUS 5": perhaps half the diameter
   bool own_angle = false;      ///< a line with the tool's angle: "TIP ANGLE 140", "ANGLE: 60"
+  bool at_call = false;        ///< in the block of the change or right behind it
+  std::string work;            ///< lines beside it that are about the work: 'ROUGH T-SLOT'
+  bool rounds_edges = false;   ///< such a line: "ROUND OVER EDGES"
   std::string doubt;  ///< why no tool can be made of it, after "the comment ... "; empty: it can
   std::string text;   ///< the comment, UTF-8, for the report
   explicit operator bool() const { return type || diameter > 0 || !doubt.empty(); }

@@ -189,7 +189,16 @@ bool may_be_depth(const ToolHint& hint, double diameter, std::string& why) {
   return true;
 }
 
+// A size beside a line about the work that an end mill lacks and the cutter of that form has.
+bool may_have_form(const ToolHint& hint) {
+  return !hint.work.empty() && (hint.width || (hint.corner && hint.rounds_edges));
+}
+
 bool fill_mill(const ToolHint& hint, double unit, Tool& out, std::string& why) {
+  if (may_have_form(hint)) {
+    why = fmt::format("can be read as an end mill or as a cutter for \"{}\"", hint.work);
+    return false;
+  }
   const bool open_cone = hint.trade == ToolTrade::vee && hint.diameters.empty();
   if (hint.diameters.empty() && !open_cone) {
     why = "gives no diameter";
@@ -309,6 +318,7 @@ bool fill_tool(const ToolHint& hint, double unit, bool lathe, Tool& out, std::st
     return false;
   }
   out.origin = fmt::format("comment \"{}\"", hint.text);
+  if (!hint.work.empty()) out.origin += fmt::format(", \"{}\" taken to be the work", hint.work);
   if (out.type == ToolType::boring && !lathe) out.type = ToolType::endmill;  // it turns in a bore
   if (hint.plain_teeth() || hint.trade == ToolTrade::tap)
     out.origin += ", its thread as a plain cylinder";

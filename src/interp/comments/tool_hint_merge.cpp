@@ -29,17 +29,42 @@ constexpr std::string_view kWork[] = {
     "THE",      "FOR",       "OF",       "IN",        "ON",        "WALL",   "WALLS",   "FLOOR",
     "CENTER",   "CENTRE",    "OPEN",     "MACHINE",   "MACHINING", "CLEAR",  "KEYSEAT"};
 
-// "ROUGH T-SLOT", "ROUND OVER": no word of a cutter, and no size of one.
-bool may_be_work(const ToolHint& line) {
+// One of them at least must stand there: "T-SLOT", "CORNER ROUNDING" are names of cutters, too.
+constexpr std::string_view kSurelyWork[] = {"ROUGH", "ROUGHING", "FINISH",   "FINISHING", "PASS",
+                                            "OP",    "SIDES",    "EDGES",    "CORNERS",   "WALLS",
+                                            "FLOOR", "MACHINE",  "MACHINING"};
+
+bool has_form(const ToolHint& tool) {
   using enum ToolTrade;
-  const bool shape = line.trade == dovetail || line.trade == rounding || line.trade == disc;
-  if (!shape || line.names_tool || !line.id.empty() || !line.diameters.empty()) return false;
+  return tool.trade == dovetail || tool.trade == rounding || tool.trade == disc;
+}
+
+bool is_slot(std::string_view word) { return word == "SLOT" || word == "SLOTS"; }
+
+// "ROUGH T-SLOT", "DOVETAIL SLOT": no word of a cutter, no size of one, and not where a change of
+// tools is told of.
+bool may_be_work(const ToolHint& line) {
+  if (!has_form(line) || line.names_tool || !line.id.empty() || !line.diameters.empty() ||
+      line.width || line.corner || line.at_call)
+    return false;
   const std::string folded = fold_comment(line.text);
-  const std::vector<CommentToken> tokens = comment_tokens(folded);
-  return std::ranges::all_of(tokens, [](const CommentToken& t) {
-    return t.kind == CommentToken::Kind::sign ||
-           std::ranges::find(kWork, t.text) != std::end(kWork);
-  });
+  bool sure = false;
+  std::string_view before;
+  for (const CommentToken& token : comment_tokens(folded)) {
+    if (token.kind == CommentToken::Kind::sign) continue;
+    if (std::ranges::find(kWork, token.text) == std::end(kWork)) return false;
+    const bool dovetail = before.starts_with("DOVETAIL") || before == "TAIL";
+    sure = sure || (dovetail && is_slot(token.text)) ||
+           std::ranges::find(kSurelyWork, token.text) != std::end(kSurelyWork);
+    before = token.text;
+  }
+  return sure;
+}
+
+void pass_work(ToolHint& tool, const ToolHint& line) {
+  constexpr std::size_t kMost = 400;
+  tool.rounds_edges |= line.trade == ToolTrade::rounding;
+  if (tool.work.size() < kMost) tool.work += (tool.work.empty() ? "" : "\", \"") + line.text;
 }
 
 // "10MM END MILL": it cuts slots and edges of any form, before or beside the cutter of that form.
@@ -51,9 +76,10 @@ bool is_plain_mill(const ToolHint& tool) {
 
 void merge_kind(ToolHint& into, const ToolHint& more) {
   const bool plain = into.type == ToolType::endmill;  // "CR=2" makes a bull-nose mill of it
-  // "TOOL NAME: MILL_D10", "DESCRIPTION: MILLING TOOL-BALL MILL".
-  const bool kind_of_it = plain && !into.firm && more.type && more.firm && more.names_tool &&
-                          more.diameters.empty() && !is_turning(*more.type);
+  // "TOOL NAME: MILL_D10", "DESCRIPTION: MILLING TOOL-BALL MILL"; "MILL D25", "T-SLOT CUTTER".
+  const bool kind_of_it = plain && !into.firm && more.type && !is_turning(*more.type) &&
+                          more.diameters.empty() &&
+                          ((more.firm && more.names_tool) || has_form(more));
   if (kind_of_it) into.trade = more.trade;
   if (!into.type || kind_of_it || (plain && more.type == ToolType::bullmill)) {
     into.type = more.type;
@@ -201,10 +227,10 @@ void merge_sizes(ToolHint& into, const ToolHint& line) {
 }  // namespace
 
 void merge_hint(ToolHint& into, const ToolHint& more) {
-  if (is_plain_mill(into) && may_be_work(more)) return;
+  if (is_plain_mill(into) && may_be_work(more)) return pass_work(into, more);
   if (is_plain_mill(more) && may_be_work(into)) {
-    into = more;
-    return;
+    const ToolHint line = std::exchange(into, more);
+    return pass_work(into, line);
   }
   if (into.only_angle() && !more.only_angle()) {
     const ToolHint line = std::exchange(into, more);

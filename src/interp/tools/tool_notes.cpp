@@ -75,6 +75,7 @@ void ToolNotes::add(const std::string& id, const ToolHint& hint) {
 
 void ToolNotes::comment(std::string_view bytes, const std::string& called, bool alone, bool heads) {
   ToolHint hint = read_tool_comment(bytes);
+  hint.at_call = !called.empty() || blocks_since_change_ <= 0;
   if (hint.only_diameter()) {
     if (!called.empty()) not_understood_.try_emplace(called, hint.text);
     const bool added = called.empty() && alone && add_size(hint);
