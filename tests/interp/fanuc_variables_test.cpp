@@ -134,18 +134,46 @@ TEST(FanucRegisters, AnOffsetOfALatheThatChangesBetweenCuts) {
   EXPECT_EQ(told("G10 P10001 X-180.\n"), "not-supported");
 }
 
+TEST(FanucRegisters, TheAxisOfAnOffsetThatChanges) {
+  const auto told = [](const std::string& set) {
+    const std::string cut = "T0101\nG0 X20. Z1.\nG1 Z-5. F.1\nG0 X30.\nZ1.\n";
+    for (const Diagnostic& d :
+         read_text(cut + set + cut, at_origin(Dialect::fanuc, MachineKind::lathe)).diagnostics)
+      if (d.code == "not-supported") return d.text;
+    return std::string();
+  };
+  EXPECT_NE(told("G10 P1 U-2.\n").find("into X, or shift the zero by G52 X"), std::string::npos);
+  EXPECT_NE(told("G10 P1 W-2.\n").find("into Z, or shift the zero by G52 Z"), std::string::npos);
+}
+
 // Another tool's length, and one that no cut follows, change nothing.
 TEST(FanucRegisters, ALengthThatChangesBehindAnotherTool) {
   const auto told = [](const std::string& text) {
     return codes(read_text(text, at_origin(Dialect::fanuc)));
   };
-  const std::string first = "G10 L10 P1 R80.\nG10 L10 P2 R90.\nG43 H1\nG1 Z0 F9.\nG0 Z9.\n";
-  EXPECT_EQ(told(first + "G10 L10 P2 R91.\nG43 H2\nG1 Z0\nG0 Z9.\n"), "");
-  EXPECT_EQ(told(first + "G91 G10 L11 P2 R0.1\nG90 G43 H2\nG1 Z0\nG0 Z9.\n"), "");
-  EXPECT_EQ(told(first + "G43 H2\nG1 Z0\nG0 Z9.\nG10 L10 P1 R81.\nM30\n"), "");
+  const std::string first = "G10 L10 P1 R80.\nG10 L10 P2 R90.\nT1 M6\nG43 H1\nG1 Z0 F9.\nG0 Z9.\n";
+  EXPECT_EQ(told(first + "G10 L10 P2 R91.\nT2 M6\nG43 H2\nG1 Z0\nG0 Z9.\n"), "");
+  EXPECT_EQ(told(first + "G91 G10 L11 P2 R0.1\nG90 T2 M6\nG43 H2\nG1 Z0\nG0 Z9.\n"), "");
+  EXPECT_EQ(told(first + "T2 M6\nG43 H2\nG1 Z0\nG0 Z9.\nG10 L10 P1 R81.\nM30\n"), "");
   EXPECT_EQ(told(first + "G10 L10 P1 R81.\nG10 L10 P1 R80.\nG43 H1\nG1 Z0\nG0 Z9.\n"), "");
-  EXPECT_EQ(told(first + "G10 L10 P1 R81.\nG43 H2\nG1 Z0\nG0 Z9.\nG43 H1\nG1 Z0\n"),
-            "not-supported");
+  const std::string changed = first + "G10 L10 P1 R81.\nT2 M6\nG43 H2\nG1 Z0\nG0 Z9.\n";
+  EXPECT_EQ(told(changed + "T1 M6\nG43 H1\nG1 Z0\n"), "not-supported");
+  EXPECT_EQ(told(first + "G49\nT2 M6\nG10 L10 P1 R120.\nG43 H1\nG1 Z0\n"), "") << "one H for both";
+}
+
+// Two lengths of one tool that the program tells differ on the machine.
+TEST(FanucRegisters, TwoLengthsOfOneTool) {
+  const auto told = [](const std::string& set, const std::string& second = "") {
+    const std::string cut = "\nG1 Z0 F9.\nG0 Z9.\n";
+    return codes(read_text(set + "T1 M6\nG43 H1" + cut + second + "G43 H2" + cut,
+                           at_origin(Dialect::fanuc)));
+  };
+  EXPECT_EQ(told("G10 L10 P1 R100.\nG10 L10 P2 R98.\n"), "not-supported");
+  EXPECT_EQ(told("G10 L10 P1 R100.\n", "G10 L10 P2 R98.\n"), "not-supported");
+  EXPECT_EQ(told("G10 L10 P1 R100.\nG10 L10 P2 R100.\n"), "");
+  EXPECT_EQ(told("G10 L10 P1 R100.\nG10 L11 P1 R-1.\nG10 L10 P2 R100.\n"), "not-supported");
+  EXPECT_EQ(told("G10 L10 P1 R100.\n"), "") << "the other one is unknown";
+  EXPECT_EQ(told("G10 L10 P1 R100.\nG10 L10 P2 R98.\n", "T2 M6\n"), "");
 }
 
 }  // namespace

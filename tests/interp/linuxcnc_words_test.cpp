@@ -201,6 +201,22 @@ TEST(LinuxCncWords, AxesBesideWordsThatHaveNoneMove) {
             "r0,0,1 r1,0,1 l1,0,-1 r1,0,1 r3,0,1");
 }
 
+// The machine cuts deeper, and here all passes are at one depth.
+TEST(LinuxCncWords, ALengthThatChangesBetweenCuts) {
+  const auto told = [](const std::string& first, const std::string& second) {
+    const std::string cut = "G1 Z0 F9\nG0 Z9\n";
+    return codes(read_text("T1 M6\n" + first + cut + second + cut, at_origin(Dialect::ngc)));
+  };
+  EXPECT_EQ(told("G43.1 Z100\n", "G43.1 Z98\n"), "not-supported");
+  EXPECT_EQ(told("G43.1 Z100\n", "G43.1 Z100\n"), "");
+  EXPECT_EQ(told("G43.1 Z100\n", "T2 M6\nG43.1 Z98\n"), "");
+  EXPECT_EQ(told("G43 H1\n", "G10 L1 P1 Z98\nG43 H1\n"), "not-supported");
+  EXPECT_EQ(told("G43\n", "G10 L1 P1 Z98\nG43\n"), "not-supported") << "of the tool in the spindle";
+  EXPECT_EQ(told("G10 L1 P1 Z98\nG43 H1\n", "G43.1 Z97\n"), "not-supported");
+  EXPECT_EQ(told("G43 H1\n", "G10 L1 P1 Z98\n"), "") << "no G43 behind it";
+  EXPECT_EQ(told("G10 L1 P1 Z98\nG43 H1\n", "G10 L1 P1 Z98\nG43 H1\n"), "");
+}
+
 // D names a tool of the table; without it, or D0, the tool in the spindle counts. It is not kept.
 TEST(LinuxCncWords, DIsTheNumberOfATool) {
   InterpOptions options = at_origin(Dialect::ngc);

@@ -260,6 +260,12 @@ TEST(SinumerikLanguage, ALengthThatChangesBetweenCuts) {
   EXPECT_EQ(told("$TC_DP3[1,1]=80\n"), "not-supported");
   EXPECT_EQ(told("$TC_DP3[2,1]=91\n"), "");
   EXPECT_EQ(told("$TC_DP12[1,1]=0\n"), "");
+  const auto edges = [](const std::string& set) {
+    const std::string cut = " G0 Z9\nG1 Z0 F9\nG0 Z9\n";
+    return codes(read_text(set + "\nT1 M6\nD1" + cut + "D2" + cut, at_origin(Dialect::sinumerik)));
+  };
+  EXPECT_EQ(edges("$TC_DP3[1,1]=100 $TC_DP3[1,2]=98"), "not-supported");
+  EXPECT_EQ(edges("$TC_DP3[1,1]=100 $TC_DP3[1,2]=100"), "");
 }
 
 // Of a path the last part counts: no other folder is opened.

@@ -1,13 +1,12 @@
-// Lengths of tools that a program sets: G10 L10 and L11, #10001 and #11001, $TC_DP3. Positions of
-// programs are those of the tip, so a length has no effect here, unless it changes between two cuts
-// of its tool: that makes the second cut deeper. Private to src/interp.
+// Lengths of tools that a program sets: G10 L10 and L11, #10001 and #11001, $TC_DP3, G43.1.
+// Positions of programs are those of the tip, so a length has no effect here, unless it changes
+// between two cuts of its tool: that makes the second cut deeper. Private to src/interp.
 #pragma once
 
 #include <mrsim/types.h>
 
 #include <map>
 #include <optional>
-#include <set>
 #include <string>
 #include <utility>
 #include <vector>
@@ -18,11 +17,14 @@ class SetLengths {
  public:
   /// Whose length: the tool, 0 where numbers of lengths are not tied to tools, and H or D.
   using Register = std::pair<double, double>;
+  static constexpr double kTable = -1;    ///< in place of the tool: LinuxCNC's table, read by G43
+  static constexpr double kDynamic = -1;  ///< in place of H: G43.1
   struct Setting {
     double mm = 0;
     bool relative = false;  ///< `mm` counts from a length that is not known
     std::string name;       ///< "H1 (G10 L11)"
     Motion at;              ///< only its place counts
+    char axis = 'Z';        ///< along which it lies
   };
 
   /// `kind`: which of the lengths of the register. `before`: what it was until the first setting.
@@ -33,16 +35,24 @@ class SetLengths {
   bool unmet(int tool, double number) const {
     return fresh_ || tool != last_.first || number != last_.second;
   }
-  /// A cut. Gives what was set behind another cut of the same register to another value.
-  std::vector<Setting> cut(int tool, double number, const Register& which);
+  /// A cut, by the tool `id`. Gives the lengths that are others than at a cut of this tool before,
+  /// with the same register or, where the program has set both, with another one.
+  std::vector<Setting> cut(int tool, double number, const std::string& id, const Register& which);
 
  private:
   struct Length {
-    std::optional<double> at_cut;  ///< mm, at the last cut, or before the first
+    std::optional<double> before;  ///< mm, until the first setting
     Setting now;
   };
-  std::map<Register, std::map<int, Length>> set_;
-  std::set<Register> cutters_;  ///< registers that were in force at a cut
+  using Lengths = std::map<int, Length>;
+  struct Cutter {
+    std::map<Register, Lengths> cuts;  ///< as the last cut of each register met them
+    Register last;
+  };
+  static std::vector<Setting> between(const Lengths& then, const Lengths& now);
+
+  std::map<Register, Lengths> set_;
+  std::map<std::string, Cutter> cutters_;
   std::pair<int, double> last_{-1, -1};
   bool fresh_ = true;
 };

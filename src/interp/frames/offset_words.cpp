@@ -81,7 +81,8 @@ bool OffsetWords::turned_offset(const Word& where) {
     if (const Word* word = take(c); word && number > 0 && number < 2 * kGeometry)
       keep_length(static_cast<int>(number) % 100, 2 * wear + (c == 'Z' || c == 'W'), wear,
                   {word->value * length_unit(*word), modal_.incremental || c == 'U' || c == 'W',
-                   fmt::format("{} of G10 P{:g}", text_of(*word), number)});
+                   fmt::format("{} of G10 P{:g}", text_of(*word), number),
+                   c == 'X' || c == 'U' ? 'X' : 'Z'});
   for (const char c : {'Y', 'V', 'C', 'Q'}) take(c);
   note_once("tool-length", "positions are read as those of the tool's tip, whatever its offset",
             where, "length");
@@ -178,8 +179,9 @@ void OffsetWords::meet_unknown(const Frame& frame) {
 // tool, R its radius.
 bool OffsetWords::tool_register(int l, int p, const Word& where) {
   const Word* r = take('R');
-  const Word* z = take('Z');
-  for (const char c : {'X', 'Y', 'I', 'J', 'Q'}) take(c);
+  const Word* z = peek('Z');
+  if (is(Dialect::ngc) && l == 1) table_lengths(p);
+  for (const char c : {'X', 'Y', 'Z', 'I', 'J', 'Q'}) take(c);
   if (is(Dialect::ngc) && p < 1)
     return error("value-range", "P of G10 is the number of a tool", where);
   if (!is(Dialect::ngc) && !r) return error("value-missing", "G10 needs R with the value", where);
@@ -204,12 +206,23 @@ bool OffsetWords::tool_register(int l, int p, const Word& where) {
   return true;
 }
 
+// LinuxCNC: in force from the next G43 of that tool on. L10 and L11 touch off: Z is where the tip
+// is.
+void OffsetWords::table_lengths(int tool) {
+  for (int i = 0; i < 3; ++i)
+    if (const Word* word = peek("XYZ"[i]))
+      control_.lengths.set({SetLengths::kTable, tool}, i, std::nullopt,
+                           {word->value * length_unit(*word), false,
+                            fmt::format("{} of G10 L1 P{}", text_of(*word), tool),
+                            block_.motion_at(block_.oneshot->column), "XYZ"[i]});
+}
+
 // Lengths move nothing here. What one was before the program's first setting is not known; a wear
 // is taken to have been 0.
 void OffsetWords::keep_length(int number, int kind, bool wear, const Length& length) {
   const SetLengths::Register which{0, number};
   SetLengths::Setting setting{length.mm, length.incremental && !wear, length.name,
-                              block_.motion_at(block_.oneshot->column)};
+                              block_.motion_at(block_.oneshot->column), length.axis};
   const SetLengths::Setting* before = control_.lengths.find(which, kind);
   if (length.incremental && before) {
     setting.mm += before->mm;

@@ -196,6 +196,7 @@ void MotionEmitter::note_zero() {
 double MotionEmitter::length_number() const {
   if (is(Dialect::sinumerik)) return modal_.edge;
   if (lathe()) return std::fmod(std::max(0.0, control_.tool.written), 100);
+  if (modal_.length == Code::length_dynamic) return SetLengths::kDynamic;
   return modal_.length == Code::length_off ? 0 : modal_.length_number;
 }
 
@@ -206,15 +207,15 @@ void MotionEmitter::check_length() {
   const int tool = control_.tool.index;
   if (number == 0 || !control_.lengths.unmet(tool, number)) return;
   SetLengths::Register which{0, number};
-  if (siemens && tool >= 0)
-    which.first = parse_number(program_.tools[static_cast<std::size_t>(tool)].id).value_or(-1);
-  for (const SetLengths::Setting& set : control_.lengths.cut(tool, number, which))
+  const std::string& id = control_.tool.current;
+  if (siemens) which.first = parse_number(id).value_or(-1);
+  for (const SetLengths::Setting& set : control_.lengths.cut(tool, number, id, which))
     reporter_.once_at(
         Severity::error, "not-supported",
-        fmt::format("{} changes a length behind a cut of its tool, which cuts again in line {}, "
-                    "and positions are read as those of the tool's tip: write the depth into Z, or "
-                    "shift the zero by {}",
-                    set.name, block_.line_number, siemens ? "TRANS Z" : "G52 Z"),
+        fmt::format("{0} gives a tool that has cut another length, with which it cuts again in "
+                    "line {1}, and positions are read as those of the tool's tip: write the "
+                    "difference into {3}, or shift the zero by {2} {3}",
+                    set.name, block_.line_number, siemens ? "TRANS" : "G52", set.axis),
         set.at, fmt::format("length {} {}", set.at.file, set.at.line));
 }
 

@@ -144,7 +144,8 @@ bool SinumerikVariables::write_tool(std::string_view key, std::span<const Value>
   if (wear || (number >= 3 && number <= 5))
     control_.lengths.set({indices[0].number, indices[1].number}, static_cast<int>(number),
                          wear ? std::optional(0.0) : std::nullopt,
-                         {mm, false, fmt::format("{} of {}", key, name), block_.motion_at(0)});
+                         {mm, false, fmt::format("{} of {}", key, name), block_.motion_at(0),
+                          (lathe() ? "XZY" : "ZYX")[static_cast<int>(number) % 3]});
   if (number == 6) control_.change_register(name).radius = mm;
   if (number == 15 && at != control_.registers.end()) control_.change_register(name).wear = mm;
   return true;

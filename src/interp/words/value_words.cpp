@@ -1,5 +1,7 @@
 #include "interp/words/value_words.h"
 
+#include "core/text/text_io.h"
+
 #include <algorithm>
 #include <cmath>
 #include <vector>
@@ -226,8 +228,22 @@ bool ValueWords::take_lengths() {
                  fmt::format("{} beside G43.1, whose axes are lengths: write it into another block",
                              text_of(*block_.motion_code)),
                  *block_.motion_code);
-  for (const char c : {'X', 'Y', 'Z'}) take(c);
+  for (int i = 0; i < 3; ++i)
+    if (const Word* word = take("XYZ"[i]))
+      control_.lengths.set(
+          {0, SetLengths::kDynamic}, i, std::nullopt,
+          {word->value * length_unit(*word), false, fmt::format("{} of G43.1", text_of(*word)),
+           block_.motion_at(word->column), "XYZ"[i]});
   return true;
+}
+
+// G43 of LinuxCNC, without H for the tool in the spindle, brings what G10 L1 has set.
+void ValueWords::meet_table(const Word* h) {
+  modal_.length_number = h ? h->value : parse_number(control_.tool.current).value_or(0);
+  for (int kind = 0; kind < 3; ++kind)
+    if (const SetLengths::Setting* set =
+            control_.lengths.find({SetLengths::kTable, modal_.length_number}, kind))
+      control_.lengths.set({0, modal_.length_number}, kind, std::nullopt, *set);
 }
 
 bool ValueWords::length_register() {
@@ -253,6 +269,7 @@ bool ValueWords::length_register() {
     modal_.length_offset = 0;
     return true;
   }
+  if (is(Dialect::ngc) && chosen) meet_table(word);
   if (!word) return true;
   modal_.length_number = word->value;
   const std::string name = fmt::format("H{:g}", word->value);

@@ -24,6 +24,7 @@ class ValueWords : public ControlPart {
   bool limits_speed(const Word* s);
   bool edge();
   bool take_lengths();
+  void meet_table(const Word* h);
   bool length_register();
   void auxiliary_axes();
   void dynamics();
