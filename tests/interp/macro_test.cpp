@@ -254,6 +254,17 @@ TEST(Macro, BranchesWithinALineThatNoSemicolonEnds) {
   EXPECT_EQ(path_text(read(";")), "l1,0,0 l3,0,0 l99,0,0");
 }
 
+// Behind ";" in a line that none ends a comment begins: its N20 was jumped to.
+TEST(Macro, AJumpPassesNumbersInComments) {
+  const auto path = [](const char* line) {
+    return path_text(read_text(std::string("GOTO 20\n") + line + "\nN20 G1 X99 F9\nM30\n",
+                               at_origin(Dialect::fanuc)));
+  };
+  EXPECT_EQ(path("G1 X5 F9 ; N20 G1 X7"), "l99,0,0");
+  EXPECT_EQ(path("G1 X5 F9 (; N20 G1 X7);"), "l99,0,0");
+  EXPECT_EQ(path("G1 X5 F9; N20 G1 X7 F9;"), "l7,0,0 l99,0,0");
+}
+
 // The control reads a block skip there.
 TEST(Macro, ADivisionWithoutBracketsIsToldOf) {
   const auto told = [](const char* text) {

@@ -68,18 +68,6 @@ constexpr Keyword kSinumerikWords[] = {
     {"UNTIL", FlowWord::loop_until, FlowWord::loop_repeat},
 };
 
-// The end of a FANUC block: ";" outside of comments. Where none ends the line, a comment begins.
-std::size_t end_of_block(std::string_view line, std::size_t p) {
-  const std::size_t last = line.find_last_not_of(" \t\r");
-  if (last == std::string_view::npos || line[last] != ';') return line.size();
-  for (; p < line.size() && line[p] != ';'; ++p)
-    if (line[p] == '(') {
-      p = line.find(')', p);
-      if (p == std::string_view::npos) return line.size();
-    }
-  return p;
-}
-
 bool has_jump(std::string_view rest) {
   bool quoted = false;
   for (std::size_t i = 0; i < rest.size(); ++i) {
@@ -98,6 +86,17 @@ bool ends_here(std::string_view line, std::size_t p) {
 }
 
 }  // namespace
+
+std::size_t end_of_block(std::string_view line, std::size_t p) {
+  const std::size_t last = line.find_last_not_of(" \t\r");
+  if (last == std::string_view::npos || line[last] != ';') return line.size();
+  for (; p < line.size() && line[p] != ';'; ++p)
+    if (line[p] == '(') {
+      p = line.find(')', p);
+      if (p == std::string_view::npos) return line.size();
+    }
+  return p;
+}
 
 std::size_t behind_comments(std::string_view line, std::size_t p) {
   for (p = skip_blanks(line, p); at(line, p) == '('; p = skip_blanks(line, p))

@@ -28,6 +28,10 @@ std::size_t behind_number(std::string_view line, std::size_t from, long& number)
 /// FANUC: `p` behind blanks and comments.
 std::size_t behind_comments(std::string_view line, std::size_t p);
 
+/// FANUC: the end of the block at `p`: ";" outside of comments where one ends the line, too; else
+/// the end of the line, since a comment begins behind ";" there.
+std::size_t end_of_block(std::string_view line, std::size_t p);
+
 /// FANUC: nothing but blanks and comments stands between `p` and the end of the block.
 bool ends_block(std::string_view line, std::size_t p);
 

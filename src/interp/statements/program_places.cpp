@@ -44,7 +44,7 @@ bool ProgramPlaces::scan_number(const std::string& file, long wanted, const Plac
         found = true;
         if (!last) return true;
       }
-      p = form_ == OutlineForm::macro ? line.find(';', p) : line.size();
+      p = form_ == OutlineForm::macro ? end_of_block(line, p) : line.size();
       if (p < line.size()) ++p;
     }
   }
