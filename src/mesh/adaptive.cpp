@@ -5,6 +5,7 @@
 #include "mesh/cells/cell_levels.h"
 #include "mesh/cells/flat_map.h"
 #include "mesh/cells/mesh_memory.h"
+#include "mesh/cells/node_budget.h"
 #include "mesh/cells/step_timer.h"
 #include "mesh/cells/thin_features.h"
 #include "mesh/simplify/mesh_certifier.h"
@@ -41,14 +42,7 @@ constexpr double kSecondsPerByte = 3e-8;  ///< of one core: both go with the cel
 constexpr std::size_t kMostRounds = 24;   ///< of splitting, where a grid may take its place
 constexpr std::size_t kCarefulRounds = 4;  ///< of splitting, by one step each
 constexpr int kLateSteps = 3;              ///< of splitting in one round after those
-constexpr std::size_t kFew = 100;          ///< cells are few where nodes are as many times more
-constexpr double kSplitNodes = 8;          ///< that a failed cell adds
-constexpr double kRaisedForNodes = 0.5;    ///< of the most tolerance
-constexpr double kRaisedShare = 0.7;  ///< of the most nodes, once the tolerance has been raised
-constexpr double kGrown = 1.25;    ///< times its present nodes, which the octree may grow by then
-constexpr double kFullRounds = 4;  ///< with the most nodes: what all rounds together may take
-constexpr double kMoreRounds = 1;  ///< in addition, each time the tolerance is raised for that
-constexpr std::size_t kDrawnRounds = 8;  ///< in which more detail may take the place of splitting
+constexpr std::size_t kDrawnRounds = 8;    ///< in which more detail may take the place of splitting
 
 class AdaptiveMesher {
  public:
@@ -58,12 +52,11 @@ class AdaptiveMesher {
       : field_(field),
         options_(options),
         tolerance_(tolerance),
-        most_nodes_((tolerance > options.tolerance ? kRaisedShare : 1) *
-                    static_cast<double>(options.most_nodes)),
+        budget_(options.most_nodes, options.most_tolerance, tolerance > options.tolerance),
         report_(report),
         timer_(report, options.progress),
         tree_(field, lattice, tolerance, options.threads,
-              {options.max_memory, static_cast<std::size_t>(most_nodes_)}),
+              {options.max_memory, static_cast<std::size_t>(budget_.most())}),
         surface_(std::in_place, field, tree_,
                  DualSurface::Options{.shallow = tolerance / 8,
                                       .sharpen = true,
@@ -94,13 +87,13 @@ class AdaptiveMesher {
     timer_.expect(kSecondsPerByte * report_.memory / resolve_threads(options_.threads));
     timer_.step("tree");
     tree_.mark_drawn();  // their surface is part of the expected memory
-    detail::require_cells(detail::expected_nodes(report_.memory), most_nodes_);
-    first_nodes_ = static_cast<double>(tree_.size());
+    detail::require_cells(detail::expected_nodes(report_.memory), budget_.most());
+    budget_.begin(tree_.size());
     find_topology();
-    detail::require_cells(nodes_after_first(0), most_nodes_);
+    detail::require_cells(budget_.nodes_after_first(0, tree_.size()), budget_.most());
     for (int k = 0; k < kCrowdedRounds && tree_.split(surface_->crowded()) > 0; ++k)
       find_topology();
-    detail::require_cells(nodes_after_first(0), most_nodes_);
+    detail::require_cells(budget_.nodes_after_first(0, tree_.size()), budget_.most());
     make_triangles();
     while (split_failed()) {
       if (options_.most_nodes > 0 && report_.passes >= kMostRounds)
@@ -138,7 +131,7 @@ class AdaptiveMesher {
     tree_.mark_drawn();
     surface_->find_loops(std::move(grid));
     ++report_.passes;
-    work_ += static_cast<double>(tree_.size());
+    budget_.add_round(tree_.size());
     timer_.step("loops");
   }
 
@@ -252,13 +245,10 @@ class AdaptiveMesher {
   // so far.
   Failures find_failures_that_fit() {
     Failures found = find_failures();
-    while (!fits(found.cells)) {
-      if (!may_raise()) throw Error("mesh-unresolved", detail::too_many_cells(most_nodes_));
-      if (has_taken_long())
-        full_rounds_ += kMoreRounds;
-      else
-        most_nodes_ = std::max(kRaisedShare * static_cast<double>(options_.most_nodes),
-                               kGrown * static_cast<double>(tree_.size()));
+    while (!budget_.fits(found.cells, tree_.size(), tolerance_)) {
+      if (!budget_.may_raise(tolerance_))
+        throw Error("mesh-unresolved", detail::too_many_cells(budget_.most()));
+      budget_.raise(tree_.size());
       tolerance_ *= 2;
       report_.memory = 0;  // what was expected for the former one
       tree_.raise_tolerance(tolerance_);
@@ -285,7 +275,6 @@ class AdaptiveMesher {
     const double more = detail::kNodesAFailure * static_cast<double>(cells.size());
     const double bytes = detail::memory_of_nodes(static_cast<double>(tree_.size()) + more);
     report_.memory = std::max(report_.memory, bytes);
-    first_nodes_ = 0;
     const std::size_t count = split(std::move(cells));
     timer_.step("tree");
     return count + refined > 0;
@@ -313,51 +302,16 @@ class AdaptiveMesher {
     const bool goes_on = report_.passes > kCarefulRounds;
     const auto failed = static_cast<double>(cells.size()),
                nodes = static_cast<double>(tree_.size());
-    const double later = goes_on ? 8 * (kLateSteps - 1) * nodes / kFew : 0;
+    const double later = goes_on ? 8 * (kLateSteps - 1) * nodes / detail::NodeBudget::kFew : 0;
     detail::require_room(detail::kSplitMemory * (8 * failed + later));
     few_failed_ = is_few(cells.size());
-    failed_before_ = std::exchange(failed_, cells.size());
+    budget_.add_failed(cells.size());
     const std::size_t count = tree_.split(std::move(cells));
     for (int k = 1; goes_on && k < kLateSteps && is_few(tree_.new_leaves().size()); ++k)
       tree_.split(std::vector<std::int32_t>(tree_.new_leaves()));
     return count;
   }
-  bool is_few(std::size_t cells) const { return kFew * cells < tree_.size(); }
-
-  // Nodes that the octree will probably have in the end, before the first cells that failed are
-  // split. If the tree has already grown by more than kDense to draw the surface at all, creases
-  // are closer than the cells, and each node takes about three times as long: it counts as three.
-  double nodes_after_first(std::size_t failed) const {
-    constexpr double kDense = 1.1, kSlow = 3;
-    const auto nodes = static_cast<double>(tree_.size());
-    const double growth = nodes / first_nodes_, slow = growth > kDense ? kSlow : 1;
-    return slow * growth * growth * (nodes + 8 * static_cast<double>(failed));
-  }
-
-  // The same in a later round. Where the failed cells have grown in two rounds running, three more
-  // such rounds are expected (crests of a winding helix do this).
-  double expected_nodes(std::size_t failed) const {
-    if (first_nodes_ > 0) return nodes_after_first(failed);
-    const auto nodes = static_cast<double>(tree_.size()), cells = static_cast<double>(failed);
-    const bool grows = !is_few(failed_before_) && failed_ > failed_before_ && failed > failed_;
-    const double growth = grows ? cells / static_cast<double>(failed_) : 1;
-    return nodes + kSplitNodes * cells * growth * growth * growth;
-  }
-
-  // Whether the cells that failed may be split. A round costs as much as the octree has nodes: if
-  // only few cells fail after many rounds, most triangles are within the tolerance, and doubling it
-  // ends the rounds soon.
-  bool fits(std::size_t failed) const {
-    if (options_.most_nodes == 0 || failed == 0) return true;
-    const bool has_time = !has_taken_long() || (is_few(failed) && !may_raise());
-    return has_time && expected_nodes(failed) <= most_nodes_;
-  }
-  bool has_taken_long() const { return work_ > full_rounds_ * most_nodes_; }
-  // Once more for rounds than for nodes: the mesh is nearly done then.
-  bool may_raise() const {
-    const double most = options_.most_tolerance * (has_taken_long() ? 1 : kRaisedForNodes);
-    return 2 * tolerance_ <= most;
-  }
+  bool is_few(std::size_t cells) const { return detail::NodeBudget::is_few(cells, tree_.size()); }
 
   detail::MeshCertifier certifier() const { return {field_, tree_, tolerance_, options_.threads}; }
 
@@ -414,18 +368,13 @@ class AdaptiveMesher {
 
   const ExactField& field_;
   const MeshPlan& options_;
-  double tolerance_;   ///< mm
-  double most_nodes_;  ///< of the octree; fewer once the tolerance has been raised for their
-                       ///< number, as the mesh is worth less then; 0 = any number
+  double tolerance_;  ///< mm
+  detail::NodeBudget budget_;
   MeshReport& report_;
   StepTimer timer_;
   CellOctree tree_;
-  std::size_t drawn_loops_ = 0;                 ///< of the surface whose triangles were made last
-  bool few_failed_ = true;                      ///< cells in the round before
-  std::size_t failed_ = 0, failed_before_ = 0;  ///< cells in the round before, and before that one
-  double work_ = 0;                             ///< nodes of all rounds together
-  double full_rounds_ = kFullRounds;            ///< with the most nodes: what work_ may be
-  double first_nodes_ = 0;              ///< of the tree as it was made, 0 after the first round
+  std::size_t drawn_loops_ = 0;         ///< of the surface whose triangles were made last
+  bool few_failed_ = true;              ///< cells in the round before
   std::optional<DualSurface> surface_;  ///< until its triangles are final
   detail::FlatMap passed_;              ///< by hashes of triangles within the tolerance
 };
@@ -451,7 +400,9 @@ std::optional<TriMesh> adaptive_mesh(const ExactField& field, double voxel, cons
       // Once the surface is drawn, the tolerance is raised without another octree.
       const bool may_retry = options.makes_new_octrees && has_no_mesh && report.passes == 0;
       report = {};
-      if (may_retry && 2 * tolerance <= kRaisedForNodes * options.most_tolerance) continue;
+      if (may_retry &&
+          2 * tolerance <= detail::NodeBudget::kRaisedForNodes * options.most_tolerance)
+        continue;
       report.memory = memory;
       report.given_up = error.what();
       return {};
