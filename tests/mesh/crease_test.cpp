@@ -1,7 +1,11 @@
 #include "mesh/points/crease.h"
 
+#include "core/numbers/units.h"
 #include "mesh/points/vertex.h"
+#include "removal/part/part_field.h"
 #include "support/analytic_field.h"
+#include "support/moves.h"
+#include "support/tools.h"
 
 #include <cmath>
 
@@ -101,6 +105,30 @@ TEST(Crease, PassesACellOfShortMoves) {
   EXPECT_NEAR(found.position.x, 0.45, 0.01);
   EXPECT_NEAR(found.position.y, 0.6, 1e-6);
   EXPECT_NEAR(found.position.z, 0.2, 1e-6);
+}
+
+// On a slight slope the floor of a tip turns up into the flank within less than a micrometre: the
+// two join smoothly, and that is a crease for a cell.
+TEST(Crease, IsFoundWhereAFloorTurnsUpIntoAFlank) {
+  StockShape shape;
+  shape.box = {{0, 0, -3}, {10, 10, 0}};
+  Tool vee = testing::mill(ToolType::chamfer, 3);
+  vee.tip_angle = radians(90), vee.tip_diameter = 0.2;
+  const Motion m = testing::line({-3, 5, -0.4}, {13, 5, -0.5});
+  const PartField field(StockSolid(shape), SweepTable(std::span(&m, 1), std::span(&vee, 1)));
+  const Candidates all = field.all();
+  const detail::Probe probe{field, all, 0.01};
+  for (double x = 1; x < 9; x += 0.37) {
+    const Vec3 from = detail::find_place(probe, {x, 5.03, -2}, {x, 5.03, 0.1}),
+               to = detail::find_place(probe, {x, 5.14, -2}, {x, 5.14, 0.1});
+    const FieldSample floor = field.sample(from, all), flank = field.sample(to, all);
+    ASSERT_NE(floor.patch, flank.patch);
+    const Box3 room{{x, 5, -0.6}, {x, 5.25, -0.3}};
+    const auto found = crease_in_face(probe, room, 0, from, floor, to, flank);
+    ASSERT_TRUE(found && found->count == 2) << x;
+    EXPECT_NEAR(found->position.y, 5.1, 1e-5);
+    EXPECT_NEAR(found->position.z, from.z, 1e-3);
+  }
 }
 
 }  // namespace

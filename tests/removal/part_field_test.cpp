@@ -123,6 +123,39 @@ TEST(PartField, WallAndFloorOfRampsGoOnByThemselves) {
   }
 }
 
+// The floor of a slight slope is the lower half of a sheared cylinder some micrometres thick: seen
+// from above and below, over the path and beside it, Newton's method leads to one surface.
+TEST(PartField, FloorsOfSlightSlopesAreFound) {
+  StockShape shape;
+  shape.box = {{0, 0, 0}, {40, 40, 20}};
+  Tool vee = testing::mill(ToolType::chamfer, 6);
+  vee.tip_angle = radians(90), vee.tip_diameter = 0.4;
+  const std::vector<Motion> motions{line({5, 10, 15.1}, {35, 10, 15}),
+                                    arc({28, 26, 15}, {20, 26, 15}, {0, 0, 1}, 5.0, -0.1)};
+  for (const Motion& m : motions) {
+    const PartField field(StockSolid(shape), SweepTable(std::span(&m, 1), std::span(&vee, 1)));
+    const bool is_arc = m.kind == MotionKind::arc;
+    const Vec3 out = is_arc ? Vec3{std::cos(2.0), std::sin(2.0), 0} : Vec3{0, 1, 0};
+    const Vec3 middle = is_arc ? Vec3{20, 26, 15 - 0.2 / 5} + 8 * out : Vec3{20, 10, 15.05};
+    const FieldSample floor = field.sample(middle + Vec3{0, 0, -0.05}, field.all());
+    for (double v = -0.29; v < 0.3; v += 0.02)
+      for (const double up : {-0.1, -0.01, -0.001, 0.001, 0.01, 0.1}) {
+        const Vec3 start = middle + v * out + Vec3{0, 0, up};
+        Vec3 p = start;
+        FacePlane plane;
+        for (int k = 0; k < 12; ++k) {
+          plane = field.face_plane(p, floor);
+          p = p - plane.distance * plane.normal;
+        }
+        EXPECT_GT(plane.normal.z, 0.9) << is_arc << ' ' << v << ' ' << up;
+        EXPECT_LT(distance(p, start), 0.11) << is_arc << ' ' << v << ' ' << up;
+        if (std::abs(v) < 0.2)
+          EXPECT_NEAR(field.sample(p, field.all()).distance, 0, 1e-8)
+              << is_arc << ' ' << v << ' ' << up;
+      }
+  }
+}
+
 TEST(PartField, FacesOfTurningSweeps) {
   StockShape shape;
   shape.kind = StockShape::Kind::cylinder;

@@ -13,6 +13,7 @@ constexpr double kLargestShallow = 0.05;  ///< sine
 constexpr double kParallel = 1e-9;        ///< sine squared: two faces that meet in no line
 constexpr double kLastStep = 1e-10;       ///< mm: Newton's method has converged
 constexpr double kAlike = 0.95;           ///< cosine between faces that may be exchanged
+constexpr double kNearShare = 1.0 / 64;   ///< of a way over the surface: how near to it
 constexpr int kExchanges = 8;             ///< of faces on the way to a crease
 
 // The shortest step x with n_i . x = -g_i.
@@ -41,11 +42,12 @@ double smooth_angle(const Probe& probe, double size) {
   return std::clamp(4 * probe.shallow / size, kSmoothJoin, kLargestShallow);
 }
 
-// Moves p onto the surface, in the plane of the given axis (-1: freely); s: the sample there.
-bool project(const Probe& probe, const Box3& room, int axis, Vec3& p, FieldSample& s) {
+// Moves p to within `near` mm of the surface, in the plane of the given axis (-1: freely); s: the
+// sample there.
+bool project(const Probe& probe, const Box3& room, int axis, double near, Vec3& p, FieldSample& s) {
   for (int k = 0; k < 12; ++k) {
     s = probe.sample(p);
-    if (std::abs(s.distance) < 1e-8) return true;
+    if (std::abs(s.distance) < near) return true;
     auto [n, distance] = probe.field.face_plane(p, s);
     if (axis >= 0) component(n, axis) = 0;
     const double nn = dot(n, n);
@@ -56,17 +58,35 @@ bool project(const Probe& probe, const Box3& room, int axis, Vec3& p, FieldSampl
   return false;
 }
 
+// Whether the faces, which meet in p and were looked for from `start`, join smoothly for a cell of
+// `size` mm. Where a corner of the tool moves on a slight slope it draws a floor whose sides turn
+// up into the flanks within less than a micrometre: smooth in p, and a crease for the cell.
+bool meet_smoothly(const Probe& probe, const Vec3& start, const Vec3& p, const FieldSample& a,
+                   const FieldSample& b, double size) {
+  constexpr double kNear = 1.0 / 256;  // of the size
+  constexpr double kSharp = 0.1;       // sine: no tool that is as large as the cell turns as much
+  if (!join_smoothly(probe, p, a, b, size)) return false;
+  const Vec3 back = start - p;
+  const double way = length(back), most = kNear * size;
+  const Vec3 near = way > most ? p + most / way * back : start;
+  const Vec3 n = probe.field.face_plane(near, a).normal, m = probe.field.face_plane(near, b).normal;
+  const Vec3 c = cross(n, m);
+  return dot(n, m) > 0 && dot(c, c) < kSharp * kSharp;
+}
+
 // The crease between the two faces, found from p; none where they join smoothly or meet outside of
 // the room.
 CreaseSearch crease_from(const Probe& probe, const Box3& room, int axis, Vec3 p,
                          const FieldSample& a, const FieldSample& b, SurfacePoint& found) {
   const FieldSample pair[2] = {a, b};
-  if (join_smoothly(probe, p, a, b, length(room.hi - room.lo))) return CreaseSearch::none;
+  const double size = length(room.hi - room.lo);
+  const Vec3 start = p;
+  if (join_smoothly(probe, p, a, b, size)) return CreaseSearch::none;
   if (!solve_faces(probe.field, pair, axis, room, p)) return CreaseSearch::not_found;
   if (axis >= 0) component(p, axis) = component(room.lo, axis);
   if (!strictly_inside(p, room, axis)) return CreaseSearch::none;
   if (!accept(probe, p, room, axis)) return CreaseSearch::not_found;
-  if (join_smoothly(probe, p, a, b, length(room.hi - room.lo))) return CreaseSearch::none;
+  if (meet_smoothly(probe, start, p, a, b, size)) return CreaseSearch::none;
   found.position = p;
   found.count = 2;
   std::copy(pair, pair + 2, found.faces);
@@ -136,6 +156,7 @@ bool solve_faces(const ExactField& field, std::span<const FieldSample> faces, in
 CreaseSearch crease_by_exchange(const Probe& probe, const Box3& room, int axis, Vec3 p,
                                 FieldSample a, FieldSample b, SurfacePoint& found) {
   const double size = length(room.hi - room.lo);
+  const Vec3 start = p;
   for (int k = 0; k < kExchanges; ++k) {
     const FieldSample pair[2] = {a, b};
     if (!solve_faces(probe.field, pair, axis, room, p)) break;
@@ -143,7 +164,7 @@ CreaseSearch crease_by_exchange(const Probe& probe, const Box3& room, int axis, 
     if (!in_reach(p, room)) break;
     const FieldSample third = probe.sample(p);
     if (std::abs(third.distance) <= kOnSurface) {
-      if (!strictly_inside(p, room, axis) || join_smoothly(probe, p, a, b, size)) break;
+      if (!strictly_inside(p, room, axis) || meet_smoothly(probe, start, p, a, b, size)) break;
       found.position = p;
       found.count = 2;
       std::copy(pair, pair + 2, found.faces);
@@ -174,7 +195,7 @@ bool crease_between(const Probe& probe, const Box3& room, int axis, const Vec3& 
   for (int k = 0; k < 20; ++k) {
     Vec3 m = 0.5 * (low + high);
     FieldSample s;
-    if (!project(probe, room, axis, m, s)) break;
+    if (!project(probe, room, axis, kNearShare * distance(low, high), m, s)) break;
     const bool is_near = k >= 4 && k % 4 == 0;
     bool is_new = false;
     if (same_face(s, a)) {

@@ -5,6 +5,7 @@
 #include "removal/columns/plan_foot.h"
 #include "removal/forms/upright_sweep.h"
 #include "removal/simd/lane_scalar.h"
+#include "removal/sweep/sheared_cylinder.h"
 
 #include <algorithm>
 #include <cmath>
@@ -185,32 +186,14 @@ FacePlane path_face(const SweepColumns& columns, const SweepRef& ref, const Vec3
           face_distance(tool, c.rho, c.q.z, face)};
 }
 
-// The circle of a corner that moves along a slanted line or a helix cuts each level in itself: the
-// surface is a sheared cylinder, and its normal and its distance, to first order, need no search.
-// None where the path is nearly horizontal.
-std::optional<FacePlane> sheared_cylinder(const SweepColumns& columns, const SweepRef& ref,
-                                          const Vec3& p, std::int32_t patch) {
-  constexpr double kLeastSlope = 1e-4;
-  const std::int32_t face = patch % kBranchPatch;
-  if (face < kCornerPatch) return std::nullopt;
-  double z, rise, plan2;
-  if (columns.paths.is_line(ref.row)) {
-    const auto& [start, travel] = columns.paths.line(ref.row);
-    z = start.z, rise = travel.z, plan2 = travel.x * travel.x + travel.y * travel.y;
-  } else {
-    const ToolPath& path = columns.paths.arc(ref.row);
-    if (!path.horizontal) return std::nullopt;
-    z = path.center.z, rise = path.rise.z, plan2 = path.radius * path.radius;
-  }
-  if (!(rise * rise > kLeastSlope * kLeastSlope * plan2)) return std::nullopt;
-  const Vec2 corner = columns.cutter(ref).corner_point(face - kCornerPatch);
-  const PathPoint at = columns.paths.point(ref.row, (p.z - corner.y - z) / rise);
-  const double x = p.x - at.position.x, y = p.y - at.position.y;
-  const double rho = std::sqrt(x * x + y * y);
-  if (!(rho > 0)) return std::nullopt;
-  const double lean = -(x * at.direction.x + y * at.direction.y) / (rho * rise);
-  const double scale = 1 / std::sqrt(1 + lean * lean);
-  return FacePlane{{scale * x / rho, scale * y / rho, scale * lean}, scale * (rho - corner.x)};
+// The surface that a corner's circle draws where its normal needs no search.
+std::optional<FacePlane> corner_plane(const SweepColumns& columns, const SweepRef& ref,
+                                      const Vec3& p, std::int32_t patch) {
+  const std::int32_t corner = patch % kBranchPatch - kCornerPatch;
+  if (corner < 0) return std::nullopt;
+  const Profile& tool = columns.cutter(ref);
+  return sheared_cylinder(columns.paths, ref.row,
+                          {tool.corner_point(corner), tool.corner_side(corner)}, p);
 }
 
 // The tip's face, which a sharp tip draws on both sides of its path.
@@ -243,7 +226,7 @@ FacePlane local_face(const SweepColumns& c, const SweepRef& ref, const Vec3& p,
 FacePlane local_face_plane(const SweepColumns& c, const SweepRef& ref, const Vec3& p,
                            std::int32_t patch) {
   if (ref.kind == SweepKind::path) {
-    if (const auto plane = sheared_cylinder(c, ref, p, patch)) return *plane;
+    if (const auto plane = corner_plane(c, ref, p, patch)) return *plane;
     if (c.is_chain(ref))
       if (const auto plane = chain_face(c.chain_tools[ref.shape], c.chain_lines[ref.row], p, patch))
         return *plane;

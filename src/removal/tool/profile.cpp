@@ -347,6 +347,12 @@ Vec2 Profile::corner_direction(int corner) const {
   return {in.y + out.y, -in.x - out.x};
 }
 
+int Profile::corner_side(int corner) const {
+  const ProfileEdge &before = edges_[corner - 1], &after = edges_[corner];
+  const double in = tangent_at(before, after.a).x, out = tangent_at(after, after.a).x;
+  return in >= 0 && out >= 0 ? -1 : in <= 0 && out <= 0 ? 1 : 0;
+}
+
 double Profile::support(Vec2 n) const {
   if (open_top_ && n.y > 0) return std::numeric_limits<double>::infinity();
   const double size = length(n);
