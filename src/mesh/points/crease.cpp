@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace mrsim::detail {
 namespace {
@@ -12,6 +13,7 @@ constexpr double kSmoothJoin = 3e-3;      ///< sine of the angle below which two
 constexpr double kLargestShallow = 0.05;  ///< sine
 constexpr double kParallel = 1e-9;        ///< sine squared: two faces that meet in no line
 constexpr double kLastStep = 1e-10;       ///< mm: Newton's method has converged
+constexpr double kCycle = 0.9;            ///< of the step before the last one: Newton goes round
 constexpr double kAlike = 0.95;           ///< cosine between faces that may be exchanged
 constexpr double kNearShare = 1.0 / 64;   ///< of a way over the surface: how near to it
 constexpr int kExchanges = 8;             ///< of faces on the way to a crease
@@ -127,6 +129,7 @@ bool solve_faces(const ExactField& field, std::span<const FieldSample> faces, in
   const double reach = (kRidgeReach + 1) * length(room.hi - room.lo);
   const Vec3 middle = 0.5 * (room.lo + room.hi);
   const int rows = static_cast<int>(faces.size());
+  double last = std::numeric_limits<double>::infinity(), before = last;  // steps
   for (int k = 0; k < kNewtonSteps; ++k) {
     Vec3 n[4], step;
     double g[4] = {}, worst = 0;
@@ -142,7 +145,8 @@ bool solve_faces(const ExactField& field, std::span<const FieldSample> faces, in
     if (plane_axis >= 0) component(n[all++], plane_axis) = 1;
     if (!newton_step(n, g, all, step)) return worst < kOnSurface;
     const double size = length(step);
-    if (size > reach) return false;
+    if (size > reach || (k >= 4 && size > kCycle * before)) return false;
+    before = last, last = size;
     p = p + step;
     if (distance(p, middle) > reach) return false;
     if (size < kLastStep) return worst < kOnSurface;
