@@ -182,6 +182,7 @@ Stock carve_part(const Job& job, const StockShape& shape, const CutList& cuts, M
                  chosen.voxel = choice.voxel;
                  chosen.grid_mesh = choice.tolerance == 0;
                  chosen.cut_cells = choice.cut_cells;
+                 chosen.cut_layers = choice.cut_layers;
                  chosen.block_sweeps = choice.block_sweeps;
                  chosen.no_slabs = no_slabs(job, choice.tolerance);
                });

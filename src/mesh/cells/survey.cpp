@@ -139,8 +139,10 @@ SurfaceSurvey survey_surface(const ExactField& field, const Candidates& list, in
     survey = {};
     survey.block = (cube.hi.x - cube.lo.x) / static_cast<double>(1 << depth);
     std::size_t sweeps = 0, tried = 0, creasing = 0;
-    double sheets = 0;
+    double sheets = 0, squares = 0;
     for (const Count& count : counts) {
+      const auto blocks = static_cast<double>(count.blocks);
+      squares += blocks * blocks;
       survey.blocks += count.blocks, sweeps += count.sweeps;
       tried += count.tried, creasing += count.creasing;
       sheets += count.sheets;
@@ -150,6 +152,9 @@ SurfaceSurvey survey_surface(const ExactField& field, const Candidates& list, in
     survey.creasing =
         tried > 0 ? static_cast<double>(creasing) / static_cast<double>(tried) : survey.sweeps;
     if (tried > 0) survey.sheets = sheets / static_cast<double>(tried);
+    const double side = static_cast<double>(1 << (depth - kApart));  // blocks along a part
+    survey.layers = survey.sheets * squares /
+                    static_cast<double>(std::max<std::size_t>(survey.blocks, 1)) / (side * side);
   }
   return survey;
 }

@@ -15,6 +15,9 @@ struct SurfaceSurvey {
   double sweeps = 0;       ///< that matter in one of them, on average
   double creasing = 0;     ///< such sweeps, where a block without a crease counts as one
   double sheets = 1;       ///< of surface that lines along x, y and z meet in one, on average
+  /// Layers of surface in a cube of a quarter of the longest side, by the area of the cube's side:
+  /// the mean over all of the surface.
+  double layers = 0;
 
   /// Cells of `voxel` mm that the cut surface passes, about. Flat sides of the stock do not count:
   /// their cells are merged. Rather too many than too few.

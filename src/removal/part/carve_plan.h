@@ -16,6 +16,9 @@ struct CarvePlan {
   bool grid_mesh = false;
   /// About how many voxels the cut surface passes, for the estimate of such a mesh; 0 = not known.
   double cut_cells = 0;
+  /// How many layers these voxels make in a part of the stock, as most of them see it; 0 = spread
+  /// evenly.
+  double cut_layers = 0;
   /// How many sweeps matter in a small block, on average, for the lists of these voxels.
   double block_sweeps = 0;
   /// Sample the part into a narrow band and keep it, unless the run is done in slabs. Only a .vdb

@@ -31,22 +31,25 @@ constexpr double kOpenVdb = 30e6, kRecipe = 1300;
 constexpr double kGridColumn = 130;
 // A .vdb: each voxel of the stock's volume in the grid "cut", should all of the stock be removed.
 constexpr double kCutVoxel = 10;
-// Each thread that makes tiles of the mesh, whatever the tiles hold.
-constexpr double kThread = 13e6;
-// A mesh without slabs: each voxel that the cuts' surface passes (two triangles), and each voxel on
-// the stock's surface. The flat sides of a box have few triangles.
-constexpr double kMeshCell = 48, kMeshColumn = 70, kBoxMeshColumn = 8;
-// Each cell on the surface in the tiles that a thread makes and joins; how many tiles these are.
-constexpr double kTileCell = 600, kTilesAThread = 2;
+// A mesh without slabs: each voxel on the stock's surface. The flat sides of a box have few
+// triangles.
+constexpr double kMeshColumn = 70, kBoxMeshColumn = 8;
+// Of the mesh, by its tiles. The sums are measured, not each part of them.
+struct MeshCosts {
+  double always;      ///< what it takes beside the rest
+  double thread;      ///< each thread that makes tiles, whatever the tiles hold
+  double tile_cell;   ///< each cell on the surface in the tiles that a thread makes and joins
+  double cell_sweep;  ///< each sweep in the list of such a cell: two nodes hold lists for four
+  double front_tile;  ///< each tile that is done and waits for its neighbours
+  double mesh_cell;   ///< without slabs: each voxel that the cuts' surface passes (two triangles)
+};
+constexpr MeshCosts kExpected{3.5e6, 6e6, 580, 10, 0.8e6, 46};
+constexpr MeshCosts kMost{0, 13e6, 600, 16, 0.45e6, 48};  ///< for little: many threads, few cells
+constexpr double kTilesAThread = 2;
 // Each cell in which faces of a stock's mesh meet: it is split and remembered.
 constexpr double kBentCell = 900;
 // Not bytes: such cells for each triangle of the stock, expected and at most.
 constexpr double kBends = 0.6, kMostBends = 1.5;
-// Each sweep in the list of each cell of a tile that a thread is at: two nodes hold lists for four
-// cells.
-constexpr double kCellSweep = 16;
-// Each tile that is done and waits for its neighbours.
-constexpr double kFrontTile = 0.45e6;
 // Each tile with surface, as long as the run lasts: the sizes of its records.
 constexpr double kTile = 400;
 constexpr double kTileVoxels = 60;  ///< voxels along a side of a tile, less those that it shares
@@ -134,16 +137,21 @@ struct Need {
     const int threads = resolve_threads(options.threads);
     const double finer = options.voxel / voxel, cells = options.cut_cells * finer * finer;
     const double tiles = surface_tiles(stock, voxel);
-    const double tile_cells = cells / whole_tiles(stock, voxel);
+    const double tile_cells = std::clamp(options.cut_layers * kTileVoxels * kTileVoxels,
+                                         cells / whole_tiles(stock, voxel), std::max(cells, 1.0));
+    const MeshCosts& costs = is_most ? kMost : kExpected;
     const double working =
-        threads * (kTilesAThread * kTileCell + kCellSweep * options.block_sweeps) * tile_cells +
-        (is_most ? threads : std::min<double>(threads, std::ceil(tiles))) * kThread +
-        section_tiles(stock, voxel) * kFrontTile + tiles * kTile + kBentCell * bent_cells(voxel);
+        costs.always +
+        threads * (kTilesAThread * costs.tile_cell + costs.cell_sweep * options.block_sweeps) *
+            tile_cells +
+        (is_most ? threads : std::min<double>(threads, std::ceil(tiles))) * costs.thread +
+        section_tiles(stock, voxel) * costs.front_tile + tiles * kTile +
+        kBentCell * bent_cells(voxel);
     return in_slabs ? working : working + whole_mesh(voxel);
   }
   double whole_mesh(double voxel) const {
     const double finer = options.voxel / voxel, cells = options.cut_cells * finer * finer;
-    return kMeshCell * cells +
+    return (is_most ? kMost : kExpected).mesh_cell * cells +
            stock.area() / (voxel * voxel) * (stock.is_box() ? kBoxMeshColumn : kMeshColumn);
   }
 };

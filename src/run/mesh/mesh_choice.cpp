@@ -270,6 +270,7 @@ void fit_mesh(const ExactField& field, int threads, MeshChoice& choice) {
       detail::survey_surface(field, sweeps, threads, choice.searches_arc ? 64 : 16);
   if (choice.fits_voxel) fit_voxel(survey, cell, choice);
   choice.cut_cells = survey.crossed_cells(choice.voxel);
+  choice.cut_layers = survey.layers;
   choice.block_sweeps = survey.sweeps;
   if (!choice.is_default) return;
   choice.makes_new_octrees =

@@ -31,6 +31,7 @@ struct MeshChoice {
   double fallback_voxel = 0;       ///< mm: of the grid where the tolerance is given up
   double fallback_cells = 0;       ///< CarvePlan::cut_cells of that grid
   double cut_cells = 0;            ///< CarvePlan::cut_cells
+  double cut_layers = 0;           ///< CarvePlan::cut_layers
   double block_sweeps = 0;         ///< CarvePlan::block_sweeps
 };
 

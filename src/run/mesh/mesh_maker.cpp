@@ -5,6 +5,7 @@
 #include "core/numbers/vec.h"
 #include "core/process/error.h"
 #include "core/process/memory_limit.h"
+#include "core/process/parallel.h"
 #include "mesh/extract.h"
 #include "mesh/mesh_part.h"
 #include "mesh/reduce/reduce.h"
@@ -21,7 +22,9 @@ namespace mrsim {
 namespace {
 
 constexpr double kUnlimited = std::numeric_limits<double>::infinity();
-constexpr double kMeshErr = 1.25;  ///< a mesh within a tolerance against its expected memory
+// Of a mesh within a tolerance: what it takes of its expected memory at most, and bytes of each
+// thread beside that.
+constexpr double kMeshErr = 1.25, kThreadRoom = 8e6;
 
 MeshPlan chosen_plan(const Job& job, const Stock& stock, const MeshChoice& choice) {
   MeshPlan plan = mesh_plan(job.mesh);
@@ -31,8 +34,10 @@ MeshPlan chosen_plan(const Job& job, const Stock& stock, const MeshChoice& choic
   plan.most_tolerance = choice.most_tolerance;
   plan.makes_new_octrees = choice.makes_new_octrees;
   // A limit that the user has set must hold; the mesher's estimate may err.
-  const double left = static_cast<double>(stock.memory_limit()) - stock.memory_expected();
-  plan.max_memory = static_cast<std::size_t>(left / (job.carve.max_memory > 0 ? kMeshErr : 1));
+  double left = static_cast<double>(stock.memory_limit()) - stock.memory_expected();
+  if (job.carve.max_memory > 0)
+    left = (left - kThreadRoom * resolve_threads(job.mesh.threads)) / kMeshErr;
+  plan.max_memory = static_cast<std::size_t>(std::max(left, 1.0));  // 0 is no limit
   return plan;
 }
 
