@@ -223,6 +223,38 @@ TEST_F(ShapeOfCuts, GroovesAreAsDeepAsTheirTip) {
       {{5, 0.3, 0.6, 180}});
 }
 
+// The radius of a taper grows above its diameter, and a form has no diameter.
+TEST_F(ShapeOfCuts, MillsAreAsWideAsTheirProfile) {
+  write("w.MPF", "G17 G90 G71\nT1 M6\nS5000 M3\nG0 X-10 Y30.1 Z-5\nG1 X110 F600\nM30\n");
+  write("form.toml", "[[tool]]\nid = 1\ntype = \"form\"\nprofile = [[0, 0], [4, 0], [4, 30]]\n");
+  const std::string run = "w.MPF --machine mill --stock box:0,0,-20,100,60,0 ";
+  const double flank = 5 * std::tan(5 * 3.14159265 / 180);
+  expect_shapes(run + "--tool 1=taper:d=1.5,a=5,l=20 ", {{5, 5, 1.5 + 2 * flank, 180}});
+  expect_shapes(run + "--tools form.toml ", {{5, 5, 8, 180}});
+}
+
+// A hundredth of a millimetre less than the radius is an angle of some degrees.
+TEST_F(ShapeOfCuts, SlotsAreCutByHalfOfTheCutter) {
+  write("s.MPF", "G17 G90 G71\nT1 M6\nS5000 M3\nG0 X-10 Y30.123 Z-1\nG1 X110 F600\nM30\n");
+  write("l.MPF", "G17 G90 G71\nT1 M6\nS5000 M3\nG0 X-10 Y30.123 Z-10\nG1 X110 F600\nM30\n");
+  const std::string run = " --machine mill --stock box:0,0,-20,100,60,0 ";
+  expect_shapes("s.MPF" + run + "--tool 1=ballmill:d=8 ", {{5, 1, 2 * std::sqrt(7), 180}});
+  expect_shapes("s.MPF" + run + "--tool 1=chamfer:d=12,a=60 ",
+                {{5, 1, 2 * std::tan(3.14159265 / 6), 180}});
+  expect_shapes("l.MPF" + run + "--tool 1=lollipop:d=8,n=4 ", {{5, 4 + 2 * std::sqrt(3), 8, 180}});
+}
+
+// In the half plane of a turned part. The second drill widens the hole of the first.
+TEST_F(ShapeOfCuts, DrillsOnTheAxisOfALatheCutAllRound) {
+  write("d.MPF",
+        "G18 G90 G71 DIAMON\nT1 D1\nG97 S1000 F0.1 M4\nG0 X0 Z5\nG1 Z-12\nG0 Z5\nT2 D1\n"
+        "G0 X0 Z5\nG1 Z-12\nG0 Z5\nM30\n");
+  expect_shapes(
+      "d.MPF --machine lathe --stock cylinder:40,-30,0 --tool 1=endmill:d=6 "
+      "--tool 2=endmill:d=10 ",
+      {{5, 12, 6, 360}, {9, 12, 10, 360 * (1 - 0.36)}});
+}
+
 TEST_F(ShapeOfCuts, TurningPassHasItsDepthAlone) {
   write("t.MPF",
         "G18 G90 G71 DIAMON\nT1 D1\nG96 S200 F0.2 M4 LIMS=2000\nG0 X54 Z5\nG1 Z-40\nG0 X70\n"

@@ -19,17 +19,6 @@ double arcsine(double x) {
   return mrsim::atan2(sine, std::sqrt((1 - sine) * (1 + sine)));
 }
 
-// Where the tool is so high above its tip.
-double radius_at(const Underside& tool, double height) {
-  double low = 0, high = tool.radius();
-  if (tool.height(high) <= height) return high;
-  for (int k = 0; k < 50; ++k) {
-    const double middle = 0.5 * (low + high);
-    (tool.height(middle) <= height ? low : high) = middle;
-  }
-  return high;
-}
-
 }  // namespace
 
 bool is_along_axis(const Motion& line) {
@@ -37,7 +26,7 @@ bool is_along_axis(const Motion& line) {
   return length(cross(line.tool_axis, way)) <= kUprightFeed * length(way);
 }
 
-CutFrame::CutFrame(const Motion& motion, const Tool& tool)
+CutFrame::CutFrame(const Motion& motion, const Tool& tool, double radius)
     : is_arc_(motion.kind == MotionKind::arc),
       origin_(is_arc_ ? motion.center : motion.start),
       axis_(motion.tool_axis),
@@ -49,7 +38,7 @@ CutFrame::CutFrame(const Motion& motion, const Tool& tool)
     side_ = {way.z, 0, -way.x};
     return;
   }
-  reach_ = 0.5 * tool.diameter;
+  reach_ = radius;
   if (is_arc_ && std::abs(dot(turns_about_, axis_)) < kLying) {  // G18, G19: up and down on a line
     is_arc_ = false;
     side_ = turns_about_;
@@ -91,18 +80,28 @@ double CutFrame::angle(double across, double r) const {
   return arcsine((from * from - radius_ * radius_ - r * r) / (2 * radius_ * r));
 }
 
-CutShape cut_shape(const CutFrame& frame, const CutExtent& extent, const Underside& tool,
-                   double radius) {
+CutExtent turned_about_axis(const CutExtent& half) {
+  const double r = half.right, bore = std::max(half.left, 0.0);
+  return {half.low, half.high, -r, r, kPi * (r * r - bore * bore)};
+}
+
+CutShape cut_shape(const CutFrame& frame, const CutExtent& extent, const Profile* mill,
+                   double error) {
   if (extent.is_empty()) return {};
   CutShape out{extent.high - extent.low, kNone, kNone};
-  if (frame.is_turning()) return out;
-  out.width = extent.right - extent.left;
-  const bool knows = tool.radius() > 0;
-  const double r = knows ? radius_at(tool, out.depth) : radius;
-  if (frame.is_plunge())
-    out.engagement = knows ? kTwoPi * std::min(extent.area / (kPi * r * r), 1.0) : kNone;
-  else if (r > 0)
-    out.engagement = frame.angle(extent.right, r) - frame.angle(extent.left, r);
+  if (mill == nullptr) return out;
+  const double r = mill->max_radius_below(out.depth);
+  if (frame.is_plunge()) {
+    out.width = extent.right - extent.left;
+    if (mill->is_rising()) out.engagement = kTwoPi * std::min(extent.area / (kPi * r * r), 1.0);
+    return out;
+  }
+  const auto at_edge = [&](double across, double edge) {
+    return std::abs(across - edge) <= error ? edge : across;
+  };
+  const double left = at_edge(extent.left, -r), right = at_edge(extent.right, r);
+  out.width = right - left;
+  out.engagement = frame.angle(right, r) - frame.angle(left, r);
   return out;
 }
 

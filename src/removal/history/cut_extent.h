@@ -2,7 +2,7 @@
 // and the arc of the cutter that is in material (docs/history.md, Depth and width).
 #pragma once
 
-#include "removal/tool/underside.h"
+#include "removal/tool/profile.h"
 #include <mrsim/history.h>
 #include <mrsim/types.h>
 
@@ -19,7 +19,8 @@ bool is_along_axis(const Motion& line);
 class CutFrame {
  public:
   CutFrame() = default;
-  CutFrame(const Motion& motion, const Tool& tool);
+  /// `radius`: of a mill where it is widest, mm.
+  CutFrame(const Motion& motion, const Tool& tool, double radius);
 
   bool is_turning() const { return kind_ == Kind::turning; }
   bool is_plunge() const { return kind_ == Kind::plunge; }
@@ -58,9 +59,12 @@ struct CutExtent {
   }
 };
 
-/// `tool`: its underside where it nowhere narrows upwards, else empty; then the cutter's own radius
-/// stands for the engagement.
-CutShape cut_shape(const CutFrame& frame, const CutExtent& extent, const Underside& tool,
-                   double radius);
+/// What a plunge on the axis of a turned part removes, from its extent in the half plane.
+CutExtent turned_about_axis(const CutExtent& half);
+
+/// `mill`: none for a turning tool. A band that ends within `error` mm of the cutter's edge ends
+/// there: the angle of the last few hundredths of a millimetre is some degrees.
+CutShape cut_shape(const CutFrame& frame, const CutExtent& extent, const Profile* mill,
+                   double error);
 
 }  // namespace mrsim

@@ -11,6 +11,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
 #include <span>
 
 namespace mrsim {
@@ -43,6 +44,9 @@ constexpr double kSearches = 15e3, kSearchesPerCut = 14;
 // Share of a voxel up to which a removed volume is rounding: that of a pass along a finished
 // surface.
 constexpr double kNothing = 1e-3;
+
+// Share of a column or voxel to which the ends of a band are known.
+constexpr double kWidthError = 0.125;
 
 // Cuts are sampled in pieces, so that a cut that leaves the material counts as air from there:
 // half a diameter long, so that they do not add many samples. A plunge is short and begins in the
@@ -126,37 +130,47 @@ void close_short_gaps(std::span<const Motion> motions, History& history) {
   }
 }
 
-std::vector<CutFrame> frames_of(std::span<const Motion> motions, std::span<const Tool> tools) {
+// The cutters of the mills that cut, by tool.
+using Mills = std::vector<std::optional<Profile>>;
+
+Mills mills_of(const CutList& cuts) {
+  Mills mills(cuts.tools().size());
+  for (const Motion& motion : cuts.motions()) {
+    if (!is_cut(motion) || motion.tool < 0) continue;
+    const auto k = static_cast<std::size_t>(motion.tool);
+    if (!mills[k] && !is_turning(cuts.tools()[k].type)) mills[k] = make_cutter(cuts.tools()[k]);
+  }
+  return mills;
+}
+
+std::vector<CutFrame> frames_of(std::span<const Motion> motions, std::span<const Tool> tools,
+                                const Mills& mills) {
   std::vector<CutFrame> frames(motions.size());
-  for (std::size_t i = 0; i < motions.size(); ++i)
-    if (is_cut(motions[i]) && motions[i].tool >= 0)
-      frames[i] = {motions[i], tools[static_cast<std::size_t>(motions[i].tool)]};
+  for (std::size_t i = 0; i < motions.size(); ++i) {
+    if (!is_cut(motions[i]) || motions[i].tool < 0) continue;
+    const auto tool = static_cast<std::size_t>(motions[i].tool);
+    frames[i] = {motions[i], tools[tool], mills[tool] ? mills[tool]->max_radius() : 0};
+  }
   return frames;
 }
 
-// The largest figures of the pieces of each motion.
+// The largest figures of the pieces of each motion. `is_turned`: extents lie in the half plane.
 void measure_shapes(const CutPieces& pieces, const CutExtents& extents,
-                    const std::vector<double>& removed, const CutList& cuts, History& history) {
-  std::vector<Underside> undersides(cuts.tools().size());
-  std::vector<char> known(cuts.tools().size(), 0);
-  const auto underside = [&](std::size_t tool) -> const Underside& {
-    if (known[tool] == 0 && !is_turning(cuts.tools()[tool].type)) {
-      const Profile cutter = make_cutter(cuts.tools()[tool]);
-      if (cutter.is_rising()) undersides[tool] = Underside(cutter);
-    }
-    known[tool] = 1;
-    return undersides[tool];
-  };
+                    const std::vector<double>& removed, const CutList& cuts, const Mills& mills,
+                    bool is_turned, History& history) {
   const double nothing = mm3_of_nothing(history.voxel);
   for (std::size_t i = cuts.inherited(); i + 1 < pieces.first.size(); ++i) {
     CutShape shape;
     CutExtent plunge;  // the pieces of one lie below each other
     for (std::size_t k = pieces.first[i]; k < pieces.first[i + 1]; ++k) {
       if (!(removed[k] > nothing)) continue;
-      const auto tool = static_cast<std::size_t>(cuts.motions()[i].tool);
-      shape += cut_shape(extents.frames[k], extents.extents[k], underside(tool),
-                         0.5 * cuts.tools()[tool].diameter);
-      if (extents.frames[k].is_plunge()) plunge.add(extents.extents[k]);
+      const CutFrame& frame = extents.frames[k];
+      const CutExtent extent = is_turned && frame.is_plunge()
+                                   ? turned_about_axis(extents.extents[k])
+                                   : extents.extents[k];
+      const auto& mill = mills[static_cast<std::size_t>(cuts.motions()[i].tool)];
+      shape += cut_shape(frame, extent, mill ? &*mill : nullptr, kWidthError * history.voxel);
+      if (frame.is_plunge()) plunge.add(extent);
     }
     if (!plunge.is_empty()) shape.depth = plunge.high - plunge.low;
     history.shapes.push_back(shape);
@@ -167,6 +181,16 @@ Removal& of_tool(int tool, std::vector<ToolRemoval>& tools) {
   for (ToolRemoval& t : tools)
     if (t.tool == tool) return t.removal;
   return tools.emplace_back(ToolRemoval{tool, {}}).removal;
+}
+
+void sum_tools(const JobResult& result, History& history) {
+  for (std::size_t i = 0; i < history.removed.size(); ++i) {
+    const Motion& motion = result.program.motions[i];
+    if (!is_cut(motion)) continue;
+    const Removal one = removal_of(result.program, result.cycle, history, i);
+    history.total += one;
+    of_tool(motion.tool, history.tools) += one;
+  }
 }
 
 }  // namespace
@@ -234,8 +258,9 @@ History make_history(const Job& job, const JobResult& result, const Stock& stock
   const int threads = job.carve.threads;
   CutExtents extents;
   const bool has_shapes = job.history == HistoryDetail::full;
+  const Mills mills = has_shapes ? mills_of(cuts) : Mills();
   const auto removed_by = [&](const PartField& of, std::span<const Motion> motions) {
-    if (has_shapes) extents.frames = frames_of(motions, cuts.tools());
+    if (has_shapes) extents.frames = frames_of(motions, cuts.tools(), mills);
     return removed_volumes(of, history_lattice(of, history.voxel), motions.size(), threads, nullptr,
                            job.carve.progress, has_shapes ? &extents : nullptr);
   };
@@ -250,16 +275,12 @@ History make_history(const Job& job, const JobResult& result, const Stock& stock
                                               {.top = field.bounds().hi.z}, threads),
                                    threads),
                          pieces.motions);
-  if (has_shapes) measure_shapes(pieces, extents, removed, cuts, history);
+  if (has_shapes)
+    measure_shapes(pieces, extents, removed, cuts, mills,
+                   history_lattice(field, history.voxel).half_plane, history);
   sum_pieces(pieces, removed, cuts.inherited(), history);
   close_short_gaps(cuts.motions().subspan(cuts.inherited()), history);
-  for (std::size_t i = 0; i < history.removed.size(); ++i) {
-    const Motion& motion = result.program.motions[i];
-    if (!is_cut(motion)) continue;
-    const Removal one = removal_of(result.program, result.cycle, history, i);
-    history.total += one;
-    of_tool(motion.tool, history.tools) += one;
-  }
+  sum_tools(result, history);
   return history;
 }
 
