@@ -42,6 +42,28 @@ TEST_F(RunJson, SaysWhatTheSummarySays) {
   EXPECT_EQ(std::system(check.c_str()), 0) << sum;
 }
 
+// Those of the summary: a change of tools and the run-up of the spindle belong to no tool.
+TEST_F(RunJson, TellsTheTimeOfEachTool) {
+  write("two.nc",
+        "G21 G90 G94\nT1 M6\nS2000 M3\nG0 X10 Y10 Z5\nG1 Z-2 F600\nG4 X2.\nX60\nG0 Z5\n"
+        "T2 M6\nS3000 M3\nG0 X10 Y40\nG1 Z-2 F300\nX60\nG0 Z5\nM30\n");
+  const Json j = told(
+      "two.nc --dialect fanuc --machine mill --stock box:0,0,-9,70,50,0 "
+      "--tool 1=endmill:d=8 --tool 2=endmill:d=6 --report r.html -q --voxel 1 --history off",
+      0);
+  const Json& cycle = j["program"]["cycle"];
+  ASSERT_EQ(cycle["tools"].size(), 2u);
+  EXPECT_EQ(cycle["tools"][1]["id"], "2");
+  EXPECT_NEAR(cycle["tools"][0]["cutting"], 5.7, 0.1);   // 57 mm by 10 mm/s
+  EXPECT_NEAR(cycle["tools"][1]["cutting"], 11.4, 0.1);  // by half of it
+  EXPECT_EQ(cycle["tools"][0]["dwell"], 2.0);
+  double sum = cycle["tool_change"].get<double>() + cycle["spindle"].get<double>();
+  for (const Json& tool : cycle["tools"]) sum += tool["seconds"].get<double>();
+  EXPECT_NEAR(cycle["seconds"], sum, 1e-9);
+  EXPECT_EQ(cycle["seconds"], j["program"]["machine_seconds"]);
+  EXPECT_TRUE(contains(read("r.html"), "\"Time of T2\""));
+}
+
 TEST_F(RunJson, TellsWhatAReductionCosts) {
   const Json j = told(std::string(kCut) + "--max-triangles 300 -o part.stl", 0);
   EXPECT_LE(j["mesh"]["triangles"], 300);

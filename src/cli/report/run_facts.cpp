@@ -15,6 +15,20 @@ namespace {
 
 const char* tool_kind(MachineKind kind) { return kind == MachineKind::lathe ? "lathe" : "mill"; }
 
+// Of a program with one tool the cycle tells it.
+void add_tool_times(const JobResult& result, ReportFacts& out) {
+  if (result.cycle.tools.size() < 2) return;
+  for (const ToolTime& tool : result.cycle.tools) {
+    if (tool.tool < 0) continue;
+    const std::string& id = result.program.tools[static_cast<std::size_t>(tool.tool)].id;
+    out.facts.emplace_back(
+        "Time of " + (id.empty() ? std::string("the tool") : "T" + id),
+        fmt::format("{}: cutting {}, rapids {}, dwells {}",
+                    duration(tool.cutting + tool.rapid + tool.dwell), duration(tool.cutting),
+                    duration(tool.rapid), duration(tool.dwell)));
+  }
+}
+
 }  // namespace
 
 std::vector<ReportCollision> collisions_of(const JobResult& result) {
@@ -65,6 +79,7 @@ ReportFacts facts_of(const JobResult& result, const std::string& program) {
                {"Removed", grouped(result.removed_volume, 3) + " mm³"},
                {"Cycle", duration(result.cycle.total)},
                {"Memory", fmt::format("{:.0f} MB", double(result.peak_memory) / 1e6)}};
+  add_tool_times(result, out);
   if (result.stock_repair.wrapped)
     out.facts.emplace_back("Stock's repair",
                            fmt::format("wrapped, at most {:.3g} mm beside its surface, {} openings "

@@ -42,6 +42,30 @@ const char* status_of(int exit_code) {
   }
 }
 
+Json cycle_json(const JobResult& r, const std::string& machine) {
+  const CycleTime& t = r.cycle;
+  Json tools = Json::array();
+  for (const ToolTime& tool : t.tools) {
+    if (tool.tool < 0) continue;
+    const std::string& id = r.program.tools[static_cast<std::size_t>(tool.tool)].id;
+    tools.push_back({{"id", to_utf8(id)},
+                     {"seconds", number(tool.cutting + tool.rapid + tool.dwell)},
+                     {"cutting", number(tool.cutting)},
+                     {"rapid", number(tool.rapid)},
+                     {"dwell", number(tool.dwell)}});
+  }
+  return {{"seconds", number(t.total)},
+          {"cutting", number(t.cutting)},
+          {"rapid", number(t.rapid)},
+          {"dwell", number(t.dwell)},
+          {"tool_change", number(t.tool_change)},
+          {"spindle", number(t.spindle)},
+          {"tool_changes", t.tool_changes},
+          {"without_feed", t.without_feed},
+          {"machine", text_or_null(machine)},
+          {"tools", std::move(tools)}};
+}
+
 Json program_json(const RunRecord& record) {
   const JobResult& r = *record.result;
   Json files = Json::array();
@@ -57,6 +81,7 @@ Json program_json(const RunRecord& record) {
             {"line", r.line_motions},
             {"arc", r.arc_motions},
             {"cutting", r.cutting_motions}}},
+          {"cycle", cycle_json(r, record.arguments->machine.origin)},
           {"machine_seconds", number(r.cycle.total)},
           {"dwell_seconds", number(r.cycle.dwell)},
           {"stops", r.cycle.stops},
