@@ -12,6 +12,7 @@
 #include <gtest/gtest.h>
 #include <openvdb/io/Stream.h>
 #include <openvdb/openvdb.h>
+#include <openvdb/tools/LevelSetSphere.h>
 #include <stdlib.h>
 #include <unistd.h>
 
@@ -177,6 +178,11 @@ TEST(LevelSet, FileWithoutOneIsRefused) {
   EXPECT_EQ(code_of({openvdb::FloatGrid::create(1)}), "vdb-unreadable");  // nowhere zero
   EXPECT_EQ(code_of({openvdb::FloatGrid::create(1), openvdb::FloatGrid::create(2)}),
             "vdb-unreadable");
+  const openvdb::FloatGrid::Ptr ball =
+      openvdb::tools::createLevelSetSphere<openvdb::FloatGrid>(2, {}, 0.5f);
+  ball->setName("ball");
+  EXPECT_EQ(code_of({openvdb::FloatGrid::create(1), ball}), "");
+  EXPECT_EQ(code_of({ball, ball->deepCopy()}), "vdb-unreadable");
   EXPECT_THROW(read_level_set("/no/such/file.vdb"), Error);
 }
 

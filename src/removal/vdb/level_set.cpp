@@ -33,10 +33,14 @@ std::string grid_name(const openvdb::GridPtrVec& heads) {
   }
   const std::vector<std::string>& fit = level_sets.empty() ? floats : level_sets;
   if (fit.empty()) throw unreadable("it holds no level set of 32-bit floats");
-  if (fit.size() > 1 && fit[0] == fit[1]) throw unreadable("two of its grids have one name");
   if (level_sets.empty() && fit.size() > 1)
     throw unreadable(
         fmt::format("it holds {} grids, and none is marked as a level set", floats.size()));
+  if (fit.size() > 1)
+    throw unreadable(
+        fmt::format("it holds {} level sets ({}), and which is meant is not known: "
+                    "give a file with one",
+                    fit.size(), fmt::join(fit, ", ")));
   return fit[0];
 }
 
