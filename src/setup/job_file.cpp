@@ -234,12 +234,18 @@ std::vector<std::string> JobReader::variables(const OptionRow& key,
   return out;
 }
 
+// `machine` is a key and the name of a table, and TOML allows one of them.
+std::string with_hint(const std::string& why) {
+  if (why.find("string 'machine' as table") == std::string::npos) return why;
+  return why + ": leave the key machine out, and write kind = \"mill\" or \"lathe\" in the table";
+}
+
 JobFile JobReader::read() const {
   toml::table root;
   try {
     root = parse_toml(text_);
   } catch (const toml::parse_error& error) {
-    fail(error.source().begin, "job-syntax", std::string(error.description()));
+    fail(error.source().begin, "job-syntax", with_hint(std::string(error.description())));
   }
   check_keys(root);
   JobFile job;

@@ -91,6 +91,14 @@ TEST(JobFile, ValuesAreChecked) {
 }
 
 // Names of files end at it: the report would lie in the file "a".
+TEST(JobFile, TheTableOfAMachineHasItsKind) {
+  const std::string job = "program = \"p\"\n", table = "[machine]\ntool_change = 3\n";
+  const std::string both = fault(job + "machine = \"mill\"\n" + table);
+  EXPECT_TRUE(both.starts_with("3:1 job-syntax")) << both;
+  EXPECT_NE(both.find("write kind = \"mill\""), both.npos) << both;
+  EXPECT_EQ(fault(job + table + "kind = \"mill\"\n"), "");
+}
+
 TEST(JobFile, TextsHaveNoNulCharacter) {
   EXPECT_EQ(fault("report = \"a\\u0000b\"\n"),
             "1:10 job-value report must be a text without \\u0000");
