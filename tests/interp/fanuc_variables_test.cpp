@@ -176,5 +176,22 @@ TEST(FanucRegisters, TwoLengthsOfOneTool) {
   EXPECT_EQ(told("G10 L10 P1 R100.\nG10 L10 P2 R98.\n", "T2 M6\n"), "");
 }
 
+// On the machine the two are as far apart as the tool is long.
+TEST(FanucRegisters, CutsWithAndWithoutTheLength) {
+  const auto told = [](const std::string& second, bool listed = false) {
+    InterpOptions options = at_origin(Dialect::fanuc);
+    if (listed) options.table.offsets.push_back({"H1", 0, 0, 20});
+    return codes(read_text("T1 M6\nG43 H1 G0 Z5.\nG1 Z-1. F9.\nX9.\nG0 Z50.\n" + second, options));
+  };
+  EXPECT_EQ(told("G49\nG0 Z5.\nG1 Z-2.\n"), "not-supported");
+  EXPECT_EQ(told("G44 H1\nG0 Z5.\nG1 Z-2.\n"), "not-supported");
+  EXPECT_EQ(told("G43 H0\nG0 Z5.\nG1 Z-2.\n"), "not-supported");
+  EXPECT_EQ(told("G49\nG43 H1 Z5.\nG1 Z-2.\n"), "");
+  EXPECT_EQ(told("G49 G1 X5.\nG1 Z80.\n"), "") << "at the height where it is, and out";
+  EXPECT_EQ(told("G49\nG91 G1 Z-51.\n"), "") << "in steps";
+  EXPECT_EQ(told("G49\nT2 M6\nG0 Z5.\nG1 Z-2.\n"), "") << "another tool";
+  EXPECT_EQ(told("G49\nG0 Z5.\nG1 Z-2.\n", true), "") << "the table tells it";
+}
+
 }  // namespace
 }  // namespace mrsim

@@ -324,5 +324,22 @@ TEST(LinuxCncWords, M17EndsNothing) {
             "l1,0,0");
 }
 
+// G10 L10 and G43.2 make another length, too; G49 none.
+TEST(LinuxCncWords, ALengthThatTouchingOffChanges) {
+  const auto told = [](const std::string& first, const std::string& second) {
+    const std::string cut = "G1 Z0 F9\nG0 Z9\n";
+    return codes(read_text("T1 M6\nG0 Z9\n" + first + cut + second + cut, at_origin(Dialect::ngc)));
+  };
+  for (const char* const l : {"L10", "L11"}) {
+    EXPECT_EQ(told("G43\n", fmt::format("G10 {} P1 Z5\nG43\n", l)), "not-supported");
+    EXPECT_EQ(told(fmt::format("G10 {} P1 Z5\nG43\n", l), ""), "");
+    EXPECT_EQ(told("G43\n", fmt::format("G10 {} P2 Z5\nG43\n", l)), "") << "another tool";
+  }
+  EXPECT_EQ(told("G43\n", "G43.2 H2\n"), "not-supported");
+  EXPECT_EQ(told("G43\nG43.2 H2\n", "G43.2 H2\n"), "not-supported") << "added once more";
+  EXPECT_EQ(told("G43\nG43.2 Z1\n", ""), "") << "Z is no place";
+  EXPECT_EQ(told("G43 H1\n", "G49\n"), "not-supported");
+}
+
 }  // namespace
 }  // namespace mrsim

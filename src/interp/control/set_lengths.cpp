@@ -21,6 +21,13 @@ void SetLengths::set(const Register& which, int kind, std::optional<double> befo
   fresh_ = true;
 }
 
+void SetLengths::set_another(const Register& which, int kind, Setting setting) {
+  const Setting* before = find(which, kind);
+  setting.mm = before ? before->mm + 1 : 0;
+  setting.relative = true;
+  set(which, kind, std::nullopt, std::move(setting));
+}
+
 const SetLengths::Setting* SetLengths::find(const Register& which, int kind) const {
   const auto at = set_.find(which);
   if (at == set_.end()) return nullptr;

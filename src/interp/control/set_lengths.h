@@ -18,7 +18,7 @@ class SetLengths {
   /// Whose length: the tool, 0 where numbers of lengths are not tied to tools, and H or D.
   using Register = std::pair<double, double>;
   static constexpr double kTable = -1;    ///< in place of the tool: LinuxCNC's table, read by G43
-  static constexpr double kDynamic = -1;  ///< in place of H: G43.1
+  static constexpr double kDynamic = -1;  ///< in place of H: G43.1, G43.2
   struct Setting {
     double mm = 0;
     bool relative = false;  ///< `mm` counts from a length that is not known
@@ -29,6 +29,8 @@ class SetLengths {
 
   /// `kind`: which of the lengths of the register. `before`: what it was until the first setting.
   void set(const Register& which, int kind, std::optional<double> before, Setting setting);
+  /// To a length that is not known, and another than before.
+  void set_another(const Register& which, int kind, Setting setting);
   /// What the program has set last, else null.
   const Setting* find(const Register& which, int kind) const;
   /// False: the cut before had this tool and number, and no length was set since.

@@ -112,6 +112,7 @@ struct Modal {
   Code length = Code::length_off;
   double length_offset = 0;  ///< mm along the tool axis
   double length_number = 0;  ///< the last H
+  bool length_told = false;  ///< that of the last H stands in the tool table
   DrillCycle drill;
   FagorPocket pocket;  ///< counts where `drill` has its number
   HoleReturn hole_return = HoleReturn::initial;

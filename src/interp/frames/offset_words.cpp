@@ -180,7 +180,7 @@ void OffsetWords::meet_unknown(const Frame& frame) {
 bool OffsetWords::tool_register(int l, int p, const Word& where) {
   const Word* r = take('R');
   const Word* z = peek('Z');
-  if (is(Dialect::ngc) && l == 1) table_lengths(p);
+  if (is(Dialect::ngc)) table_lengths(l, p);
   for (const char c : {'X', 'Y', 'Z', 'I', 'J', 'Q'}) take(c);
   if (is(Dialect::ngc) && p < 1)
     return error("value-range", "P of G10 is the number of a tool", where);
@@ -206,15 +206,21 @@ bool OffsetWords::tool_register(int l, int p, const Word& where) {
   return true;
 }
 
-// LinuxCNC: in force from the next G43 of that tool on. L10 and L11 touch off: Z is where the tip
-// is.
-void OffsetWords::table_lengths(int tool) {
-  for (int i = 0; i < 3; ++i)
-    if (const Word* word = peek("XYZ"[i]))
-      control_.lengths.set({SetLengths::kTable, tool}, i, std::nullopt,
-                           {word->value * length_unit(*word), false,
-                            fmt::format("{} of G10 L1 P{}", text_of(*word), tool),
-                            block_.motion_at(block_.oneshot->column), "XYZ"[i]});
+// LinuxCNC: in force from the next G43 of that tool on. L10 and L11 touch off: the tip is where it
+// was, and the length becomes another one.
+void OffsetWords::table_lengths(int l, int tool) {
+  const SetLengths::Register which{SetLengths::kTable, tool};
+  for (int i = 0; i < 3; ++i) {
+    const Word* word = peek("XYZ"[i]);
+    if (!word) continue;
+    SetLengths::Setting setting{word->value * length_unit(*word), false,
+                                fmt::format("{} of G10 L{} P{}", text_of(*word), l, tool),
+                                block_.motion_at(block_.oneshot->column), "XYZ"[i]};
+    if (l == 1)
+      control_.lengths.set(which, i, std::nullopt, std::move(setting));
+    else
+      control_.lengths.set_another(which, i, std::move(setting));
+  }
 }
 
 // Lengths move nothing here. What one was before the program's first setting is not known; a wear

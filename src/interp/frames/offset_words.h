@@ -27,7 +27,7 @@ class OffsetWords : public ControlPart {
     std::string name;
     char axis = 'Z';
   };
-  void table_lengths(int tool);
+  void table_lengths(int l, int tool);
   void keep_length(int number, int kind, bool wear, const Length& length);
   bool tool_register(int l, int p, const Word& where);
   std::string work_name(int l, int p) const;

@@ -107,6 +107,7 @@ void MotionEmitter::emit(Motion motion, const CornerSpec& corner) {
   }
   change_tool();
   if (lathe()) turn_to_plus(motion);
+  check_length_mode(motion);
   if (motion.kind != MotionKind::rapid) {
     note_zero();
     check_length();
@@ -196,7 +197,8 @@ void MotionEmitter::note_zero() {
 double MotionEmitter::length_number() const {
   if (is(Dialect::sinumerik)) return modal_.edge;
   if (lathe()) return std::fmod(std::max(0.0, control_.tool.written), 100);
-  if (modal_.length == Code::length_dynamic) return SetLengths::kDynamic;
+  if (modal_.length == Code::length_dynamic || modal_.length == Code::length_add)
+    return SetLengths::kDynamic;
   return modal_.length == Code::length_off ? 0 : modal_.length_number;
 }
 
@@ -217,6 +219,23 @@ void MotionEmitter::check_length() {
                     "difference into {3}, or shift the zero by {2} {3}",
                     set.name, block_.line_number, siemens ? "TRANS" : "G52", set.axis),
         set.at, fmt::format("length {} {}", set.at.file, set.at.line));
+}
+
+// G49 between cuts, and G44 or G43.2 behind G43.
+void MotionEmitter::check_length_mode(const Motion& motion) {
+  if (lathe() || is(Dialect::sinumerik) || is(Dialect::codesys) || block_.suppress_frames) return;
+  const bool counts = modal_.length != Code::length_off && length_number() != 0;
+  if (modal_.length_told) return;
+  if (!length_switch_.contradicts(control_.tool.current,
+                                  counts ? static_cast<int>(modal_.length) : 0, motion,
+                                  modal_.incremental))
+    return;
+  reporter_.once_at(
+      Severity::error, "not-supported",
+      "the tool cuts here by another length than before (G43, G44 or G49): how far "
+      "apart the two lie is not known; write G43 before each of its cuts, or give its "
+      "length by [offsets.H1] of --tools tools.toml",
+      motion, "length mode " + control_.tool.current);
 }
 
 // Cuts from an unknown place are not swept. One alone is the way to the first point.

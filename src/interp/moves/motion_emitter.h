@@ -2,6 +2,7 @@
 // Private to src/interp.
 #pragma once
 
+#include "interp/moves/length_switch.h"
 #include "interp/moves/travel_check.h"
 #include "interp/moves/undescribed_tool.h"
 #include "interp/path/compensation.h"
@@ -45,6 +46,7 @@ class MotionEmitter : public ControlPart {
   void note_zero();
   double length_number() const;
   void check_length();
+  void check_length_mode(const Motion& motion);
   void turn_to_plus(Motion& motion);
   bool may_stand_below() const;
   void refuse_undescribed_tool(const Motion& motion);
@@ -75,6 +77,7 @@ class MotionEmitter : public ControlPart {
   bool idle_ = true;
   double last_length_ = 0;
   UndescribedTool undescribed_;
+  LengthSwitch length_switch_;
   int unknown_starts_ = 0;  ///< cuts in a row that end where an axis is unknown
 };
 

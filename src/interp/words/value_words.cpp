@@ -221,19 +221,24 @@ bool ValueWords::edge() {
   return true;
 }
 
-// X Y Z of G43.1 are lengths of the tool, not places.
-bool ValueWords::take_lengths() {
+// X Y Z of G43.1 and G43.2 are lengths of the tool, not places.
+bool ValueWords::take_lengths(const Word* h) {
+  const char* const name = modal_.length == Code::length_dynamic ? "G43.1" : "G43.2";
   if (block_.motion_code && block_.motion_code->address == letter('G'))
     return error("word-unexpected",
-                 fmt::format("{} beside G43.1, whose axes are lengths: write it into another block",
-                             text_of(*block_.motion_code)),
+                 fmt::format("{} beside {}, whose axes are lengths: write it into another block",
+                             text_of(*block_.motion_code), name),
                  *block_.motion_code);
   for (int i = 0; i < 3; ++i)
     if (const Word* word = take("XYZ"[i]))
       control_.lengths.set(
           {0, SetLengths::kDynamic}, i, std::nullopt,
-          {word->value * length_unit(*word), false, fmt::format("{} of G43.1", text_of(*word)),
+          {word->value * length_unit(*word), false, fmt::format("{} of {}", text_of(*word), name),
            block_.motion_at(word->column), "XYZ"[i]});
+  if (h && modal_.length == Code::length_add)
+    control_.lengths.set_another(
+        {0, SetLengths::kDynamic}, 2,
+        {0, true, fmt::format("{} of {}", text_of(*h), name), block_.motion_at(h->column), 'Z'});
   return true;
 }
 
@@ -253,7 +258,7 @@ bool ValueWords::length_register() {
   const bool chosen = block_.length_changed;
   block_.length_changed = false;
   if (modal_.length == Code::length_dynamic || modal_.length == Code::length_add) {
-    if (modal_.length == Code::length_dynamic && chosen && !take_lengths()) return false;
+    if (chosen && !take_lengths(word)) return false;
     note_once("tool-length", "positions are read as those of the tool's tip, whatever its length",
               block_.words.front(), "length");
     return true;
@@ -274,6 +279,7 @@ bool ValueWords::length_register() {
   modal_.length_number = word->value;
   const std::string name = fmt::format("H{:g}", word->value);
   const OffsetRegister* reg = tools_.find_register(name);
+  modal_.length_told = reg != nullptr;
   if (!reg && word->value != 0) {  // reported once where the table has no lengths at all
     const std::vector<OffsetRegister>& all = control_.registers;
     const bool lengths = std::any_of(all.begin(), all.end(),
