@@ -288,5 +288,26 @@ TEST(SinumerikLanguage, ANameInPlaceOfATextIsToldOf) {
   EXPECT_EQ(told("GOTOF 'LB1'\nLB1: M30\n"), "GOTOF needs a label: GOTOF LAB1");
 }
 
+// R1 was a variable beside R1, and F1 could not be assigned.
+TEST(SinumerikLanguage, NamesOfVariablesBeginWithTwoLetters) {
+  const auto run = [](const char* text) {
+    return codes(read_text(text, at_origin(Dialect::sinumerik)));
+  };
+  for (const char* const text : {"DEF REAL R1\nG1 X1 F9\n", "DEF FRAME F1\nG1 X1 F9\n"})
+    EXPECT_EQ(run(text), "statement") << text;
+  EXPECT_EQ(run("DEF REAL _1,RA1\nRA1=2\nG1 X=RA1 F9\n"), "statement") << "_1";
+  EXPECT_EQ(run("DEF REAL __1,RA1\nRA1=2\nG1 X=RA1 F9\n"), "");
+}
+
+TEST(SinumerikLanguage, FilesNamedAsInArchives) {
+  for (const char* const file : {"_N_HOLES_SPF", "_N_HOLES_MPF", "_N_HOLES_SPF.SPF"}) {
+    const Scratch scratch;
+    scratch.write(file, "X1\nM17\n");
+    const std::string main = scratch.write("MAIN.MPF", "G1 F9\nHOLES\nCALL \"HOLES\"\nX5\nM30\n");
+    EXPECT_EQ(path_text(read_program(main, at_origin(Dialect::sinumerik))), "l1,0,0 l5,0,0")
+        << file;
+  }
+}
+
 }  // namespace
 }  // namespace mrsim

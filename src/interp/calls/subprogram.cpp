@@ -56,7 +56,6 @@ std::string sinumerik_section(std::string_view line) {
   return name;
 }
 
-// The file behind a link; the link itself where that is not known.
 }  // namespace
 
 std::string section_name(std::string_view line, Dialect dialect) {
@@ -152,6 +151,8 @@ std::optional<SubprogramPlace> SubprogramIndex::find(const SubprogramName& name)
   } else if (key.ends_with("_SPF") || key.ends_with("_MPF")) {
     stems.push_back(key.substr(0, key.size() - 4));
   }
+  if (dialect_ == Dialect::sinumerik && !key.starts_with("_N_"))  // as archives name their files
+    for (const char* kind : {"SPF", "MPF"}) stems.push_back(fmt::format("_N_{}_{}", key, kind));
   std::optional<SubprogramPlace> place;
   const bool escapes = key.find('/') != std::string::npos || key.find('\\') != std::string::npos;
   for (const std::string& folder : folders_) {

@@ -239,8 +239,11 @@ bool SinumerikAssignments::define_one(std::size_t& p, VariableType type, std::si
   p = skip_blanks(p);
   const std::size_t from = p;
   const std::string name = name_at(p);
-  if (name.size() < 2 || is_digit(name[0]))
-    return fail("statement", "a name of at least two characters is expected here", from, p + 1);
+  if (name.size() < 2 || is_digit(name[0]) || is_digit(name[1]))
+    return fail("statement",
+                name.size() < 2 ? "a name of at least two characters is expected here"
+                                : "the name of a variable begins with two letters or underscores",
+                from, std::max(p, from + 1));
   std::array<int, 3> dimensions{};
   if (at(p) == '[') {
     std::vector<Value> sizes;
