@@ -298,5 +298,16 @@ TEST(Macro, ArgumentsCountLeastIncrementsToo) {
   EXPECT_EQ(path("G20\nG65 P7 X5000 I0 A0 H2. F100"), "l12.7,0,0 l50.8,0,0");
 }
 
+// The branch passed over the ELSE, which no control sees there.
+TEST(Macro, PartsOfBranchesAndLoopsBehindWords) {
+  const auto told = [](const std::string& text) {
+    return codes(read_text("#1=2\n" + text + "\nM30\n", at_origin(Dialect::fanuc)));
+  };
+  EXPECT_EQ(told("IF[#1 EQ 1]THEN\nG1 X1 F9 ELSE\nX2\nENDIF"), "structure");
+  EXPECT_EQ(told("IF[#1 EQ 1]THEN\nG1 X1 F9\n#2=1 ENDIF\nX2\nENDIF"), "structure");
+  EXPECT_EQ(told("WHILE[#1 EQ 1]DO1\nG1 X1 F9 END1\nX2\nEND1"), "structure");
+  EXPECT_EQ(told("IF[#1 EQ 1]THEN\nG1 X1 F9 (ELSE)\nENDIF\nX2 F9 G1"), "");
+}
+
 }  // namespace
 }  // namespace mrsim

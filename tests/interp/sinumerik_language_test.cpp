@@ -299,6 +299,17 @@ TEST(SinumerikLanguage, NamesOfVariablesBeginWithTwoLetters) {
   EXPECT_EQ(run("DEF REAL __1,RA1\nRA1=2\nG1 X=RA1 F9\n"), "");
 }
 
+// The branch passed over the ELSE, which no control sees there.
+TEST(SinumerikLanguage, PartsOfBranchesAndLoopsBehindWords) {
+  const auto told = [](const std::string& text) {
+    return codes(read_text("R1=2\nF9\n" + text + "\nM30\n", at_origin(Dialect::sinumerik)));
+  };
+  EXPECT_EQ(told("IF R1==1\nG1 X1 ELSE\nX2\nENDIF"), "structure");
+  EXPECT_EQ(told("IF R1==1\nG1 X1\nR2=1 ENDIF\nX2\nENDIF"), "structure");
+  EXPECT_EQ(told("WHILE R1==1\nG1 X1 ENDWHILE\nENDWHILE"), "structure");
+  EXPECT_EQ(told("IF R1==1\nMSG(\"OR ELSE\")\nENDIF\nG1 X1 ;ELSE"), "");
+}
+
 TEST(SinumerikLanguage, FilesNamedAsInArchives) {
   for (const char* const file : {"_N_HOLES_SPF", "_N_HOLES_MPF", "_N_HOLES_SPF.SPF"}) {
     const Scratch scratch;

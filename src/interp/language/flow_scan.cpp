@@ -1,5 +1,6 @@
 #include "interp/language/flow_scan.h"
 
+#include "interp/language/stray_words.h"
 #include "interp/text/characters.h"
 #include "interp/text/line_scan.h"
 
@@ -78,6 +79,17 @@ bool has_jump(std::string_view rest) {
     if (starts && upper(rest[i]) == 'G' && upper_case(rest.substr(i, 4)) == "GOTO") return true;
   }
   return false;
+}
+
+// A part of a structure that no control sees where it stands.
+FoundWord stray(std::size_t at) {
+  FoundWord found;
+  found.at = at;
+  if (at != std::string_view::npos)
+    found.fault =
+        "this stands behind words, where the control does not look for it: write it into "
+        "a block of its own";
+  return found;
 }
 
 bool ends_here(std::string_view line, std::size_t p) {
@@ -244,10 +256,10 @@ FoundWord scan_macro_block(std::string_view line, std::size_t p) {
     found.behind = p;
     if (scan_branch(line, name, found)) return found;
     if (name.starts_with("WH") && name.size() <= 5) {
-      p = skip_blanks(line, p);
+      p = behind_comments(line, p);
       const std::size_t close = at(line, p) == '[' ? closing_bracket(line, p) : p;
       if (close == std::string_view::npos || at(line, p) != '[') return found;
-      p = close + 1;
+      p = behind_comments(line, close + 1);
       found.word = FlowWord::loop_while;
       name = letters_at(line, p);
     }
@@ -287,7 +299,9 @@ void scan_macro_line(std::string_view line, std::vector<FoundWord>& out) {
     FoundWord found = scan_macro_block(line, p);
     found.skip = skip;
     if (found.word == FlowWord::section && p != behind_number(line, from, number)) continue;
-    if (found.word != FlowWord::none) out.push_back(std::move(found));
+    if (found.word == FlowWord::none)
+      found = stray(stray_macro_word(line, p, end_of_block(line, p)));
+    if (found.word != FlowWord::none || found.fault) out.push_back(std::move(found));
   }
 }
 
@@ -329,6 +343,8 @@ void scan_sinumerik_line(std::string_view line, std::vector<FoundWord>& out) {
       out.push_back({known.word, from, p, {}, known.ends});
       return;
     }
+    if (FoundWord found = stray(stray_sinumerik_word(line, p)); found.fault)
+      out.push_back(std::move(found));
     return;
   }
 }

@@ -85,6 +85,7 @@ ProgramOutline::ProgramOutline(const std::string& file, OutlineForm form) : name
       entry.name = one.name.empty() ? 0 : name_index(one.name);
       entry.skip = one.skip;
       if (one.fault) fault(entry.at, one.fault);
+      if (one.word == FlowWord::none) continue;
       if (one.word == FlowWord::section)
         begin_section(entry.at, open);
       else
