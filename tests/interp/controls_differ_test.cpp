@@ -45,9 +45,10 @@ TEST(ControlsDiffer, AnExtendedOffsetMayStandBesideACall) {
 }
 
 TEST(ControlsDiffer, CallsOfBlocksAndExternalProgramsAreNeverOverlooked) {
-  const std::string sub = "M30\nO5\nN1 G1 X5. F10\nN2 X7.\nM99\n";
-  EXPECT_EQ(mill("O1\nM98 P5 Q2\n" + sub), " | not-supported");
-  EXPECT_EQ(mill("O1\nM98 P5 H2\n" + sub), " | not-supported");
+  const std::string sub = "M30\nO5\nN1 G1 X5. F10\nN2 G1 X7.\nM99\n";
+  EXPECT_EQ(mill("O1\nF10\nM98 P5 Q2\n" + sub), "l7,0,0");
+  EXPECT_EQ(mill("O1\nF10\nM98 P5 H2\n" + sub), "l7,0,0");
+  EXPECT_EQ(mill("O1\nF10\nM98 P5 H2 L2\n" + sub), " | not-supported");
   EXPECT_EQ(mill("O1\nM198 P5\n" + sub), "l5,0,0 l7,0,0");
   EXPECT_EQ(codes(read_text("O1\nG1 X1. F1\nM198 P99\nM30\n", at_origin(Dialect::fanuc))),
             "subprogram-missing");

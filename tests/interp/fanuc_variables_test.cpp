@@ -193,5 +193,12 @@ TEST(FanucRegisters, CutsWithAndWithoutTheLength) {
   EXPECT_EQ(told("G49\nG0 Z5.\nG1 Z-2.\n", true), "") << "the table tells it";
 }
 
+// The blocks behind it ran.
+TEST(FanucRegisters, AnAlarmEndsTheProgram) {
+  const Program p =
+      read_text("G1 X1 F9\n#3000=1(NO TOOL)\nX2\nX#5\nM30\n", at_origin(Dialect::fanuc));
+  EXPECT_EQ(path_text(p), "l1,0,0 | program-alarm");
+}
+
 }  // namespace
 }  // namespace mrsim

@@ -322,6 +322,7 @@ TEST(Frames, WordsOfFramesCountLeastIncrements) {
   EXPECT_EQ(path("G68.2 X1000 Y0 Z0 I30000 J0 K60.\nG53.1\nG1 X2000 Y0 F9"), "l1,2,0");
   EXPECT_EQ(path("G51 X1000 Y0 Z0 P2.\nG1 X2000 F9"), "l3,0,0");
   EXPECT_EQ(path("G51.1 X1000\nG1 X3000 F9"), "l-1,0,0");
+  EXPECT_EQ(path("G11 X1000 P90000\nG1 X2000 Y0 F9"), "l1,2,0") << "Okuma";
   EXPECT_EQ(path("G16 G1 X10000 Y90000 F9"), "l0,10,0");
   EXPECT_EQ(path("G1 X10000 ,A45000 F9"), "l10,10,0");
 }

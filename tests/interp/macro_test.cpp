@@ -298,6 +298,32 @@ TEST(Macro, ArgumentsCountLeastIncrementsToo) {
   EXPECT_EQ(path("G20\nG65 P7 X5000 I0 A0 H2. F100"), "l12.7,0,0 l50.8,0,0");
 }
 
+TEST(Macro, CommentsBetweenOperands) {
+  for (const char* const text :
+       {"#1=[2+(NOTE)3]", "#1=2(A)+(B]) 3", "#1=(NOTE)5", "#1=SQRT(OF)[25]", "#1=5 (NOTE",
+        "IF(A)[1 EQ 1(B)](C)THEN#1=5", "#2=0\nWHILE(A)[#2 EQ 0](B)DO1\n#1=5\n#2=1\nEND1"})
+    EXPECT_EQ(run(Dialect::fanuc, fmt::format("G1 F9\n{}\nX#1\nM30\n", text)),
+              std::string(text).ends_with("NOTE") ? "5,0,0 comment-unterminated" : "5,0,0 ")
+        << text;
+}
+
+// 3 was given to #2.
+TEST(Macro, ANumberOfAVariableThatIsNotWhole) {
+  EXPECT_EQ(run(Dialect::fanuc, "#2=1\n#1.5=3\nG1 X#2 F9\nM30\n"), "1,0,0 variable-number");
+  EXPECT_EQ(run(Dialect::fanuc, "#2=1\n#[3/2]=3\nG1 X#2 F9\nM30\n"), "1,0,0 variable-number");
+  EXPECT_EQ(run(Dialect::ngc, "#2=1\n#1.5=3\nG1 X#2 F9\nM2\n"), "1,0,0 variable-number");
+}
+
+// Controls give an alarm.
+TEST(Macro, ConditionsStandInBrackets) {
+  for (const char* const text : {"IF #1 EQ 2 GOTO 5", "IF#1EQ2THEN#1=3", "WHILE #1 EQ 2 DO1\nEND1"})
+    EXPECT_EQ(run(Dialect::fanuc, fmt::format("#1=2\n{}\nN5 G1 X1 F9\nM30\n", text)), "bracket")
+        << text;
+  for (const char* const text : {"o1 if 1\no1 endif", "o1 while 0\no1 endwhile",
+                                 "o1 repeat 2\no1 endrepeat", "o1 do\no1 while 0"})
+    EXPECT_EQ(run(Dialect::ngc, fmt::format("{}\nG1 X1 F9\nM2\n", text)), "bracket") << text;
+}
+
 // The branch passed over the ELSE, which no control sees there.
 TEST(Macro, PartsOfBranchesAndLoopsBehindWords) {
   const auto told = [](const std::string& text) {
@@ -307,6 +333,34 @@ TEST(Macro, PartsOfBranchesAndLoopsBehindWords) {
   EXPECT_EQ(told("IF[#1 EQ 1]THEN\nG1 X1 F9\n#2=1 ENDIF\nX2\nENDIF"), "structure");
   EXPECT_EQ(told("WHILE[#1 EQ 1]DO1\nG1 X1 F9 END1\nX2\nEND1"), "structure");
   EXPECT_EQ(told("IF[#1 EQ 1]THEN\nG1 X1 F9 (ELSE)\nENDIF\nX2 F9 G1"), "");
+}
+
+TEST(Macro, ArgumentsStandBehindTheCode) {
+  const std::string macro = "\nM30\nO7\nG1 X#1 F9\nM99\n";
+  EXPECT_EQ(run(Dialect::fanuc, "G65 P7 A1" + macro), "1,0,0 ");
+  EXPECT_EQ(run(Dialect::fanuc, "P7 G65 A1" + macro), "1,0,0 ");
+  EXPECT_EQ(run(Dialect::fanuc, "A1 G65 P7" + macro), "macro-arguments");
+  EXPECT_EQ(run(Dialect::fanuc, "A1 G66 P7" + macro), "macro-arguments");
+}
+
+// G L N P were dropped: on the control they are arguments.
+TEST(Macro, WordsUnderG66Point1ThatMayBeArguments) {
+  for (const char* const word : {"G0", "L2", "P3", "N4"})
+    EXPECT_EQ(
+        run(Dialect::fanuc, fmt::format("G66.1 P7\nX5 {}\nG67\nM30\nO7\nG1 X#24 F9\nM99\n", word)),
+        "not-supported")
+        << word;
+}
+
+TEST(Macro, CallsThatBeginAtABlock) {
+  const std::string sub = "\nX9\nM30\nO7\nX1\nN20 X2\nX3\nM99\nO8\nN30 X4\nM99\n";
+  for (const char* const call : {"M98 P7 Q20", "M98 P7 H20", "#1=20\nM98 P7 Q#1"})
+    EXPECT_EQ(run(Dialect::fanuc, "G1 F9\n" + std::string(call) + sub), "2,0,0 3,0,0 9,0,0 ")
+        << call;
+  EXPECT_EQ(run(Dialect::fanuc, "G1 F9\nM98 P7 Q30" + sub), "9,0,0 jump-target");
+  EXPECT_EQ(run(Dialect::fanuc, "G1 F9\nM98 P7 Q20 L2" + sub), "9,0,0 not-supported");
+  EXPECT_EQ(run(Dialect::fanuc, "G1 F9\nM98 P7 Q20\nX9\nM30\n"), "9,0,0 subprogram-missing");
+  EXPECT_EQ(run(Dialect::fanuc, "G1 F9\nG43 H20 M98 P7" + sub), "1,0,0 2,0,0 3,0,0 9,0,0 ");
 }
 
 }  // namespace

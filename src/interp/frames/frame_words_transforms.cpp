@@ -120,8 +120,8 @@ bool FrameWords::turn_locally(Vec3 zero, unsigned named, const Word& word) {
                  word);
   for (int i = 0; i < 3; ++i)
     if ((named >> i & 1U) == 0) component(zero, i) = 0;
-  frames_.program =
-      compose(shift_frame(zero), rotation_frame(kNormal[modal_.plane], angle ? angle->value : 0));
+  frames_.program = compose(shift_frame(zero),
+                            rotation_frame(kNormal[modal_.plane], angle ? angle_value(*angle) : 0));
   frames_.local_turned = named;
   return true;
 }

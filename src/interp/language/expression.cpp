@@ -11,7 +11,13 @@
 namespace mrsim {
 
 void Evaluator::skip_blanks() {
-  while (p_ < line_.size() && (line_[p_] == ' ' || line_[p_] == '\t' || line_[p_] == '\r')) ++p_;
+  for (;;) {
+    while (p_ < line_.size() && (line_[p_] == ' ' || line_[p_] == '\t' || line_[p_] == '\r')) ++p_;
+    if (!rules_.comments || at(p_) != '(') return;
+    const std::size_t end = line_.find(')', p_);
+    if (end == std::string_view::npos) return;
+    p_ = end + 1;
+  }
 }
 
 bool Evaluator::fail(const char* code, std::string text, std::size_t from, std::size_t to) {
@@ -60,6 +66,15 @@ bool Evaluator::number_operand(std::string_view line, std::size_t& p, double& ou
   if (!usable(value, from)) return finish(p, false);
   if (!value.is_number()) return fail("expression", "a number is needed here", from, p);
   out = value.number;
+  return true;
+}
+
+bool Evaluator::variable_number(std::string_view line, std::size_t& p, double& out) {
+  const std::size_t from = p;
+  if (!number_operand(line, p, out)) return false;
+  const double whole = nearest_whole(out);
+  if (std::abs(out - whole) > kNearWhole) return fail("variable-number", kNotWhole, from, p);
+  out = whole;
   return true;
 }
 

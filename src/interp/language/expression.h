@@ -41,6 +41,8 @@ class Evaluator {
   /// As operand(), and a number that is not vacant.
   bool number_operand(std::string_view line, std::size_t& p, double& out);
   bool number_expression(std::string_view line, std::size_t& p, double& out);
+  /// The number of a variable behind its #: a whole one.
+  bool variable_number(std::string_view line, std::size_t& p, double& out);
   /// The name inside #<...> without blanks, `p` on the "<".
   bool bracketed_name(std::string_view line, std::size_t& p, std::string& name);
 
@@ -55,6 +57,9 @@ class Evaluator {
   static constexpr double kLargestValue = 1e300;
 
  private:
+  static constexpr const char* kNotWhole = "the number of a variable is a whole number";
+  static constexpr double kNearWhole = 1e-4;  // of the number of a variable
+
   struct Seen {
     std::size_t from, to;
     double number;

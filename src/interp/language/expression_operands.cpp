@@ -118,8 +118,8 @@ bool Evaluator::hash_variable(Value& out) {
     const std::size_t inner = p_;
     if (!unary(index) || !usable(index, inner)) return false;
     --depth_;
-    if (!index.is_number() || std::abs(index.number - nearest_whole(index.number)) > 1e-4)
-      return fail("variable-number", "the number of a variable is a whole number", from, p_);
+    if (!index.is_number() || std::abs(index.number - nearest_whole(index.number)) > kNearWhole)
+      return fail("variable-number", kNotWhole, from, p_);
     if (!variables_.numbered(nearest_whole(index.number), out, why))
       return fail("variable-number", std::move(why), from, p_);
   }

@@ -154,7 +154,7 @@ const ExpressionRules& fanuc_rules() {
     ExpressionRules rules;
     rules.operators = kFanucOperators;
     rules.functions = kFanucFunctions;
-    rules.abbreviated = rules.vacant_is_zero = rules.plain_names = true;
+    rules.abbreviated = rules.vacant_is_zero = rules.plain_names = rules.comments = true;
     rules.full_turn = rules.arc_sine_full = true;
     rules.zero_divide_alarm = " (alarm 112)";
     rules.range_alarm = " (alarm 119)";

@@ -108,6 +108,7 @@ struct ExpressionRules {
   Spelling spelling = Spelling::hash;
   bool named_hash = false;      ///< #<name>
   bool glued_blanks = true;     ///< blanks mean nothing, even inside a number
+  bool comments = false;        ///< ( ) is a comment, between operands as well
   bool abbreviated = false;     ///< two letters of a function's name are enough
   bool vacant_is_zero = false;  ///< a vacant operand counts as 0
   bool bare_functions = false;  ///< SIN 30 without brackets

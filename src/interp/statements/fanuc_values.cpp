@@ -226,10 +226,9 @@ bool FanucValues::write(double number, const Value& value, std::string& why) {
   }
   if (number >= 3001 && number <= 3007) return true;  // clock, stops, messages
   if (write_register(number, value)) return true;
-  why = number == 3000
-            ? fmt::format("the program stops with its own alarm #3000 = {:g}", value.number)
-            : fmt::format("the system variable #{:.0f} cannot be set here", number);
-  return false;
+  if (number == 3000) alarm_ = value.number;
+  why = fmt::format("the system variable #{:.0f} cannot be set here", number);
+  return number == 3000;
 }
 
 }  // namespace mrsim

@@ -6,6 +6,7 @@
 #include "interp/statements/state_values.h"
 
 #include <map>
+#include <optional>
 #include <string>
 
 namespace mrsim {
@@ -17,6 +18,8 @@ class FanucValues : public StateValues {
   /// False: `why` says that this variable is not answered, by number.
   bool read(int number, Value& out, std::string& why) const;
   bool write(double number, const Value& value, std::string& why);
+  /// What the program has set #3000 to, which ends it.
+  std::optional<double> alarm() const { return alarm_; }
 
  private:
   bool position(int number, double& out, std::string& why) const;
@@ -27,6 +30,7 @@ class FanucValues : public StateValues {
   bool mill_group(int group, double& out) const;
   bool lathe_group(int group, double& out) const;
 
+  std::optional<double> alarm_;
   std::map<int, double> outside_;  ///< given with --set, or kept for the program
 };
 

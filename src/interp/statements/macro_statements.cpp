@@ -136,9 +136,11 @@ bool MacroStatements::branch(std::size_t from, std::optional<bool> holds) {
 }
 
 bool MacroStatements::while_statement(std::size_t from, std::size_t p) {
+  bool holds = false;
+  p = behind_comments(block_.line, p);
+  if (at(p) != '[') return condition(p, holds);  // its fault
   const FlowEntry* const entry = entry_at(from);
   if (!entry) return false;
-  bool holds = false;
   if (!condition(p, holds)) return false;
   if (!holds) return jump_behind(places_.outline().entry(entry->last));
   reader_.set_position(entry->behind);
@@ -175,32 +177,46 @@ double MacroStatements::argument_value(const Word& word) const {
   return length ? word.value * modal_.least_increment() : word.value;
 }
 
-// The words behind G65 as local variables. I J K more than once: argument list II.
-bool MacroStatements::collect(const Word* code, bool first, Arguments& out) {
+// The words behind G65 as local variables. I J K more than once: argument list II. `code`: G65 or
+// G66; null in a block under G66.1.
+bool MacroStatements::collect(const Word* code, Arguments& out) {
   int triples = 0;
   char last = 'Z';
   for (const Word& word : block_.words) {
     const auto c = static_cast<char>(word.address);
-    if (&word == code || (first && (c == 'P' || c == 'L')) || c == 'N' || c == 'O') continue;
+    const bool head = c == 'N' && (code || &word == &block_.words.front());
+    if (&word == code || (code && (c == 'P' || c == 'L')) || c == 'O' || head) continue;
     int local = local_of(c);
-    if (c == 'G') local = first ? -1 : 0;
-    if (c == 'L' || c == 'P') local = 0;
     if (c >= 'I' && c <= 'K') {
       if (triples == 0 || c <= last) ++triples;
       last = c;
       local = 4 + 3 * (triples - 1) + (c - 'I');
     }
     if (local > 33) return error("macro-arguments", "more than ten groups I J K (alarm 129)", word);
-    if (local < 0 || (local == 0 && first))
-      return error("macro-arguments",
-                   fmt::format("{} is no argument of a macro (alarm 129){}", text_of(word),
-                               c == 'G' ? ": write it into a block of its own" : ""),
-                   word);
-    if (local == 0) continue;
+    if (local == 0) return no_argument(word, code != nullptr);
+    if (code && &word < code)
+      return error(
+          "macro-arguments",
+          fmt::format("{0} stands before {1}: {1} comes first", text_of(word), text_of(*code)),
+          word);
     out.values[static_cast<std::size_t>(local)] = argument_value(word);
     out.given |= std::uint64_t(1) << local;
   }
   return true;
+}
+
+// Manuals of G66.1 make arguments of G L N P, too (#10 #12 #14 #16), but differ in whether G acts.
+bool MacroStatements::no_argument(const Word& word, bool simple) {
+  if (!simple)
+    return error("not-supported",
+                 fmt::format("{} in a block under G66.1: whether it acts or is an argument of the "
+                             "macro is not known; call the macro by G65 here",
+                             text_of(word)),
+                 word);
+  return error("macro-arguments",
+               fmt::format("{} is no argument of a macro (alarm 129){}", text_of(word),
+                           word.address == letter('G') ? ": write it into a block of its own" : ""),
+               word);
 }
 
 // The arguments are set before the first run of a command; the next ones begin with the local
@@ -269,7 +285,7 @@ bool MacroStatements::macro_call(const Word& code) {
   if (code.value == 65 && probing(program.number, code)) return true;
   const long repeats = l ? static_cast<long>(l->value) : 1;
   Arguments arguments;
-  if (!collect(&code, true, arguments)) return false;
+  if (!collect(&code, arguments)) return false;
   const auto kept = std::make_shared<Kept::element_type>();
   if (code.value == 65)
     return call_macro(program, repeats, arguments, kept, {modal_count(), modal_calls_.size(), true},
@@ -308,7 +324,30 @@ bool MacroStatements::run_modal(const ModalCall& call, const Arguments& argument
                     {before, modal_calls_.size(), false}, block_.words.front());
 }
 
+// Under G66.1 an N word behind others is no number of the block.
+bool MacroStatements::number_leads() {
+  long number = -1;
+  behind_number(block_.line, 0, number);
+  return !block_.has_number || number >= 0 ||
+         error(
+             "not-supported",
+             "N behind words of a block under G66.1 is an argument on the control (#14): write it "
+             "at the head of the block",
+             block_.words.front());
+}
+
+// #3000=1(NO TOOL): nothing behind it runs.
+bool MacroStatements::stopped_by_alarm() {
+  const std::optional<double> alarm = system_.fanuc().alarm();
+  if (!alarm) return false;
+  fail("program-alarm", fmt::format("the program stops with its own alarm #3000 = {:g}", *alarm), 0,
+       block_.line.size());
+  reader_.stop();
+  return true;
+}
+
 bool MacroStatements::take_block() {
+  if (stopped_by_alarm()) return true;
   for (const Word& word : block_.words) {
     if (word.address != letter('G')) continue;
     if (word.value == 65 || word.value == 66 || word.value == 66.1) {
@@ -316,11 +355,12 @@ bool MacroStatements::take_block() {
       return true;
     }
     if (word.value == 67 && !modal_calls_.empty()) modal_calls_.pop_back();
+    if (word.value == 67 && block_.words.size() == 1) return false;
   }
   const ModalCall* const call = is_modal_unclear() ? nullptr : modal_call(true);
   if (!call || block_.words.empty() || block_.words[0].address == letter('M')) return false;
   Arguments arguments = call->arguments;  // G66.1: the words of the block are arguments
-  if (collect(nullptr, false, arguments)) run_modal(*call, arguments);
+  if (number_leads() && collect(nullptr, arguments)) run_modal(*call, arguments);
   return true;
 }
 

@@ -53,7 +53,10 @@ class MacroStatements : public Statements {
   bool loop_end(std::size_t at);
   bool go_to(std::size_t p);
   double argument_value(const Word& word) const;
-  bool collect(const Word* code, bool first, Arguments& out);
+  bool collect(const Word* code, Arguments& out);
+  bool number_leads();
+  bool stopped_by_alarm();
+  bool no_argument(const Word& word, bool simple);
   bool call_macro(const SubprogramName& program, long repeats, const Arguments& arguments,
                   const Kept& kept, const MacroLevel& level, const Word& where);
   std::size_t modal_count() const;

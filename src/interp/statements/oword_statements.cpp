@@ -32,7 +32,7 @@ bool OwordStatements::assignment(std::string_view line, std::size_t& p) {
   while (p < line.size() && (line[p] == ' ' || line[p] == '\t')) ++p;
   one.named = p < line.size() && line[p] == '<';
   if (one.named ? !evaluator_.bracketed_name(line, p, one.name)
-                : !evaluator_.number_operand(line, p, one.number))
+                : !evaluator_.variable_number(line, p, one.number))
     return report(evaluator_.fault());
   one.to = p;
   p = skip_blanks(p);
@@ -55,7 +55,7 @@ bool OwordStatements::assignment(std::string_view line, std::size_t& p) {
 void OwordStatements::commit() {
   for (const Pending& one : pending_)
     if (!(one.named ? store(one.name, {}, one.value, one.from, one.to)
-                    : store(nearest_whole(one.number), one.value, one.from, one.to)))
+                    : store(one.number, one.value, one.from, one.to)))
       block_.bad = true;
   pending_.clear();
 }
@@ -193,6 +193,8 @@ bool OwordStatements::loop(const FlowEntry& entry, std::size_t p) {
   const FlowEntry& end = places_.outline().entry(entry.last);
   if (entry.word == FlowWord::loop_repeat) {
     double count = 0;
+    p = skip_blanks(p);
+    if (at(p) != '[') return fail("bracket", "the number of passes stands in brackets", p, p + 1);
     if (!evaluator_.number_expression(block_.line, p, count)) return report(evaluator_.fault());
     if (count < 1) return jump_past(end);
     passes_left(entry.last) = static_cast<long>(std::min(nearest_whole(count), 1e9));

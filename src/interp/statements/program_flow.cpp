@@ -16,6 +16,7 @@ constexpr int kMostM = 5;  // in a block of SINUMERIK
 }  // namespace
 
 bool ProgramFlow::begin_block() {
+  call_begins_ = nullptr;
   const Word* program = is(Dialect::codesys) ? nullptr : take('O');
   if (reader_.ends_at_header(program)) {
     block_.forget_words();
@@ -187,19 +188,20 @@ bool ProgramFlow::call_word(const Word& word, int m) {
     return error("not-supported", "M97 (a call of a block number) is not supported yet", word);
   if (m != 97 || is(Dialect::fanuc)) block_.m98 = &word;
   if (is(Dialect::ngc)) return true;
-  for (const char c : {'Q', 'H'})
-    if (block_.m98 && peek(c) && !(c == 'H' && block_.length_changed) && !take_block(c))
+  for (const char c : {'Q', 'H'}) {
+    if (!block_.m98 || !peek(c) || (c == 'H' && block_.length_changed)) continue;
+    if (m != 97 && is(Dialect::fanuc))
+      call_begins_ = take(c);
+    else
       return error(
           "not-supported",
           fmt::format("M{0} with {1} (a call of a block number) is not supported yet: begin "
                       "that program with GOTO and the number, and leave {1} out",
                       m, c),
           word);
+  }
   return true;
 }
-
-// M98 H100 of Mitsubishi and Mazak (Q100 on some): a block of the same program, as M97 P100.
-bool ProgramFlow::take_block(char c) { return !peek('P') && is(Dialect::fanuc) && take(c); }
 
 // Haas numbers programs with five digits, the 30i with eight: O20002, and no O0002.
 bool ProgramFlow::is_whole_number(long number) {
@@ -240,10 +242,20 @@ bool ProgramFlow::fanuc_call(const Word& word) {
   return call({number, {}}, repeats, *p);
 }
 
+// From block Q20 or H20 of the program on; whether the second run begins there, too, is not known.
+bool ProgramFlow::call_at_block(const SubprogramName& name, long repeats, const Word& block) {
+  if (repeats != 1)
+    return error("not-supported",
+                 fmt::format("a call from block {} on that is repeated: write it once for each run",
+                             text_of(block)),
+                 block);
+  return statements_ && statements_->call_at_block(name, block);
+}
+
 // M97 P10 L2 (Haas), M98 H10 L2: from block N10 of the same program up to M99.
 bool ProgramFlow::local_call(const Word& word) {
   const Word* p = find(letter('P'));
-  if (!p && word.value == 98) p = peek('H') ? peek('H') : peek('Q');
+  if (!p) p = call_begins_;
   const Word* l = find(letter('L'));
   if (!p || p->value < 0 || p->value != std::floor(p->value))
     return error("call-without-program", "M97 needs P with the number of a block", word);
@@ -253,6 +265,7 @@ bool ProgramFlow::local_call(const Word& word) {
 }
 
 bool ProgramFlow::call(const SubprogramName& name, long repeats, const Word& word) {
+  if (call_begins_) return call_at_block(name, repeats, *call_begins_);
   return statements_ ? statements_->call_program(name, repeats, word)
                      : reader_.call(name, repeats, word);
 }
@@ -275,7 +288,7 @@ void ProgramFlow::end_block() {
   if (block_.stop_after) {
     reader_.end_program();
   } else if (block_.m98) {
-    const bool block = !peek('P') && (peek('H') || peek('Q'));
+    const bool block = !peek('P') && call_begins_;
     block_.m98->value == 97 || block ? local_call(*block_.m98) : fanuc_call(*block_.m98);
   } else if (block_.call_word) {
     named_call(*block_.call_word);

@@ -28,7 +28,7 @@ class ProgramFlow : public ControlPart {
   void leave_length();
   bool okuma_return(int m);
   bool linuxcnc_signal(int m);
-  bool take_block(char c);
+  bool call_at_block(const SubprogramName& name, long repeats, const Word& block);
   bool is_whole_number(long number);
   std::string program_name(const Word* p) const;
   bool fanuc_call(const Word& word);
@@ -39,7 +39,8 @@ class ProgramFlow : public ControlPart {
 
   BlockReader& reader_;
   Statements* statements_;
-  bool centroid_ = false;  ///< the program has said M25 beside G49
+  const Word* call_begins_ = nullptr;  ///< Q or H of M98: the block that the call begins at
+  bool centroid_ = false;              ///< the program has said M25 beside G49
 };
 
 }  // namespace mrsim

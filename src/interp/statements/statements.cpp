@@ -192,7 +192,7 @@ bool Statements::assignment(std::string_view line, std::size_t& p) {
   const std::size_t from = p;
   ++p;
   double index = 0;
-  if (!evaluator_.number_operand(line, p, index)) return report(evaluator_.fault());
+  if (!evaluator_.variable_number(line, p, index)) return report(evaluator_.fault());
   const std::size_t to = p;
   p = skip_blanks(p);
   if (at(p) != '=')
@@ -205,10 +205,10 @@ bool Statements::assignment(std::string_view line, std::size_t& p) {
     Value faulty;
     faulty.kind = Value::Kind::faulty;
     std::string ignored;
-    variables_.assign(nearest_whole(index), faulty, ignored);
+    variables_.assign(index, faulty, ignored);
     return false;
   }
-  return store(nearest_whole(index), value, from, to);
+  return store(index, value, from, to);
 }
 
 bool Statements::call_values(std::string_view argument, std::vector<std::optional<Value>>& out) {
@@ -262,6 +262,9 @@ bool Statements::jump_always(const Place& to) {
 bool Statements::condition(std::size_t& p, bool& out) {
   double value = 0;
   decided_ = true;
+  p = skip_blanks(p);
+  if (evaluator_.rules().spelling == Spelling::hash && at(p) != '[')
+    return fail("bracket", "the condition stands in brackets here: [#1 EQ 2]", p, p + 1);
   if (!evaluator_.number_expression(block_.line, p, value)) return report(evaluator_.fault());
   out = value != 0;
   return true;
@@ -343,6 +346,19 @@ bool Statements::call_number(const Word& word, long repeats) {
   request.begin = to;
   request.repeats = repeats;
   return reader_.enter(std::move(request), word);
+}
+
+bool Statements::call_at_block(const SubprogramName& name, const Word& block) {
+  const auto program = reader_.locate(name, block);
+  if (!program) return false;
+  const long number = std::lround(block.value);
+  CallRequest request;
+  request.file = program->file;
+  Place end;
+  if (!places_.find_blocks(*program, number, number, request.begin, end))
+    return error("jump-target", fmt::format("there is no block N{} in that program", number),
+                 block);
+  return reader_.enter(std::move(request), block);
 }
 
 }  // namespace mrsim

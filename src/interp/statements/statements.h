@@ -62,6 +62,8 @@ class Statements : public ControlPart, public LanguageReader {
   bool jump_to_number(const Word& word, bool from_main);
   /// M97 P: calls from a block number on. False: reported.
   bool call_number(const Word& word, long repeats);
+  /// A subprogram from the block on whose number is the value of `block`. False: reported.
+  bool call_at_block(const SubprogramName& name, const Word& block);
   /// At the end of the program: values from outside that it has not read.
   void tell_unread_presets();
   /// Where blocks, labels and programs are.

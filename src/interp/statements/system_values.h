@@ -28,6 +28,7 @@ class SystemValues : public StateValues, public SystemVariables {
   /// Who knows the data of the tool in the spindle.
   void set_tools(ToolChanger& tools);
   LinuxcncValues& linuxcnc() { return linuxcnc_; }
+  const FanucValues& fanuc() const { return fanuc_; }
 
  private:
   bool work_cell(int number, std::string& name, int& axis) const;
