@@ -327,5 +327,16 @@ TEST(Frames, WordsOfFramesCountLeastIncrements) {
   EXPECT_EQ(path("G1 X10000 ,A45000 F9"), "l10,10,0");
 }
 
+// What was meant by no P was taken for P0: the external offset, or nothing.
+TEST(Frames, G10NeedsTheNumberOfWhatItSets) {
+  for (const char* const text : {"G10 L2 X10.", "G10 L20 X10.", "G10 L12 R3.", "G10 L10 R3."})
+    EXPECT_EQ(
+        codes(read_text(fmt::format("{}\nG54 G1 X1. F9\nM30\n", text), at_origin(Dialect::fanuc))),
+        "value-missing")
+        << text;
+  EXPECT_EQ(codes(read_text("G10 L2 X10\nG1 X1 F9\nM2\n", at_origin(Dialect::ngc))),
+            "value-missing");
+}
+
 }  // namespace
 }  // namespace mrsim

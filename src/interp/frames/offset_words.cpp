@@ -33,6 +33,9 @@ bool OffsetWords::run() {
   if (number < 0 || number > 9999 || number != std::floor(number))
     return error("value-range", "P of G10 is a whole number", *p);
   const int kind = plain_offset ? 12 : static_cast<int>(l->value);
+  if (!p && (kind <= 2 || (kind >= 10 && kind <= 20)))
+    return error("value-missing", fmt::format("G10 L{} needs P, the number of what it sets", kind),
+                 where);
   if (kind == 2 || kind == 20) return work(kind, static_cast<int>(number));
   if (kind == 1 || (kind >= 10 && kind <= 13))
     return tool_register(kind, static_cast<int>(number), where);
