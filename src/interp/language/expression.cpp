@@ -4,6 +4,7 @@
 #include "interp/language/operations.h"
 #include "interp/text/characters.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include <fmt/format.h>
@@ -11,13 +12,18 @@
 namespace mrsim {
 
 void Evaluator::skip_blanks() {
-  for (;;) {
-    while (p_ < line_.size() && (line_[p_] == ' ' || line_[p_] == '\t' || line_[p_] == '\r')) ++p_;
-    if (!rules_.comments || at(p_) != '(') return;
-    const std::size_t end = line_.find(')', p_);
-    if (end == std::string_view::npos) return;
-    p_ = end + 1;
-  }
+  const char* const text = line_.data();
+  const std::size_t size = line_.size();
+  std::size_t p = p_;
+  while (p < size && (text[p] == ' ' || text[p] == '\t' || text[p] == '\r')) ++p;
+  p_ = p;
+  if (p < size && text[p] == '(' && rules_.comments) skip_comments();
+}
+
+// A comment that is not closed stays for its own error.
+void Evaluator::skip_comments() {
+  for (std::size_t end; at(p_) == '(' && (end = line_.find(')', p_)) != line_.npos;)
+    p_ = std::min(line_.find_first_not_of(" \t\r", end + 1), line_.size());
 }
 
 bool Evaluator::fail(const char* code, std::string text, std::size_t from, std::size_t to) {

@@ -93,6 +93,7 @@ class Evaluator {
   const FunctionRow* function_named(std::string_view name) const;
   void seen(std::size_t from, const Value& value);
   void skip_blanks();
+  void skip_comments();
   bool fail(const char* code, std::string text, std::size_t from, std::size_t to);
   bool start(std::string_view line, std::size_t p);
   bool finish(std::size_t& p, bool ok);

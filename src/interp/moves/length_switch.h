@@ -6,7 +6,6 @@
 #include <mrsim/types.h>
 
 #include <map>
-#include <string>
 
 namespace mrsim {
 
@@ -14,13 +13,16 @@ class LengthSwitch {
  public:
   /// After each motion of the tool, in absolute coordinates or not. True: it ends in a place that
   /// the tool has cut at by another mode.
-  bool contradicts(const std::string& tool, int mode, const Motion& motion, bool incremental);
+  bool contradicts(int tool, int mode, const Motion& motion, bool incremental);
 
  private:
-  std::map<std::string, std::map<int, double>> tops_;  ///< highest start of cuts, mm, by mode
-  std::string tool_;
-  int mode_ = 0;
-  bool told_ = false;  ///< Z was programmed since tool and mode are these
+  void change(int tool, int mode);
+
+  std::map<int, std::map<int, double>> tops_;  ///< highest start of cuts, mm, by mode
+  int tool_ = -2, mode_ = -1;
+  bool told_ = false;      ///< Z was programmed since tool and mode are these
+  double* top_ = nullptr;  ///< of this mode, once it has cut
+  double others_ = 0;      ///< of the other modes
 };
 
 }  // namespace mrsim

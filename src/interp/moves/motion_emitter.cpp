@@ -223,12 +223,12 @@ void MotionEmitter::check_length() {
 
 // G49 between cuts, and G44 or G43.2 behind G43.
 void MotionEmitter::check_length_mode(const Motion& motion) {
-  if (lathe() || is(Dialect::sinumerik) || is(Dialect::codesys) || block_.suppress_frames) return;
+  if (lathe() || is(Dialect::sinumerik) || is(Dialect::codesys) || block_.suppress_frames ||
+      modal_.length_told)
+    return;
   const bool counts = modal_.length != Code::length_off && length_number() != 0;
-  if (modal_.length_told) return;
-  if (!length_switch_.contradicts(control_.tool.current,
-                                  counts ? static_cast<int>(modal_.length) : 0, motion,
-                                  modal_.incremental))
+  if (!length_switch_.contradicts(control_.tool.index, counts ? static_cast<int>(modal_.length) : 0,
+                                  motion, modal_.incremental))
     return;
   reporter_.once_at(
       Severity::error, "not-supported",
