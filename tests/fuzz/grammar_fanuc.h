@@ -48,7 +48,7 @@ class Fanuc : public Grammar {
   void special(int depth) override {
     switch (pick(8)) {
       case 0:
-        return line(variable() + "=" + expression(0));
+        return line(variable() + one_of({"=", "=", "=(A)", "(]=", ".5="}) + expression(0));
       case 1:
         return line("IF" + condition() + "THEN " + variable() + "=" + number());
       case 2:
@@ -62,7 +62,8 @@ class Fanuc : public Grammar {
         statements(depth);
         return line(fmt::format("END{}", loops_--));
       case 4:
-        return line(one_of({"M98 P100", "M98 P20100", "M98 P200 L2", "M97 P9", "G67"}));
+        return line(one_of({"M98 P100", "M98 P20100", "M98 P200 L2", "M97 P9", "G67", "M98 P200 Q5",
+                            "M98 P200 H5", "M98 Q9", "#3000=1"}));
       case 5:
         return line(one_of({"G65 P200", "G65 P300 L2", "G66 P200", "G66.1 P200", "G65 P9810"}) +
                     words({"A", "B", "I", "J", "K", "I", "X"}));
@@ -71,8 +72,8 @@ class Fanuc : public Grammar {
             one_of({"G68", "G51", "G51.1", "G52", "G92", "G16", "G10 L2 P1", "G10 L12 P1"}) +
             words({"X", "Y", "R", "P"}));
       default:
-        return line(
-            one_of({"G69", "G50", "G50.1 X0", "G15", "G52 X0 Y0", "G28 X0", "M99", "T1 M6"}));
+        return line(one_of({"G69", "G50", "G50.1 X0", "G15", "G52 X0 Y0", "G28 X0", "M99", "T1 M6",
+                            "G49", "G44 H1", "X1 ELSE", "IF[1EQ2]THEN", "ELSE", "ENDIF"}));
     }
   }
   void subprograms() override {

@@ -25,9 +25,9 @@ class LinuxCnc : public Grammar {
   }
   void cycle() override {
     if (pick(3) != 0) return Grammar::cycle();
-    line(
-        one_of({"G5", "G5.1", "G5.2", "G5.3", "G33", "G33.1", "G76", "G43.1", "G10 L2 P1", "G92"}) +
-        words({"X", "Y", "Z", "I", "J", "K", "P", "Q", "R", "L"}));
+    line(one_of({"G5", "G5.1", "G5.2", "G5.3", "G33", "G33.1", "G76", "G43.1", "G43.2", "G43.2 H1",
+                 "G10 L2 P1", "G10 L10 P1", "G92"}) +
+         words({"X", "Y", "Z", "I", "J", "K", "P", "Q", "R", "L"}));
   }
   void special(int depth) override {
     const int o = 200 + ++labels_;
