@@ -52,7 +52,29 @@ bool is_far(std::string_view text) {
 
 struct EntityNames {
   std::vector<std::uint64_t> held, used;
+  std::optional<std::string>
+      none;  ///< the first that no entity can have: #-1, #99999999999999999999
 };
+
+// The number behind a # and where it ends; nothing for what is no whole number of 64 bits.
+std::optional<std::uint64_t> entity_number(std::string_view text, std::size_t& at) {
+  std::uint64_t number = 0;
+  const auto [end, fault] = std::from_chars(text.data() + at, text.data() + text.size(), number);
+  const auto next = static_cast<std::size_t>(end - text.data());
+  const char c = next < text.size() ? text[next] : ' ';
+  const bool goes_on = c == '.' || c == '-' || c == '_' || (c >= 'A' && c <= 'z');
+  if (fault != std::errc() || goes_on) return std::nullopt;
+  at = next;
+  return number;
+}
+
+// What stands behind a # that is no number, as far as it can be shown.
+std::string entity_text(std::string_view text, std::size_t at) {
+  constexpr std::string_view kShown =
+      "0123456789+-._ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz";
+  const std::size_t end = std::min(text.find_first_not_of(kShown, at), text.size());
+  return std::string(text.substr(at, std::min<std::size_t>(end - at, 30)));
+}
 
 // #12 where it stands before = is held, else used. Texts, comments and addresses (<file.stp#12>)
 // hold none.
@@ -69,13 +91,12 @@ EntityNames entity_names(std::string_view text) {
     if (c == '<') at = skip_past(at, ">");
     if (c == '/' && at < text.size() && text[at] == '*') at = skip_past(at + 1, "*/");
     if (c != '#') continue;
-    std::uint64_t number = 0;
-    const auto [end, fault] = std::from_chars(text.data() + at, text.data() + text.size(), number);
-    if (fault != std::errc()) continue;
-    at = static_cast<std::size_t>(end - text.data());
+    const auto number = entity_number(text, at);
+    if (!number && !names.none) names.none = entity_text(text, at);
+    if (!number) continue;
     const std::size_t next = text.find_first_not_of(" \t\r\n", at);
     const bool is_held = next != text.npos && text[next] == '=';
-    (is_held ? names.held : names.used).push_back(number);
+    (is_held ? names.held : names.used).push_back(*number);
   }
   return names;
 }
@@ -97,12 +118,16 @@ void require_near(std::string_view text, const std::string& path) {
 void require_references(std::string_view text, const std::string& path) {
   EntityNames names = entity_names(text);
   std::sort(names.held.begin(), names.held.end());
-  for (const std::uint64_t one : names.used)
-    if (!std::binary_search(names.held.begin(), names.held.end(), one))
-      throw Error("step-unreadable",
-                  fmt::format("{} is damaged: it refers to #{}, which it does not hold; export it "
-                              "again",
-                              path, one));
+  const auto missing =
+      std::find_if(names.used.begin(), names.used.end(), [&](std::uint64_t number) {
+        return !std::binary_search(names.held.begin(), names.held.end(), number);
+      });
+  if (missing != names.used.end()) names.none = std::to_string(*missing);
+  if (names.none)
+    throw Error("step-unreadable",
+                fmt::format("{} is damaged: it refers to #{}, which it does not hold; export it "
+                            "again",
+                            path, *names.none));
 }
 
 TriMesh weld_facets(const StepFacets& facets) {

@@ -82,6 +82,24 @@ TEST(ReadStep, SaysWhatIsWrong) {
   EXPECT_EQ(testing::error_code([&] { read_step("/nonexistent.step"); }), "file-missing");
 }
 
+// Open CASCADE leaves out what refers to no entity, or puts another one there. Curves in the
+// parameters of a face are among it, which no shape needs.
+TEST(ReadStep, RefusesReferencesToNothing) {
+  const std::string path = write_step(drilled_block(), "block.step");
+  const std::string bytes = read_file(path);
+  for (const char* entity : {"PCURVE('',#", "EDGE_CURVE('',#", "PRODUCT_RELATED"}) {
+    const std::size_t at = bytes.find('#', bytes.find(entity)) + 1;
+    ASSERT_LT(at, bytes.size()) << entity;
+    const std::size_t end = bytes.find_first_not_of("0123456789", at);
+    for (const std::string to : {"99999999999999999999", "18446744073709551621", "999999", "0",
+                                 "-1", "", "ABC", " 5", "5x", "5.5"}) {
+      const std::string text = bytes.substr(0, at) + to + bytes.substr(end);
+      write_file_atomically(path, [&](const ByteSink& out) { out(text.data(), text.size()); });
+      EXPECT_EQ(testing::error_code([&] { read_step(path); }), "step-unreadable") << entity << to;
+    }
+  }
+}
+
 // A prism of 15 mm over a closed spline, and a polygon of points on that.
 struct SplinePrism {
   TopoDS_Shape solid;
