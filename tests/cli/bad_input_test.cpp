@@ -148,6 +148,11 @@ TEST_F(BadInput, Output) {
   expect_failure("PRIMER_2F.MPF --stock block.stl -o part.stp", 2, "part.stp");
   expect_failure("PRIMER_2F.MPF --stock block.stl -o part", 2, ".stl");
   expect_failure("PRIMER_2F.MPF --stock block.stl -o part.stl -o ./part.stl", 2, "twice");
+  const std::string both = "PRIMER_2F.MPF --stock block.stl --voxel 2 --json - --junit ";
+  for (const char* place : {"-", "/dev/stdout", "/proc/self/fd/1"})  // one behind the other
+    expect_failure(both + place, 2, "twice");
+  EXPECT_EQ(
+      run("PRIMER_2F.MPF --stock block.stl --voxel 2 --json /dev/null --junit /dev/null").code, 0);
   std::filesystem::create_directory(folder_ / "closed");
   std::filesystem::permissions(
       folder_ / "closed", std::filesystem::perms::owner_read | std::filesystem::perms::owner_exec);

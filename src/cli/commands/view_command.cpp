@@ -55,16 +55,24 @@ Arguments run_arguments(const std::vector<const char*>& words) {
   return arguments;
 }
 
-int show(const std::string& page, bool opens, int code) {
-  print(page + "\n");
+// Where the standard output is for JSON, the name is a message.
+void tell_page(const std::string& page, const CompareRequest& told) {
+  if (told.json == "-" || told.junit == "-")
+    say(page + "\n");
+  else
+    print(page + "\n");
+}
+
+int show(const std::string& page, bool opens, int code, const CompareRequest& told = {}) {
+  tell_page(page, told);
   if (opens) open_page(page);
   return finish_output(code);
 }
 
 // A page whose name reaches nobody is of no use to anybody, unless it is opened.
-int show(TemporaryPlace& page, bool opens, int code) {
+int show(TemporaryPlace& page, bool opens, int code, const CompareRequest& told = {}) {
   if (opens) page.keep();
-  show(page.path(), opens, code);
+  show(page.path(), opens, code, told);
   page.keep();
   return code;
 }
@@ -74,13 +82,14 @@ int view_run(const std::vector<const char*>& words, bool opens) {
   Arguments arguments = run_arguments(words);
   if (!arguments.compare.report.empty()) {
     const int code = run_simulate(arguments);
-    return code == kDone || code == kRejected ? show(arguments.compare.report, opens, code) : code;
+    const bool is_there = code == kDone || code == kRejected;
+    return is_there ? show(arguments.compare.report, opens, code, arguments.compare) : code;
   }
   TemporaryPlace page(TemporaryPlace::Kind::page);
   arguments.compare.report = page.path();
   const int code = run_simulate(arguments);
   if (code != kDone && code != kRejected) return code;
-  return show(page, opens, code);
+  return show(page, opens, code, arguments.compare);
 }
 
 // A part takes what bounds its memory, and no options of a run.

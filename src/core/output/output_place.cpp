@@ -70,13 +70,27 @@ void follow_links(OutputPlace& place) {
   }
 }
 
+// What lies there; nothing where nothing does.
+std::optional<struct stat> facts(const OutputPlace& place) {
+  struct stat info {};
+  const int failed =
+      place.descriptor >= 0 ? ::fstat(place.descriptor, &info) : ::stat(place.path.c_str(), &info);
+  return failed != 0 ? std::nullopt : std::optional(info);
+}
+
 // Two names of one file, whether it is there or not.
 bool is_same(const OutputPlace& a, const OutputPlace& b) {
-  if (a.path == b.path) return true;
-  struct stat of_a {
-  }, of_b{};
-  if (::stat(a.path.c_str(), &of_a) != 0 || ::stat(b.path.c_str(), &of_b) != 0) return false;
-  return of_a.st_dev == of_b.st_dev && of_a.st_ino == of_b.st_ino;
+  if (a.path == b.path && !a.path.empty()) return true;
+  const auto of_a = facts(a), of_b = facts(b);
+  return of_a && of_b && of_a->st_dev == of_b->st_dev && of_a->st_ino == of_b->st_ino;
+}
+
+// Whether two outputs at one place would be one behind the other, which nobody can read: not at
+// /dev/null and the like.
+bool takes_one(const OutputPlace& place) {
+  if (place.kind == OutputPlace::Kind::file) return true;
+  const auto info = facts(place);
+  return info && !S_ISCHR(info->st_mode);
 }
 
 std::string named(const NamedPath& file) { return fmt::format("{} ({})", file.path, file.role); }
@@ -151,7 +165,7 @@ void refuse_overwrites(std::span<const NamedPath> outputs, std::span<const Named
                                 named(inputs[j])),
                     Error::Kind::usage);
     for (std::size_t j = 0; j < i; ++j)
-      if (places[i].kind == OutputPlace::Kind::file && is_same(places[i], places[j]))
+      if (takes_one(places[i]) && is_same(places[i], places[j]))
         throw Error("output-twice",
                     fmt::format("{} and {} are one file: an output is given twice",
                                 named(outputs[j]), named(outputs[i])),

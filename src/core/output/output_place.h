@@ -30,7 +30,7 @@ void check_writable(const std::string& path);
 
 /// Throws Error "output-is-input" or "output-twice", of kind usage, that names both, where an
 /// output is the same file as an input or as another output: by name or through a link. Two outputs
-/// may go to one stream.
+/// may go to one device, as /dev/null.
 void refuse_overwrites(std::span<const NamedPath> outputs, std::span<const NamedPath> inputs);
 
 /// The folder of a path, "." where it names none.
