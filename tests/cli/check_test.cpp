@@ -23,6 +23,13 @@ TEST_F(CheckCli, TellsWhatARunRefusesOrLeavesOut) {
   EXPECT_EQ(run("check bare.nc --tool endmill:d=5").code, 0);
 }
 
+TEST_F(CheckCli, JsonKeepsTheExitCode) {
+  write("unclear.nc", "%\nG90\nX1\nM30\n");
+  EXPECT_EQ(run("check unclear.nc").code, 2);
+  EXPECT_EQ(run("check unclear.nc --json").code, 2);
+  EXPECT_EQ(run("check gone.nc --json").code, 1);
+}
+
 TEST_F(CheckCli, ManyProgramsAreOneProcess) {
   std::filesystem::create_directories(folder_ / "posts/inner");
   write("posts/a.nc", kPart);

@@ -123,6 +123,26 @@ TEST_F(RunJson, HasTheSameKeysWhenTheRunFails) {
 TEST_F(RunJson, StandsAloneOnTheStandardOutput) {
   const Outcome o = run("PRIMER_2F.MPF --stock block.stl --voxel 5 -o part.stl --json -");
   EXPECT_EQ(Json::parse(o.out, nullptr, false)["status"], "done") << o.out;
+  const Outcome page =
+      run("view PRIMER_2F.MPF --stock block.stl --voxel 5 -q --no-open --report p.html --json -");
+  EXPECT_EQ(Json::parse(page.out, nullptr, false)["status"], "done") << page.out;
+  EXPECT_TRUE(contains(page.err, "p.html"));
+}
+
+// 0 would be read as a mesh that is exact.
+TEST_F(RunJson, WhatIsNotKnownIsNull) {
+  const Json by_voxels = told(kCut, 0);
+  EXPECT_TRUE(by_voxels["bound"]["distance"].is_null());
+  EXPECT_TRUE(by_voxels["tolerance"]["value"].is_null());
+  EXPECT_GT(by_voxels["volume"]["part"], 0);
+  const Json exact = told("PRIMER_2F.MPF --stock block.stl --tolerance 0.1", 0);
+  EXPECT_GT(exact["bound"]["distance"], 0);
+  EXPECT_EQ(exact["tolerance"]["value"], 0.1);
+  const Json missing = told("missing.MPF --stock block.stl", 1);
+  for (const char* const key : {"voxel", "tolerance"})
+    EXPECT_TRUE(missing[key]["value"].is_null()) << key;
+  EXPECT_TRUE(missing["volume"]["part"].is_null());
+  EXPECT_TRUE(missing["volume"]["removed"].is_null());
 }
 
 TEST_F(RunJson, OtherCommandsFitTheirSchemas) {

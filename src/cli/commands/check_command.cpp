@@ -75,6 +75,7 @@ class Checker {
                              [&](const Diagnostic& diagnostic) { findings.add(diagnostic); });
     } catch (const Error& error) {
       if (!many_ && !arguments_.json) throw;
+      if (!many_) failure_ = exit_code_of(error);  // as without --json
       findings.add(error, path);
     }
     ++programs_;
@@ -92,7 +93,7 @@ class Checker {
                       programs_, failed_, errors_, warnings_));
     else if (many_ && !arguments_.quiet)
       print(fmt::format("{} programs, {} failed\n", programs_, failed_));
-    return finish_output(failed_ > 0 ? kFailed : kDone);
+    return finish_output(failed_ > 0 ? failure_ : kDone);
   }
 
  private:
@@ -120,6 +121,7 @@ class Checker {
 
   const Arguments& arguments_;
   bool many_;
+  int failure_ = kFailed;
   std::size_t programs_ = 0, failed_ = 0, errors_ = 0, warnings_ = 0;
 };
 

@@ -19,6 +19,8 @@ using Json = nlohmann::ordered_json;
 
 // Infinities, which JSON lacks, stand for "nothing".
 Json number(double x) { return x - x == 0 ? Json(x) : Json(nullptr); }
+// Of what is never zero where it is known.
+Json positive(double x) { return x > 0 ? number(x) : Json(nullptr); }
 Json point(const Vec3& p) { return {number(p.x), number(p.y), number(p.z)}; }
 Json box(const Box3& b) { return {point(b.lo), point(b.hi)}; }
 Json text_or_null(const std::string& text) {
@@ -116,7 +118,7 @@ Json stock_json(const RunRecord& record) {
           {"description", text_or_null(stock.description)},
           {"box", known ? box(stock.box) : Json(nullptr)},
           {"repair", repair_json(record.result->stock_repair)},
-          {"volume", number(record.result->stock_volume)}};
+          {"volume", positive(record.result->stock_volume)}};
 }
 
 Json reduction_json(const MeshReduction& reduction) {
@@ -126,7 +128,7 @@ Json reduction_json(const MeshReduction& reduction) {
           {"at", point(reduction.place)}};
 }
 
-// Of the mesh that is written.
+// Of the mesh that is written; 0 where it was not found, as on the voxels of --voxel.
 double bound_of(const JobResult& r) {
   return r.mesh_bound > 0 ? r.mesh_bound + r.reduction.most : 0;
 }
@@ -237,7 +239,7 @@ Json outputs_json(const RunRecord& record) {
 }
 
 Json reasoned(double value, const std::string& reason) {
-  return {{"value", number(value)}, {"reason", text_or_null(reason)}};
+  return {{"value", positive(value)}, {"reason", text_or_null(reason)}};
 }
 
 const char* verdict_of(const Comparison* c) {
@@ -288,9 +290,10 @@ std::string run_json(const RunRecord& given) {
   out["stock"] = stock_json(record);
   out["voxel"] = reasoned(r.voxel, r.voxel_reason);
   out["tolerance"] = reasoned(r.tolerance, r.tolerance_reason);
-  out["bound"] = {{"distance", number(bound_of(r))}, {"sampled_triangles", r.mesh_sampled}};
+  out["bound"] = {{"distance", positive(bound_of(r))}, {"sampled_triangles", r.mesh_sampled}};
   out["thin"] = thin_json(r);
-  out["volume"] = {{"part", number(r.volume)}, {"removed", number(r.removed_volume)}};
+  out["volume"] = {{"part", positive(r.volume)},
+                   {"removed", r.volume > 0 ? number(r.removed_volume) : Json(nullptr)}};
   out["history"] = removals_json(r);
   out["mesh"] = mesh_json(r);
   out["pieces"] = pieces_json(r);
