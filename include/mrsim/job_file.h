@@ -17,6 +17,7 @@ struct JobOption {
 
 struct JobFile {
   std::string program;
+  int line = 0, column = 0;        ///< of the program's name
   std::vector<JobOption> options;  ///< in the order of mrsim --help
 };
 

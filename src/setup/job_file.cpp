@@ -265,14 +265,16 @@ JobFile JobReader::read() const {
       continue;
     }
     std::vector<std::string> values = list(key, *node);
+    const int line = static_cast<int>(node->source().begin.line);
+    const int column = static_cast<int>(node->source().begin.column);
     if (!key.name.empty()) {
-      const toml::source_position at = node->source().begin;
       if (!values.empty())
-        job.options.push_back({std::string(key.name), std::move(values), static_cast<int>(at.line),
-                               static_cast<int>(at.column)});
+        job.options.push_back({std::string(key.name), std::move(values), line, column});
       continue;
     }
     job.program = values[0];
+    job.line = line;
+    job.column = column;
     // A name is no option: "--help".
     if (job.program.size() > 1 && job.program[0] == '-') job.program.insert(0, "./");
     if (std::filesystem::path(job.program).extension() == ".toml")

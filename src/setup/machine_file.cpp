@@ -143,10 +143,8 @@ class MachineReader {
       fail(node.source().begin, "machine-value",
            "zero must name a work offset: zero.G54 = [x, y, z]");
     for (const auto& [name, value] : *zeros) {
-      if (!is_program_word(name.str()))
-        fail(name.source().begin, "machine-key",
-             fmt::format("\"{}\" is no work offset; write it in capitals, like zero.G54",
-                         name.str()));
+      if (!is_work_offset(name.str()))
+        fail(name.source().begin, "machine-key", no_offset(name.str()));
       machine.places.zero.push_back({std::string(name.str()), place(name.str(), value)});
     }
   }

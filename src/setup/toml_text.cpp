@@ -1,8 +1,17 @@
 #include "setup/toml_text.h"
 
 #include "core/process/memory_limit.h"
+#include "core/text/text_io.h"
+#include "setup/spec_text.h"
 
+#include <algorithm>
+#include <array>
 #include <cstddef>
+#include <iterator>
+#include <optional>
+#include <string>
+
+#include <fmt/format.h>
 
 namespace mrsim {
 namespace {
@@ -67,12 +76,45 @@ toml::table parse_toml(std::string_view text) {
     const double bytes = double(text.size());
     require_memory(kParsed * bytes, "what a TOML file of " + size_text(bytes) + " says");
   }
+  if (is_utf16(text))
+    throw toml::parse_error("it is UTF-16 text: save it as UTF-8", toml::source_position{1, 1});
   require_flat_keys(text);
   return toml::parse(text);
 }
 
 bool is_program_word(std::string_view name) {
   return !name.empty() && !(name.front() >= 'a' && name.front() <= 'z');
+}
+
+bool is_work_offset(std::string_view name) {
+  struct Range {
+    std::string_view head;
+    double low, high;
+  };
+  constexpr std::array<Range, 7> kRanges = {{{"G54.1P", 1, 300},
+                                             {"G154P", 1, 300},
+                                             {"G15H", 1, 200},
+                                             {"E", 1, 48},
+                                             {"G", 54, 59},
+                                             {"G", 110, 129},
+                                             {"G", 505, 599}}};
+  std::string word;
+  std::copy_if(name.begin(), name.end(), std::back_inserter(word), [](char c) { return c != ' '; });
+  if (word == "EXT" || word == "G59.1" || word == "G59.2" || word == "G59.3") return true;
+  return std::any_of(kRanges.begin(), kRanges.end(), [&](const Range& range) {
+    if (!word.starts_with(range.head)) return false;
+    const std::string number = word.substr(range.head.size());
+    const bool is_whole = number.find_first_not_of("0123456789") == number.npos;
+    const auto value = is_whole && number[0] != '0' ? parse_number(number) : std::nullopt;
+    return value && *value >= range.low && *value <= range.high;
+  });
+}
+
+std::string no_offset(std::string_view name) {
+  return fmt::format(
+      "\"{}\" is a work offset of no control: write it as the program selects it, in capitals: "
+      "G54, G505, \"G54.1 P2\"",
+      name);
 }
 
 }  // namespace mrsim

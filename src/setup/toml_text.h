@@ -1,6 +1,7 @@
 // TOML of files that anybody may have written.
 #pragma once
 
+#include <string>
 #include <string_view>
 
 #include <toml++/toml.h>
@@ -16,5 +17,11 @@ toml::table parse_toml(std::string_view text);
 /// "D1", "T4.D1"): an empty one or one in small letters would count for nothing. Behind the first
 /// letter, names of tools have small ones.
 bool is_program_word(std::string_view name);
+
+/// Whether a control has a work offset of that name, as the program selects it: G54, "G54.1 P2",
+/// G505, "G15 H2", E3, EXT. Another one would count for nothing.
+bool is_work_offset(std::string_view name);
+/// What is to be said of another one.
+std::string no_offset(std::string_view name);
 
 }  // namespace mrsim

@@ -4,6 +4,7 @@
 #include "core/text/text_io.h"
 #include "core/text/zip.h"
 #include "setup/library_formats.h"
+#include "setup/spec_text.h"
 #include "setup/tool_keys.h"
 #include "setup/tools_file.h"
 
@@ -135,6 +136,7 @@ ToolLibrary parse_library(std::string_view bytes, const std::string& name) {
   if (bytes.starts_with("\xEF\xBB\xBF")) bytes.remove_prefix(3);
   const std::size_t first = bytes.find_first_not_of(" \t\r\n");
   if (first == bytes.npos) fail_format(name, "is empty");
+  if (is_utf16(bytes)) fail_format(name, "is UTF-16 text: save it as UTF-8");
   if (bytes.find('\0') != bytes.npos) fail_format(name, "is no text");
   const bool list = bytes[first] == '[' && bytes.find('"', first) != bytes.npos &&
                     bytes.find_first_not_of(" \t\r\n", first + 1) == bytes.find('{', first + 1);

@@ -3,13 +3,14 @@
 #include "core/numbers/units.h"
 #include "core/text/text_io.h"
 #include "core/words/suggest.h"
+#include "core/words/tool_number.h"
 #include "core/words/tool_types.h"
 #include "setup/toml_text.h"
 #include "setup/tool_keys.h"
 
 #include <array>
 #include <cmath>
-#include <set>
+#include <map>
 #include <string>
 #include <utility>
 #include <vector>
@@ -235,14 +236,18 @@ Tool Reader::read_tool(const toml::table& entry) const {
 }
 
 void Reader::read_tools(const toml::node& node) {
-  std::set<std::string> ids;
+  std::map<std::string, std::string> ids;  // as written, by number
   if (node.is_table())
     fail_value("tool", node, "must be a list: begin each tool with [[tool]], its number is id");
   for (const toml::node& item : array("tool", node)) {
     Tool tool = read_tool(table("tool", item));
-    if (!ids.insert(tool.id).second)
+    const auto [same, is_new] = ids.emplace(tool_number(tool.id), tool.id);
+    if (!is_new && same->second == tool.id)
       fail(item.source().begin, "tools-duplicate",
            fmt::format("tool \"{}\" is given twice", tool.id));
+    if (!is_new)
+      fail(item.source().begin, "tools-duplicate",
+           fmt::format("tool \"{}\" and tool \"{}\" have one number", same->second, tool.id));
     table_.tools.push_back(std::move(tool));
   }
 }
@@ -268,7 +273,7 @@ void Reader::read_offsets(const toml::node& node) {
 
 void Reader::read_work(const toml::node& node) {
   for (const auto& [name, entry] : table("work", node)) {
-    require_word(name, "G54");
+    if (!is_work_offset(name.str())) fail(name.source().begin, "tools-key", no_offset(name.str()));
     WorkOffset work;
     work.name = name.str();
     for (const auto& [key, value] : table(name.str(), entry)) {

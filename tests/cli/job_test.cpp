@@ -110,6 +110,8 @@ TEST_F(JobRun, ValuesThatTheRunRefusesAreShownInTheFile) {
         << line << "\n"
         << outcome.err;
   }
+  write("odd.toml", "stock = \"block.stl\"\nprogram = \"none.MPF\"\n");
+  expect_failure("odd.toml", 1, "odd.toml:2:11: error: none.MPF: no such file");
   write("odd.toml", program + "until = \"#99999\"\nstock = \"block.stl\"\n" + rest);
   expect_failure("odd.toml --until 88888", 2, "mrsim: error: --until 88888");
 }

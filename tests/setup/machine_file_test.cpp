@@ -41,6 +41,8 @@ TEST(MachineFile, ReadsThePlacesOfTheMachine) {
   EXPECT_EQ(*machine.places.second, (Vec3{-400, 0, 0}));
   EXPECT_EQ(code_of("[machine]\nzero = 1"), "machine-value");
   EXPECT_EQ(code_of("[machine]\nzero.G54 = [1, 2]"), "machine-value");
+  EXPECT_EQ(code_of("[machine]\nzero.G99 = [1, 2, 3]"), "machine-key");
+  EXPECT_EQ(code_of("\xFF\xFE[\0m\0"), "machine-syntax");
   EXPECT_EQ(code_of("[machine]\nsecond = 3"), "machine-value");
 }
 

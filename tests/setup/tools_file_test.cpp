@@ -108,6 +108,30 @@ TEST(ToolsFile, RefusesWhatMakesNoTool) {
             std::string::npos);
 }
 
+// A program writes T1 or T01 and means one tool.
+TEST(ToolsFile, NumbersWithZerosInFrontAreTheSame) {
+  const auto two = [](const std::string& a, const std::string& b) {
+    const std::string rest = "type=\"drill\"\ndiameter=1\n";
+    return fault("[[tool]]\nid=" + a + "\n" + rest + "[[tool]]\nid=" + b + "\n" + rest);
+  };
+  EXPECT_NE(two("\"01\"", "1").find("have one number"), std::string::npos);
+  EXPECT_NE(two("\"1\"", "\"001\"").find("have one number"), std::string::npos);
+  EXPECT_EQ(two("\"01\"", "10"), "");
+  EXPECT_EQ(two("\"01A\"", "\"1A\""), "");  // names
+  EXPECT_EQ(two("0", "\"00\"").substr(0, 3), "5:1");
+}
+
+// An offset that no program can select counts for nothing.
+TEST(ToolsFile, OffsetsOfNoControlAreErrors) {
+  for (const std::string name : {"G99", "G53", "G60", "G0", "G54.1", "G54.2", "G54.1P0",
+                                 "G54.1P301", "G504", "G600", "X", "G054", "E0", "G59.4"})
+    EXPECT_EQ(fault("[work.\"" + name + "\"]\nx = 5\n").substr(0, 13), "1:7 tools-key") << name;
+  for (const std::string name :
+       {"G54", "G59", "G59.3", "G54.1P300", "G54.1 P2", "G154P20", "G154 P1", "G110", "G505",
+        "G599", "G15H2", "G15 H200", "E48", "EXT"})
+    EXPECT_EQ(fault("[work.\"" + name + "\"]\nx = 5\n"), "") << name;
+}
+
 // They count for nothing, since programs are compared in capitals.
 TEST(ToolsFile, NamesInSmallLettersAreErrors) {
   for (const char* text :

@@ -5,6 +5,7 @@
 #include "cli/options/option_values.h"
 #include "cli/options/typed_options.h"
 #include "core/words/option_table.h"
+#include "core/words/tool_number.h"
 #include <mrsim/job_file.h>
 
 #include <algorithm>
@@ -35,6 +36,7 @@ JobPlaces places_of(const JobFile& job, const std::string& path,
                     const std::vector<std::string>& typed) {
   JobPlaces out{path, job.options};
   std::erase_if(out.options, [&](const JobOption& o) { return is_typed(o.option, typed); });
+  out.options.push_back({"", {job.program}, job.line, job.column});
   return out;
 }
 
@@ -98,9 +100,9 @@ void read_program_options(Arguments& out, const TypedOptions& typed) {
   ToolTable& table = out.interp.table;
   for (const std::string& spec : typed.texts("--tool")) {
     table.tools.push_back(parse_tool(spec));
-    const std::string& id = table.tools.back().id;
+    const std::string_view id = tool_number(table.tools.back().id);
     if (std::count_if(table.tools.begin(), table.tools.end(),
-                      [&](const Tool& tool) { return tool.id == id; }) > 1)
+                      [&](const Tool& tool) { return tool_number(tool.id) == id; }) > 1)
       fail_usage(fmt::format("--tool {}: this tool is given twice", spec));
   }
   for (const std::string& file : typed.texts("--tools")) {
@@ -112,8 +114,9 @@ void read_program_options(Arguments& out, const TypedOptions& typed) {
     // A tool on the command line is meant to replace the one in the file.
     for (Tool& tool : more.tools) {
       const auto end = table.tools.begin() + static_cast<std::ptrdiff_t>(given);
-      if (std::none_of(table.tools.begin(), end,
-                       [&](const Tool& other) { return other.id == tool.id; }))
+      if (std::none_of(table.tools.begin(), end, [&](const Tool& other) {
+            return tool_number(other.id) == tool_number(tool.id);
+          }))
         table.tools.push_back(std::move(tool));
     }
     table.offsets.insert(table.offsets.end(), more.offsets.begin(), more.offsets.end());

@@ -9,6 +9,7 @@ namespace {
 // "--voxel 0 must be above 0", "voxel ...", "--until: no motion ...", and the codes of stages:
 // "until-beyond", "stock-spec".
 bool is_option_meant(const Error& fault, std::string_view option) {
+  if (option.empty()) return false;  // the program, which is known by its file
   const std::string_view what = fault.what(), code = fault.code(), name = option.substr(2);
   const auto begins = [&](std::string_view word) {
     return what.starts_with(word) && what.size() > word.size() &&

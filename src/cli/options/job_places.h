@@ -11,7 +11,7 @@ namespace mrsim::cli {
 
 struct JobPlaces {
   std::string path;                ///< of the job, empty without one
-  std::vector<JobOption> options;  ///< those that are not typed beside it
+  std::vector<JobOption> options;  ///< those that are not typed beside it; "": the program
 };
 
 /// Throws `fault` as a PlacedError where it speaks of an option of the job whose place is known: by
