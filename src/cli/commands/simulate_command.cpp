@@ -18,9 +18,11 @@
 #include <algorithm>
 #include <cstdio>
 #include <filesystem>
+#include <fstream>
 #include <optional>
 
 #include <fmt/format.h>
+#include <unistd.h>
 
 namespace mrsim::cli {
 namespace {
@@ -199,12 +201,22 @@ bool prepare(const Arguments& arguments, Job& job, JobResult& result) {
   return result.ok;
 }
 
+// Bytes of the process that are neither in use nor given back: pieces between what the moments
+// before have left, into which a moment's large blocks do not fit.
+std::size_t stranded_memory(std::size_t max_memory) {
+  std::size_t mapped = 0, resident = 0;
+  std::ifstream("/proc/self/statm") >> mapped >> resident;
+  const double held = double(resident) * double(::sysconf(_SC_PAGE_SIZE));
+  return static_cast<std::size_t>(std::max(0.0, held - (double(max_memory) - memory_left())));
+}
+
 // What is left of a limit, if there is one, beside the whole run's program and sums, which are
 // kept.
 std::size_t beside(const JobResult& whole, std::size_t max_memory) {
   constexpr std::size_t kHeld = 450;  // bytes a motion, measured
-  const std::size_t held = kHeld * whole.program.motions.size();
-  return max_memory == 0 ? 0 : std::max<std::size_t>(max_memory - std::min(held, max_memory), 1);
+  if (max_memory == 0) return 0;
+  const std::size_t held = kHeld * whole.program.motions.size() + stranded_memory(max_memory);
+  return std::max<std::size_t>(max_memory - std::min(held, max_memory), 1);
 }
 
 // Frames, if any, whose files appear with those of the whole run: an earlier moment each. The files
