@@ -318,5 +318,17 @@ TEST_F(StockWrap, WhatItCannotDoIsSaid) {
   expect_failure("PRIMER_2F.MPF --stock block.off --stock-repair wrap=1e-5", 2, "triangles");
 }
 
+// Bodies in one place cross by pairs of triangles, the square of their number: the search ends
+// early.
+TEST_F(StockRepair, ManyBodiesInOnePlaceAreRefusedAtOnce) {
+  Facets all = block();
+  for (int i = 1; i < 600; ++i) all = joined(all, block());
+  write("stock.off", off_text(all));
+  const Outcome outcome = run("PRIMER_2F.MPF --stock stock.off --json r.json");
+  EXPECT_EQ(outcome.code, 1);
+  EXPECT_TRUE(contains(outcome.err, "100000 or more pairs of triangles")) << outcome.err;
+  EXPECT_LT(Json::parse(read("r.json"))["memory"]["peak"], 60e6);
+}
+
 }  // namespace
 }  // namespace mrsim

@@ -24,6 +24,7 @@
 #include <CGAL/Polygon_mesh_processing/self_intersections.h>
 #include <CGAL/Polygon_mesh_processing/stitch_borders.h>
 #include <CGAL/Surface_mesh.h>
+#include <boost/iterator/function_output_iterator.hpp>
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -180,19 +181,36 @@ bool touch_only(const SurfaceMesh& surface, SurfaceMesh::Face_index f, SurfaceMe
          CGAL::coplanar_orientation(p, q, r, s) != CGAL::POSITIVE;
 }
 
+using FacePair = std::pair<SurfaceMesh::Face_index, SurfaceMesh::Face_index>;
+
+// Pairs of triangles that cross, up to that many: ten thousand bodies in one place, which a file of
+// a few hundred bytes may hold, have more than fit into memory.
+std::vector<FacePair> crossing_pairs(const SurfaceMesh& surface, std::size_t most) {
+  struct Enough {};
+  std::vector<FacePair> pairs;
+  const auto take = [&](const FacePair& pair) {
+    if (touch_only(surface, pair.first, pair.second)) return;
+    pairs.push_back(pair);
+    if (pairs.size() == most) throw Enough();
+  };
+  try {
+    pmp::self_intersections(surface, boost::make_function_output_iterator(take));
+  } catch (const Enough&) {
+  }
+  return pairs;
+}
+
 // Throws unless the surface is free of self-intersections.
 void refuse_self_intersections(const SurfaceMesh& surface, const std::string& name) {
-  std::vector<std::pair<SurfaceMesh::Face_index, SurfaceMesh::Face_index>> pairs;
-  pmp::self_intersections(surface, std::back_inserter(pairs));
-  std::erase_if(pairs,
-                [&](const auto& pair) { return touch_only(surface, pair.first, pair.second); });
+  constexpr std::size_t kMostPairs = 100'000;
+  const std::vector<FacePair> pairs = crossing_pairs(surface, kMostPairs);
   if (pairs.empty()) return;
   const Vec3 p = middle(surface, std::min_element(pairs.begin(), pairs.end())->first);
   throw Error(
       "mesh-crosses-itself",
-      fmt::format("{}: the surface crosses itself near ({:.6g}, {:.6g}, {:.6g}) mm, {} pairs "
+      fmt::format("{}: the surface crosses itself near ({:.6g}, {:.6g}, {:.6g}) mm, {}{} pairs "
                   "of triangles in all; unite its bodies in CAD and export it again",
-                  name, p.x, p.y, p.z, pairs.size()));
+                  name, p.x, p.y, p.z, pairs.size(), pairs.size() < kMostPairs ? "" : " or more"));
 }
 
 // Where two triangles of one edge lie on each other there is no inside, and CGAL's orientation,
