@@ -114,8 +114,10 @@ SurfacePoint passing_crease(const Probe& probe, const Box3& room, const Vec3& st
   const FieldSample both[] = {ends[0].faces[0], ends[0].faces[1], ends[1].faces[0],
                               ends[1].faces[1]};
   const std::size_t n = distinct_faces(both, faces, 4);
-  if (n != 3) crease_by_exchange(probe, room, -1, start, ends[0].faces[0], ends[0].faces[1], found);
-  return n == 3 ? try_faces(probe, room, start, {faces, n}, nullptr) : found;
+  if (n < 4) found = try_faces(probe, room, start, {faces, n}, nullptr);
+  if (n != 3 && found.count == 0)
+    crease_by_exchange(probe, room, -1, start, ends[0].faces[0], ends[0].faces[1], found);
+  return found;
 }
 
 }  // namespace
