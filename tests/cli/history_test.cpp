@@ -244,7 +244,8 @@ TEST_F(ShapeOfCuts, SlotsAreCutByHalfOfTheCutter) {
   expect_shapes("l.MPF" + run + "--tool 1=lollipop:d=8,n=4 ", {{5, 4 + 2 * std::sqrt(3), 8, 180}});
 }
 
-// In the half plane of a turned part. The second drill widens the hole of the first.
+// In the half plane of a turned part. The second drill widens the hole of the first; where that is
+// 6 mm wide, the point of a drill of 118 degrees is 1.803 mm high.
 TEST_F(ShapeOfCuts, DrillsOnTheAxisOfALatheCutAllRound) {
   write("d.MPF",
         "G18 G90 G71 DIAMON\nT1 D1\nG97 S1000 F0.1 M4\nG0 X0 Z5\nG1 Z-12\nG0 Z5\nT2 D1\n"
@@ -253,6 +254,10 @@ TEST_F(ShapeOfCuts, DrillsOnTheAxisOfALatheCutAllRound) {
       "d.MPF --machine lathe --stock cylinder:40,-30,0 --tool 1=endmill:d=6 "
       "--tool 2=endmill:d=10 ",
       {{5, 12, 6, 360}, {9, 12, 10, 360 * (1 - 0.36)}});
+  expect_shapes(
+      "d.MPF --machine lathe --stock cylinder:40,-30,0 --tool 1=endmill:d=6 "
+      "--tool 2=drill:d=10,a=118 ",
+      {{5, 12, 6, 360}, {9, 10.197, 10, 360 * (1 - 0.36)}});
 }
 
 TEST_F(ShapeOfCuts, TurningPassHasItsDepthAlone) {

@@ -189,6 +189,8 @@ TEST(FanucRegisters, CutsWithAndWithoutTheLength) {
   EXPECT_EQ(told("G49\nG43 H1 Z5.\nG1 Z-2.\n"), "");
   EXPECT_EQ(told("G49 G1 X5.\nG1 Z80.\n"), "") << "at the height where it is, and out";
   EXPECT_EQ(told("G49\nG91 G1 Z-51.\n"), "") << "in steps";
+  EXPECT_EQ(told("G49 G0 Z80.\nG1 X50.\nG43 H1 G0 Z5.\nG1 Z-2.\n"), "") << "a way above";
+  EXPECT_EQ(told("G49 G1 Z80.\nX50.\nG43 H1 Z5.\nZ-2.\n"), "") << "ways by feed";
   EXPECT_EQ(told("G49\nT2 M6\nG0 Z5.\nG1 Z-2.\n"), "") << "another tool";
   EXPECT_EQ(told("G49\nG0 Z5.\nG1 Z-2.\n", true), "") << "the table tells it";
 }

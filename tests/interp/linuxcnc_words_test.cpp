@@ -339,6 +339,10 @@ TEST(LinuxCncWords, ALengthThatTouchingOffChanges) {
   EXPECT_EQ(told("G43\nG43.2 H2\n", "G43.2 H2\n"), "not-supported") << "added once more";
   EXPECT_EQ(told("G43\nG43.2 Z1\n", ""), "") << "Z is no place";
   EXPECT_EQ(told("G43 H1\n", "G49\n"), "not-supported");
+  InterpOptions listed = at_origin(Dialect::ngc);
+  listed.table.offsets.push_back({"H1", 0, 0, 20});
+  EXPECT_EQ(codes(read_text("T1 M6\nG0 Z9\nG43\nG1 Z0 F9\nG0 Z9\nG49\nG1 Z0\n", listed)), "")
+      << "the table tells the length of the tool";
 }
 
 }  // namespace

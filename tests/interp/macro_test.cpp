@@ -360,6 +360,8 @@ TEST(Macro, CallsThatBeginAtABlock) {
   EXPECT_EQ(run(Dialect::fanuc, "G1 F9\nM98 P7 Q30" + sub), "9,0,0 jump-target");
   EXPECT_EQ(run(Dialect::fanuc, "G1 F9\nM98 P7 Q20 L2" + sub), "9,0,0 not-supported");
   EXPECT_EQ(run(Dialect::fanuc, "G1 F9\nM98 P7 Q20\nX9\nM30\n"), "9,0,0 subprogram-missing");
+  EXPECT_EQ(run(Dialect::fanuc, "G1 F9\nM98 P7 Q20.5" + sub), "9,0,0 value-range");
+  EXPECT_EQ(run(Dialect::fanuc, "G1 F9\nM98 P7 Q-20" + sub), "9,0,0 value-range");
   EXPECT_EQ(run(Dialect::fanuc, "G1 F9\nG43 H20 M98 P7" + sub), "1,0,0 2,0,0 3,0,0 9,0,0 ");
 }
 

@@ -4,30 +4,32 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace mrsim {
 
 // Runs for every motion: what others have cut is looked up where tool or mode change.
 bool LengthSwitch::contradicts(int tool, int mode, const Motion& motion, bool incremental) {
   if (mode != mode_ || tool != tool_) change(tool, mode);
-  told_ = told_ || (!incremental && std::abs(motion.end.z - motion.start.z) > kRounding);
-  if (!told_ || motion.kind == MotionKind::rapid) return false;
-  if (!top_) top_ = &tops_[tool].try_emplace(mode, motion.start.z).first->second;
-  *top_ = std::max(*top_, motion.start.z);
-  return motion.end.z < others_;
+  const double from = motion.start.z, to = motion.end.z;
+  told_ = told_ || (!incremental && std::abs(to - from) > kRounding);
+  if (!told_ || motion.kind == MotionKind::rapid || to > from + kRounding) return false;
+  if (!own_) own_ = &cuts_[tool][mode];
+  own_->low = std::min(own_->low, to);
+  own_->top = std::max(own_->top, from);
+  return std::any_of(others_.begin(), others_.end(),
+                     [&](const Depths& other) { return other.low < from && to <= other.top; });
 }
 
 void LengthSwitch::change(int tool, int mode) {
   tool_ = tool;
   mode_ = mode;
   told_ = false;
-  top_ = nullptr;
-  others_ = -std::numeric_limits<double>::infinity();
-  const auto cuts = tops_.find(tool);
-  if (cuts == tops_.end()) return;
-  for (const auto& [other, top] : cuts->second)
-    if (other != mode) others_ = std::max(others_, top);
+  own_ = nullptr;
+  others_.clear();
+  const auto cuts = cuts_.find(tool);
+  if (cuts == cuts_.end()) return;
+  for (const auto& [other, depths] : cuts->second)
+    if (other != mode) others_.push_back(depths);
 }
 
 }  // namespace mrsim

@@ -5,24 +5,31 @@
 
 #include <mrsim/types.h>
 
+#include <limits>
 #include <map>
+#include <vector>
 
 namespace mrsim {
 
 class LengthSwitch {
  public:
-  /// After each motion of the tool, in absolute coordinates or not. True: it ends in a place that
-  /// the tool has cut at by another mode.
+  /// After each motion of the tool, in absolute coordinates or not. True: it goes down to where the
+  /// tool has cut by another mode. What goes up, or stays above the cuts of that mode, is none.
   bool contradicts(int tool, int mode, const Motion& motion, bool incremental);
 
  private:
+  /// Heights of cuts, mm.
+  struct Depths {
+    double low = std::numeric_limits<double>::infinity();   ///< lowest end
+    double top = -std::numeric_limits<double>::infinity();  ///< highest start of a way down
+  };
   void change(int tool, int mode);
 
-  std::map<int, std::map<int, double>> tops_;  ///< highest start of cuts, mm, by mode
+  std::map<int, std::map<int, Depths>> cuts_;  ///< by tool and mode
   int tool_ = -2, mode_ = -1;
-  bool told_ = false;      ///< Z was programmed since tool and mode are these
-  double* top_ = nullptr;  ///< of this mode, once it has cut
-  double others_ = 0;      ///< of the other modes
+  bool told_ = false;           ///< Z was programmed since tool and mode are these
+  Depths* own_ = nullptr;       ///< of this mode, once it has cut
+  std::vector<Depths> others_;  ///< of the other modes
 };
 
 }  // namespace mrsim

@@ -190,15 +190,20 @@ bool ProgramFlow::call_word(const Word& word, int m) {
   if (is(Dialect::ngc)) return true;
   for (const char c : {'Q', 'H'}) {
     if (!block_.m98 || !peek(c) || (c == 'H' && block_.length_changed)) continue;
-    if (m != 97 && is(Dialect::fanuc))
+    if (m != 97 && is(Dialect::fanuc)) {
       call_begins_ = take(c);
-    else
+      if (!(call_begins_->value > 0) || call_begins_->value != std::floor(call_begins_->value))
+        return error("value-range",
+                     fmt::format("{} of M98 is the number of a block, a whole one above 0", c),
+                     *call_begins_);
+    } else {
       return error(
           "not-supported",
           fmt::format("M{0} with {1} (a call of a block number) is not supported yet: begin "
                       "that program with GOTO and the number, and leave {1} out",
                       m, c),
           word);
+    }
   }
   return true;
 }

@@ -275,11 +275,13 @@ bool ValueWords::length_register() {
     return true;
   }
   if (is(Dialect::ngc) && chosen) meet_table(word);
-  if (!word) return true;
-  modal_.length_number = word->value;
-  const std::string name = fmt::format("H{:g}", word->value);
+  const bool of_tool = is(Dialect::ngc) && chosen && !word;
+  if (!word && !of_tool) return true;
+  if (word) modal_.length_number = word->value;
+  const std::string name = fmt::format("H{:g}", modal_.length_number);
   const OffsetRegister* reg = tools_.find_register(name);
   modal_.length_told = reg != nullptr;
+  if (!reg && of_tool) return true;
   if (!reg && word->value != 0) {  // reported once where the table has no lengths at all
     const std::vector<OffsetRegister>& all = control_.registers;
     const bool lengths = std::any_of(all.begin(), all.end(),

@@ -93,7 +93,10 @@ CutShape cut_shape(const CutFrame& frame, const CutExtent& extent, const Profile
   const double r = mill->max_radius_below(out.depth);
   if (frame.is_plunge()) {
     out.width = extent.right - extent.left;
-    if (mill->is_rising()) out.engagement = kTwoPi * std::min(extent.area / (kPi * r * r), 1.0);
+    // In a bore the point of a drill is as long as before, and what it removes lower.
+    const double outer = std::min(std::max(extent.right, -extent.left), mill->max_radius());
+    const double circle = kPi * std::max(r, outer) * std::max(r, outer);
+    if (mill->is_rising()) out.engagement = kTwoPi * std::min(extent.area / circle, 1.0);
     return out;
   }
   const auto at_edge = [&](double across, double edge) {
