@@ -44,7 +44,9 @@ struct MeshCosts {
   double mesh_cell;   ///< without slabs: each voxel that the cuts' surface passes (two triangles)
 };
 constexpr MeshCosts kExpected{3.5e6, 6e6, 580, 10, 0.8e6, 46};
-constexpr MeshCosts kMost{0, 13e6, 600, 16, 0.45e6, 48};  ///< for little: many threads, few cells
+// What a run takes at most, for limits: less of it by its size, more by its threads, as limits are
+// tight where there is little to mesh.
+constexpr MeshCosts kMost{0, 13e6, 600, 16, 0.45e6, 48};
 constexpr double kTilesAThread = 2;
 // Each cell in which faces of a stock's mesh meet: it is split and remembered.
 constexpr double kBentCell = 900;
