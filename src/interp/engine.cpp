@@ -69,7 +69,9 @@ void Engine::run() {
       reader_.stop();
       break;
     }
+    const std::size_t made = out_.made();
     execute();
+    reader_.count_motions(out_.made() - made);
   }
   contours_.end_program();
   profiles_.end_program();

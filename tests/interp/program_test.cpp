@@ -247,6 +247,12 @@ TEST(Subprograms, MissingAndEndless) {
   options.max_blocks = 1000;
   EXPECT_EQ(codes(read_text("O1\nG1 X1 F1\nM98 P2 L9999\nM30\nO2\nG0 X1\nM99\n", options)),
             "program-endless");
+  // Passes of a cycle count in a loop: each line of this one makes 2 000 pecks.
+  options.max_blocks = 100'000;
+  options.max_steps = 50'000;
+  EXPECT_EQ(
+      codes(read_text("O1\nG0 Z2\nWHILE[1EQ1]DO1\nG83 Z-20 R1 Q0.01 F1\nEND1\nM30\n", options)),
+      "program-endless");
   const Program loop = read_text("G1 X1 F1\nM99\n", at_origin(Dialect::fanuc));
   EXPECT_EQ(codes(loop, Severity::note), "program-loops");
 }

@@ -109,7 +109,7 @@ void BlockReader::join_lines(Activation& top) {
 }
 
 bool BlockReader::replace_line(std::string_view text) {
-  if (!count_step()) return false;
+  if (!count_steps(1)) return false;
   Activation& top = stack_.back();
   top.joined = std::vector<char>(text.begin(), text.end());
   top.line = {top.joined.data(), top.joined.size()};
@@ -123,9 +123,10 @@ Place BlockReader::place_at(std::size_t position) const {
   return {top.line_offset, top.line_number - 1, position};
 }
 
-bool BlockReader::count_step() {
+bool BlockReader::count_steps(std::uint64_t steps) {
   reporter_.set_repeating();
-  if (++steps_ <= options_.max_steps) return true;
+  steps_ += steps;
+  if (steps_ <= options_.max_steps) return true;
   reporter_.add(
       Severity::error, "program-endless",
       fmt::format("stopped after {} steps of loops and calls (--max-steps)", options_.max_steps), 0,
@@ -134,8 +135,12 @@ bool BlockReader::count_step() {
   return false;
 }
 
+bool BlockReader::count_motions(std::size_t motions) {
+  return steps_ == 0 || motions < 2 || count_steps(motions - 1);
+}
+
 bool BlockReader::jump(const Place& to) {
-  if (!count_step()) return false;
+  if (!count_steps(1)) return false;
   Activation& top = stack_.back();
   if (to.offset == top.line_offset && top.has_line && !top.replaced) {
     top.position = std::min(to.position, top.line.size());
@@ -167,7 +172,7 @@ bool BlockReader::enter(CallRequest request, const Word& word) {
                                                       : ""),
                  word);
   if (request.repeats <= 0) return true;
-  if (!count_step()) return false;
+  if (!count_steps(1)) return false;
   if (stack_.size() > kMostStretches)
     return error("subprogram-depth", "too many repeats inside one another", word);
   Activation next;
@@ -330,7 +335,7 @@ void BlockReader::end_activation(bool loops) {
   }
   if (top.on_end) top.on_end();
   if (top.repeats > 0) {
-    if (!count_step()) return;
+    if (!count_steps(1)) return;
     --top.repeats;
     if (top.on_start) top.on_start();
     top.source->seek(top.begin.offset, top.begin.line);

@@ -72,6 +72,9 @@ class BlockReader : public ControlPart {
   void define_macro(const std::string& name, std::string_view text, bool everywhere);
   /// `text` stands for the line being read. False: too many steps of loops and calls.
   bool replace_line(std::string_view text);
+  /// A block has made `motions`: in a program that repeats itself each beyond the first is a step,
+  /// for a cycle may make thousands each time. False: too many steps of loops and calls.
+  bool count_motions(std::size_t motions);
   /// No further runs of what is being read.
   void drop_repeats() { stack_.back().repeats = 0; }
   /// Ends the repeated parts of a program that surround the current position.
@@ -110,7 +113,7 @@ class BlockReader : public ControlPart {
   Activation& program_read();
   bool read_line(Activation& top);
   void join_lines(Activation& top);
-  bool count_step();
+  bool count_steps(std::uint64_t steps);
   void pop();
   std::unique_ptr<LineSource> source_of(const std::string& file);
   int file_index(const std::string& file);

@@ -96,6 +96,7 @@ void MotionEmitter::emit(const Motion& motion) {
 void MotionEmitter::emit(Motion motion, const CornerSpec& corner) {
   position_.new_tool = false;
   position_.told_axes = 0;
+  ++made_;
   if (captured_) {
     if (captured_->size() >= kMostCaptured) return;
     PathMove path;

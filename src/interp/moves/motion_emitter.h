@@ -37,6 +37,8 @@ class MotionEmitter : public ControlPart {
   /// on again. Motions before it are given on.
   void capture(std::vector<Motion>* contour);
   bool captures() const { return captured_ != nullptr; }
+  /// Motions that blocks have made so far, those of contours that are kept among them.
+  std::size_t made() const { return made_; }
   /// Lines and arcs given on.
   std::size_t cuts() const { return control_.cuts; }
   /// The largest coordinate at which one of them ends, mm.
@@ -64,6 +66,7 @@ class MotionEmitter : public ControlPart {
   CompensationStage compensation_;
   std::vector<Motion>* captured_ = nullptr;
   double farthest_cut_ = 0;
+  std::size_t made_ = 0;
   CornerStage captured_corners_;
   /// An event behind the first `moves` of those that were held back.
   struct HeldEvent {
