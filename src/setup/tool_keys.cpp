@@ -87,6 +87,8 @@ std::string set_number(Tool& tool, const ToolKey& key, double value, double scal
   if (!std::isfinite(value) || value < key.low || value > key.high)
     return fmt::format("must be between {:g} and {:g}{}", key.low, key.high,
                        key.quantity == Quantity::length ? " mm" : " degrees");
+  if (tool.type == taper && key.member == &Tool::tip_diameter && value == 0)
+    return "a taper that comes to a point is of type chamfer, with diameter and taper_angle";
   tool.*key.member = key.quantity == Quantity::length ? value : radians(value);
   return "";
 }

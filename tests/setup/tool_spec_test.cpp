@@ -52,6 +52,11 @@ TEST(ToolSpec, MillsHaveShortNames) {
   EXPECT_EQ(parse_tool_spec("1=bull:d=6,r=1").type, ToolType::bullmill);
 }
 
+TEST(ToolSpec, SharpTaperIsNoFlatOne) {
+  EXPECT_NE(fault("taper:d=8,a=30,t=0").find("is of type chamfer, with diameter and taper_angle"),
+            std::string::npos);
+}
+
 TEST(ToolSpec, AngleIsTheOneTheToolHas) {
   EXPECT_NEAR(parse_tool_spec("drill:d=8,a=118").tip_angle, radians(118), 1e-15);
   EXPECT_NEAR(parse_tool_spec("taper:d=8,a=3").taper_angle, radians(3), 1e-15);
