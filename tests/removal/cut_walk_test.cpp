@@ -3,8 +3,8 @@
 
 #include "carve_support.h"
 #include "removal/history/cut_columns.h"
-#include "removal/history/cut_heights.h"
 #include "removal/history/removed_volumes.h"
+#include "removal/history/staircase_walker.h"
 #include "removal/part/block_index.h"
 #include "support/moves.h"
 #include "support/rounds.h"

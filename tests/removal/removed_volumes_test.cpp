@@ -129,6 +129,25 @@ TEST(RemovedVolumes, NarrowSlots) {
 }
 
 // A slanted pass over another one, in a round stock: both by the definition, column by column.
+// Walls that lie anywhere between the columns, along them, across and round.
+TEST(RemovedVolumes, WallsBetweenColumns) {
+  constexpr double kColumn = 0.49;
+  const auto error = [&](std::vector<Motion> moves, double exact) {
+    const std::vector<double> removed =
+        VolumeScene{kBlock, endmill(5.3), std::move(moves)}.removed(kColumn);
+    return std::abs(std::accumulate(removed.begin(), removed.end(), 0.0) / exact - 1);
+  };
+  EXPECT_LT(error({line({-10, -1.95, -3}, {110, -1.95, -3})}, 100 * 0.7 * 3), 1e-3);
+  EXPECT_LT(error({line({-10, 31.37, -1.5}, {110, 31.37, -1.5}),
+                   line({110, 31.37, -3}, {-10, 31.37, -3})},
+                  100 * 5.3 * 3),
+            1e-3);
+  EXPECT_LT(error({line({30.2, 20.1, 5}, {30.2, 20.1, -5})}, 5 * kPi * 5.3 * 5.3 / 4), 1e-3);
+  EXPECT_LT(error({line({20, 20, -2}, {70, 37, -2})},
+                  2 * (5.3 * std::hypot(50, 17) + kPi * 5.3 * 5.3 / 4)),
+            1e-3);
+}
+
 TEST(RemovedVolumes, RecordLowsOfEachColumn) {
   for (const Tool& tool : {endmill(6), endmill(6, 1), ballmill(6)}) {
     VolumeScene scene{round_stock(10, 0, -12, 0), tool, {}};

@@ -13,13 +13,15 @@
 namespace mrsim {
 namespace {
 
-constexpr int kCell = 8;          // voxels of a cell that is handed on, each way
 constexpr int kPartsEachWay = 4;  // parts of a square that are cut at once
 // Of the depth of cut: where heights differ by more, columns halve; in a file sooner, as the middle
 // of a column says little of the sharp valleys of V tools. Balls leave none.
 constexpr double kSteepTip = 0.5, kSteepInFile = 0.125;
 constexpr std::size_t kWorthRun = 3;   // sweeps that are worth a bound of all
 constexpr std::size_t kFewSweeps = 6;  // whose walls are worth finer columns
+// Where walls are met by lines: in a file the squares are smaller and the lists shorter.
+constexpr std::size_t kMostOnLines = 24;
+constexpr WallLines::Fineness kSummaryLines{4, 1.0 / 128}, kFileLines{1, 1.0 / 16};
 
 template <class Visit>
 void for_each_bit(std::uint32_t bits, const Visit& visit) {
@@ -111,7 +113,8 @@ HeightWalker::HeightWalker(const PartField& field, const SweepUndersides& tools,
       heights_(field.sweeps(), tools, field.bounds().lo.z, field.bounds().hi.z, close),
       low_(field.bounds().lo.z),
       high_(field.bounds().hi.z),
-      frames_(frames) {}
+      frames_(frames),
+      lines_(heights_, low_, high_, frames.empty() ? kSummaryLines : kFileLines) {}
 
 void HeightWalker::walk(const HeightGrid& grid, std::size_t tile,
                         std::span<const std::uint32_t> sweeps, std::span<double> removed) {
@@ -146,9 +149,20 @@ void HeightWalker::visit(const Square& square, std::size_t level, bool even) {
   const bool is_column = square.columns <= 1;
   if (!is_column && (low.x >= end_.x || low.y >= end_.y)) return;
   if (is_column && (square.center.x >= end_.x || square.center.y >= end_.y)) return;
-  if (is_column && (even || square.finer == finest_)) return cut(square, lists_[level]);
-  if (!narrow(square, level, even)) return;
-  if (is_column && even) return cut(square, lists_[level + 1]);
+  if (is_column && (even || finest_ == 0)) return cut(square, lists_[level]);
+  const bool in_file = !frames_.empty(), is_last = square.finer == finest_;
+  const std::size_t most_on_lines = in_file ? kFewSweeps : kMostOnLines;
+  if (is_column && is_last && lists_[level].size() > most_on_lines)
+    return cut(square, lists_[level]);
+  const Found found = narrow(square, level);
+  if (!found.cuts) return;
+  even = found.even;
+  const List& left = lists_[level + 1];
+  if (is_column && even) return cut(square, left);
+  if (is_column && found.walls && left.size() <= most_on_lines &&
+      square.finer >= (in_file ? kFiner : kLinesFrom))
+    return cut_walls(square, left);
+  if (is_column && is_last) return cut(square, left);
   if (square.columns == kPartsEachWay * kPartsEachWay && !heights_.balls().empty())
     return cut_parts(square, level + 1);
   Square part{.side = 0.5 * square.side,
@@ -162,13 +176,14 @@ void HeightWalker::visit(const Square& square, std::size_t level, bool even) {
 }
 
 // The sweeps that can be record lows somewhere in the square: those whose bottom, somewhere, may
-// lie below the bottoms of all before them. False where there is none. Where extents are wanted a
-// square is uneven, too, that the wall of a sweep passes, whatever lies there in the end: the wall
-// parts what this motion removes from what a later one does.
-bool HeightWalker::narrow(const Square& square, std::size_t level, bool& is_even_square) {
+// lie below the bottoms of all before them. Where extents are wanted a square is uneven, too, that
+// the wall of a sweep passes, whatever lies there in the end: the wall parts what this motion
+// removes from what a later one does.
+HeightWalker::Found HeightWalker::narrow(const Square& square, std::size_t level) {
   const double r = 0.5 * length(square.side);
   double least = high_, most = high_;  // of the lowest bottom, in the whole square
   bool has_wall = false;
+  Found found;
   List& left = lists_[level + 1];
   left.clear();
   const List& list = lists_[level];
@@ -189,13 +204,15 @@ bool HeightWalker::narrow(const Square& square, std::size_t level, bool& is_even
         heights_.bounds(index, square.center.x, square.center.y, r, most);
     if (!(bottom.lower < most)) continue;
     left.push_back(index);
+    if (std::isinf(bottom.upper)) found.walls = true;
     const double step = std::min(kSteepTip * (high_ - bottom.lower), 2 * r);
     if (!frames_.empty() && std::min(bottom.upper, most) - bottom.lower > step) has_wall = true;
     least = std::min(least, bottom.lower), most = std::min(most, bottom.upper);
   }
   if (square.columns <= 1 && left.size() > kFewSweeps) has_wall = false;
-  is_even_square = !has_wall && is_even(least, most);
-  return !left.empty();
+  found.cuts = !left.empty();
+  found.even = !has_wall && is_even(least, most);
+  return found;
 }
 
 // Between these bounds of the lowest bottom in a square heights do not differ much.
@@ -206,16 +223,36 @@ bool HeightWalker::is_even(double least, double most) const {
   return most - least <= steep * (high_ - least);
 }
 
-void HeightWalker::cut(const Square& square, const List& list) {
+// Hands on the staircase in the middle of a square: the sweep, the height and the one before it.
+template <class Step>
+void HeightWalker::for_each_step(const Square& square, const List& list, const Step& step) const {
   double low = high_;
   for (const std::uint32_t index : list) {
     if (low <= low_) return;
     const double bottom =
         std::max(heights_.bottom(index, square.center.x, square.center.y, low), low_);
     if (!(bottom < low)) continue;
-    step(square, index, bottom, low);
+    step(index, bottom, low);
     low = bottom;
   }
+}
+
+void HeightWalker::cut(const Square& square, const List& list) {
+  for_each_step(square, list, [&](std::uint32_t index, double bottom, double low) {
+    step(square, index, bottom, low);
+  });
+}
+
+// Volumes by lines, extents by the middle.
+void HeightWalker::cut_walls(const Square& square, const List& list) {
+  const double area = square.side.x * square.side.y * stock_share(square);
+  if (!(area > 0)) return;
+  const std::span<const double> depths = lines_.depths(square.center, square.side, list);
+  for (std::size_t i = 0; i < list.size(); ++i) removed_[list[i]] += area * depths[i];
+  if (frames_.empty()) return;
+  for_each_step(square, list, [&](std::uint32_t index, double bottom, double low) {
+    extend(index, square, bottom, low);
+  });
 }
 
 // A column sinks from `low` to `bottom`.
@@ -285,7 +322,7 @@ void HeightWalker::cut_part(const Square& part, const List& list, std::size_t le
       if (is_even(least[k], points.low[k])) return;
       parts.open &= ~(1u << k);
       column.center = parts.center(k);
-      if (frames_.empty())
+      if (frames_.empty() && left.size() > kMostOnLines)
         cut_part(column, left, level + 1, true);
       else
         visit(column, level, false);
@@ -324,74 +361,6 @@ double HeightWalker::stock_share(const Square& square) const {
   const double d = field_.solid().plan_distance(square.center.x, square.center.y);
   const double side = std::sqrt(square.side.x * square.side.y);
   return std::clamp(0.5 - d / side, 0.0, 1.0);
-}
-
-StaircaseWalker::StaircaseWalker(const PartField& field, double voxel)
-    : field_(field),
-      lattice_{voxel, false},
-      grid_(field.bounds(), lattice_),
-      tools_(field.sweeps()),
-      sweeps_(grid_.sweeps_of_tiles(field.sweeps())) {
-  const auto cell_of = [&](double z) {
-    return static_cast<std::int32_t>(
-        std::floor(lattice_floor(voxel, z, kLatticeShift.z) / double(kCell)));
-  };
-  bottom_ = cell_of(field.bounds().lo.z) * kCell;
-  deep_ = (cell_of(field.bounds().hi.z) + 1) * kCell - bottom_;
-}
-
-void StaircaseWalker::walk(std::size_t tile, CutSink& sink) const {
-  const std::array<std::int32_t, 2> origin = grid_.origin(tile);
-  const auto deep = static_cast<std::size_t>(deep_);
-  const Box3& stock = field_.bounds();
-  std::vector<std::int32_t> cut(std::size_t(HeightGrid::kTile) * HeightGrid::kTile * deep,
-                                kNeverThere);
-  const auto z = [&](std::int32_t k) { return lattice_.position({0, 0, bottom_ + k}).z; };
-  std::int32_t first = 0, end = deep_;  // of the stock
-  while (first < end && !(z(first) > stock.lo.z)) ++first;
-  while (end > first && !(z(end - 1) < stock.hi.z)) --end;
-  for (int x = 0; x < HeightGrid::kTile; ++x)
-    for (int y = 0; y < HeightGrid::kTile; ++y) {
-      const Vec3 p = lattice_.position({origin[0] + x, origin[1] + y, 0});
-      if (!(field_.solid().plan_distance(p.x, p.y) < 0)) continue;
-      const auto column = cut.begin() + std::ptrdiff_t((x * HeightGrid::kTile + y) * deep);
-      std::fill(column + first, column + end, kStillThere);
-    }
-  const std::vector<std::uint32_t>& sweeps = sweeps_[tile];
-  const Vec2 corner = grid_.corner(tile);
-  const double h = lattice_.voxel;
-  // Steps fall, so what a step removes ends where something has gone before.
-  const auto remove = [&](const Vec2& at, std::uint32_t index, double bottom) {
-    const auto x = std::size_t(std::lround((at.x - corner.x) / h)),
-               y = std::size_t(std::lround((at.y - corner.y) / h));
-    std::int32_t* column = cut.data() + (x * HeightGrid::kTile + y) * deep;
-    auto k = std::max(static_cast<std::int32_t>(std::floor((bottom - z(0)) / h)), first);
-    while (k < end && z(k) < bottom) ++k;
-    const std::int32_t motion = field_.sweeps().motion(sweeps[index]);
-    for (; k < end && column[k] == kStillThere; ++k) column[k] = motion;
-  };
-  if (!sweeps.empty()) HeightWalker(field_, tools_).walk_steps(grid_, tile, sweeps, remove);
-  hand_on(tile, cut, sink);
-}
-
-void StaircaseWalker::hand_on(std::size_t tile, const std::vector<std::int32_t>& cut,
-                              CutSink& sink) const {
-  const std::array<std::int32_t, 2> origin = grid_.origin(tile);
-  std::array<std::int32_t, std::size_t(kCell) * kCell * kCell> cell;
-  for (int x = 0; x < HeightGrid::kTile; x += kCell)
-    for (int y = 0; y < HeightGrid::kTile; y += kCell)
-      for (int z = 0; z < deep_; z += kCell) {
-        for (int i = 0; i < kCell; ++i)
-          for (int j = 0; j < kCell; ++j)
-            std::copy_n(
-                cut.begin() + ((x + i) * HeightGrid::kTile + y + j) * std::ptrdiff_t(deep_) + z,
-                kCell, cell.begin() + (i * kCell + j) * kCell);
-        const CutCell whole{{origin[0] + x, origin[1] + y, bottom_ + z}, kCell};
-        if (std::all_of(cell.begin(), cell.end(), [&](std::int32_t c) { return c == cell[0]; }))
-          sink.tile(whole, cell[0]);
-        else
-          sink.leaf(whole, cell.data());
-      }
 }
 
 }  // namespace mrsim

@@ -6,6 +6,7 @@
 
 #include "removal/history/cut_extent.h"
 #include "removal/history/cut_sink.h"
+#include "removal/history/wall_lines.h"
 #include "removal/part/part_field.h"
 #include "removal/simd/sweep_kernels.h"
 #include "removal/sweep/sweep_heights.h"
@@ -65,7 +66,8 @@ class HeightWalker {
   const std::vector<CutExtent>& extents() const { return extents_; }
 
  private:
-  static constexpr int kFiner = 3;  // halvings of a column where a wall passes
+  static constexpr int kFiner = 3;      // halvings of a column where a wall passes
+  static constexpr int kLinesFrom = 2;  // of them, where walls are met by lines
   static constexpr std::size_t kLevels = 6 + kFiner;
 
   using List = std::vector<std::uint32_t>;  // indices into the list of sweeps
@@ -75,8 +77,16 @@ class HeightWalker {
     int finer = 0;    // halvings of a column
   };
   void visit(const Square& square, std::size_t level, bool even);
-  bool narrow(const Square& square, std::size_t level, bool& is_even_square);
+  struct Found {
+    bool cuts = false;   // some sweep cuts
+    bool even = false;   // heights do not differ much
+    bool walls = false;  // a wall of a sweep may pass
+  };
+  Found narrow(const Square& square, std::size_t level);
+  template <class Step>
+  void for_each_step(const Square& square, const List& list, const Step& step) const;
   void cut(const Square& square, const List& list);
+  void cut_walls(const Square& square, const List& list);
   struct Parts;
   Parts parts_of(const Square& square) const;
   bool is_even(double least, double most) const;
@@ -97,29 +107,9 @@ class HeightWalker {
   std::span<const CutFrame> frames_;
   std::span<const std::uint32_t> sweeps_;
   std::vector<CutExtent> extents_;
+  WallLines lines_;
   std::array<List, kLevels + 1> lists_;
   std::array<List, PlanPoints::kCount> part_lists_;
-};
-
-/// What a motion first removes, voxel by voxel, from staircases: where has_height_history() holds,
-/// a voxel is removed where its centre lies above the bottom of a sweep.
-class StaircaseWalker {
- public:
-  StaircaseWalker(const PartField& field, double voxel);
-  std::size_t tiles() const { return grid_.tiles(); }
-  /// The voxels of one tile that belong to the stock, and some about them, in cells of 8 voxels
-  /// each way. Tiles may be walked at once.
-  void walk(std::size_t tile, CutSink& sink) const;
-
- private:
-  void hand_on(std::size_t tile, const std::vector<std::int32_t>& cut, CutSink& sink) const;
-
-  const PartField& field_;
-  CutLattice lattice_;
-  HeightGrid grid_;
-  SweepUndersides tools_;
-  std::vector<std::vector<std::uint32_t>> sweeps_;  // by tile
-  std::int32_t bottom_ = 0, deep_ = 0;              // first voxel of a column, and their count
 };
 
 }  // namespace mrsim

@@ -177,6 +177,8 @@ double SweepHeights::rho(const Row& row, double x, double y) const {
 
 double SweepHeights::bottom(std::uint32_t index, double x, double y, double below) const {
   const Row& row = rows_[index];
+  const bool has_lowest = row.form == Form::horizontal || row.form == Form::slant;
+  if (has_lowest && !(row.z < below)) return kInfinity;
   if (row.form == Form::horizontal) return row.z + row.tool->height(rho(row, x, y));
   if (row.form == Form::slant) {
     Underside::Slant at = seen_from(x - row.x, y - row.y, row.ux, row.uy);

@@ -2,9 +2,9 @@
 
 #include "core/numbers/vec.h"
 #include "core/process/parallel.h"
-#include "removal/history/cut_heights.h"
 #include "removal/history/cut_rings.h"
 #include "removal/history/removed_volumes.h"
+#include "removal/history/staircase_walker.h"
 #include "removal/vdb/leaf_writer.h"
 
 #include <algorithm>
