@@ -159,7 +159,7 @@ void HeightWalker::visit(const Square& square, std::size_t level, bool even) {
   even = found.even;
   const List& left = lists_[level + 1];
   if (is_column && even) return cut(square, left);
-  if (is_column && found.walls && left.size() <= most_on_lines &&
+  if (is_column && found.walls && found.quick && left.size() <= most_on_lines &&
       square.finer >= (in_file ? kFiner : kLinesFrom))
     return cut_walls(square, left);
   if (is_column && is_last) return cut(square, left);
@@ -204,7 +204,8 @@ HeightWalker::Found HeightWalker::narrow(const Square& square, std::size_t level
         heights_.bounds(index, square.center.x, square.center.y, r, most);
     if (!(bottom.lower < most)) continue;
     left.push_back(index);
-    if (std::isinf(bottom.upper)) found.walls = true;
+    found.walls = found.walls || std::isinf(bottom.upper);
+    found.quick = found.quick && heights_.is_quick(index);
     const double step = std::min(kSteepTip * (high_ - bottom.lower), 2 * r);
     if (!frames_.empty() && std::min(bottom.upper, most) - bottom.lower > step) has_wall = true;
     least = std::min(least, bottom.lower), most = std::min(most, bottom.upper);

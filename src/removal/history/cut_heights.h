@@ -81,6 +81,7 @@ class HeightWalker {
     bool cuts = false;   // some sweep cuts
     bool even = false;   // heights do not differ much
     bool walls = false;  // a wall of a sweep may pass
+    bool quick = true;   // no sweep is searched
   };
   Found narrow(const Square& square, std::size_t level);
   template <class Step>

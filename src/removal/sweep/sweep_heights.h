@@ -56,6 +56,11 @@ class SweepHeights {
   /// By index, as kernels take them, where all are straight moves of balls; else empty.
   std::span<const LineRecord> balls() const { return balls_; }
 
+  /// bottom() is a closed form or one root; others are searched, which takes 20 to 100 times as
+  /// long.
+  bool is_quick(std::uint32_t index) const {
+    return rows_[index].form != Form::segments && rows_[index].form != Form::other;
+  }
   /// The least height at (x, y) with distance(sweep, .) <= 0; infinite where there is none, or none
   /// below `high`, and perhaps where it is not below `below`; any height below `low` where it lies
   /// there. Up to 1e-9 mm; of sweeps that are found by distances, up to their error, or half of
