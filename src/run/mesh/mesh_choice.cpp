@@ -50,10 +50,11 @@ constexpr double kPlainSweeps = 1.5;
 // Cells of the wished size, and creasing sweeps in a block, up to which another octree is worth its
 // time where the first one has too many nodes: above them it mostly has as well.
 constexpr double kMostRetried = 1.2e5, kMostRetriedCreasing = 6;
-// Share of the cuts above which helices are many.
+// Share of the cuts above which helices, or upright arcs, are many.
 constexpr double kManyHelices = 0.25;
 // Nodes of the octree, made in some five seconds of two cores, after which the grid takes its
-// place. Those about the crests of a winding helix take three times as long.
+// place. Those about the crests of a winding helix, or cut by flat mills on upright arcs, take
+// three times as long.
 constexpr std::size_t kMostNodes = 250'000, kMostPlainNodes = 450'000, kMostHelixNodes = 200'000,
                       kMostWindingNodes = 80'000, kMostSearchedNodes = 60'000;
 
@@ -159,6 +160,20 @@ bool is_upright_arc(const Motion& motion) {
   return motion.kind == MotionKind::arc && std::abs(dot(motion.axis, motion.tool_axis)) < 0.5;
 }
 
+// Whether many of the cuts are upright arcs of tools that are no balls: each is searched for its
+// foot.
+bool has_many_upright_arcs(const CutList& cuts) {
+  std::vector<char> is_ball;
+  for (const Tool& tool : cuts.tools())
+    is_ball.push_back(is_turning(tool.type) || tool.type == ToolType::ballmill);
+  const auto cut = std::ranges::count_if(cuts.motions(), is_cut);
+  const auto arcs = std::ranges::count_if(cuts.motions(), [&](const Motion& m) {
+    return is_cut(m) && is_upright_arc(m) && m.tool >= 0 &&
+           is_ball[static_cast<std::size_t>(m.tool)] == 0;
+  });
+  return arcs > kManyHelices * static_cast<double>(cut);
+}
+
 // Whether an arc is cut by a tool whose distance has no closed form there, so that each one is
 // searched (helix_sweep.h, upright_sweep.h).
 bool has_searched_arc(const CutList& cuts) {
@@ -241,6 +256,7 @@ MeshChoice choose_mesh(const Job& job, const StockShape& stock, const CutList& c
   choice.searches_arc = has_searched_arc(cuts);
   choice.has_many_helices = has_many_helices(cuts);
   choice.has_winding_helix = has_winding_helix(cuts);
+  choice.has_many_upright_arcs = has_many_upright_arcs(cuts);
   const VoxelChoice voxel = default_voxel(stock, choice.radius);
   choice.voxel = voxel.voxel;
   choice.voxel_reason = voxel.reason;
@@ -277,7 +293,7 @@ void fit_mesh(const ExactField& field, int threads, MeshChoice& choice) {
       survey.cells(cell) <= kMostRetried && survey.creasing <= kMostRetriedCreasing;
   if (choice.searches_arc)
     choice.most_nodes = kMostSearchedNodes;
-  else if (choice.has_winding_helix)
+  else if (choice.has_winding_helix || choice.has_many_upright_arcs)
     choice.most_nodes = kMostWindingNodes;
   else if (choice.has_many_helices)
     choice.most_nodes = kMostHelixNodes;

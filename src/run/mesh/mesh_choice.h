@@ -21,6 +21,7 @@ struct MeshChoice {
   bool searches_arc = false;       ///< a cut is a helix or upright arc that costs a search for each
                                    ///< point
   bool has_many_helices = false;   ///< more than a quarter of the cuts
+  bool has_many_upright_arcs = false;  ///< of tools that are no balls
   bool has_winding_helix = false;  ///< a cut of several turns leaves crests between them
   bool fits_voxel = false;         ///< it was not given: fit_mesh() may change it
   bool is_default = false;         ///< nor was the tolerance: likewise
