@@ -222,7 +222,10 @@ void fit_voxel(const detail::SurfaceSurvey& survey, double cell, MeshChoice& cho
   while (finer_voxel(grid) >= choice.voxel && survey.cells(finer_voxel(grid)) <= kFewGridCells)
     grid = finer_voxel(grid);
   const double finest = grid;
-  const double most = choice.searches_arc ? kMostSearchedCells : kMostGridCells;
+  // Several sheets of surface in one block count; less than one counts as one, since sheets that
+  // lie within a cell take as long.
+  const double most =
+      (choice.searches_arc ? kMostSearchedCells : kMostGridCells) / std::max(survey.sheets, 1.0);
   while (survey.cells(grid) > most) grid = coarser_grid(grid);
   if (!choice.is_default || may_suit_tolerance(survey, choice.searches_arc)) {
     const double given = choice.voxel;
