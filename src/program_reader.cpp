@@ -29,15 +29,11 @@ class Collector : public MotionSink {
     if (!failed && double(bytes) / kLineBytes <= most) reserve_large(motions, bytes / kLineBytes);
   }
   void motion(const Motion& motion) override {
-    if (motions.size() == motions.capacity() && motions.size() > kFew)
-      require_memory(2.0 * double(motions.size()) * sizeof(Motion),
-                     fmt::format("a program of more than {} motions", motions.size()));
+    if (motions.size() == motions.capacity() && motions.size() > kFew) grow(motions, "motions");
     motions.push_back(motion);
   }
   void event(const Event& event) override {
-    if (events.size() == events.capacity() && events.size() > kFew)
-      require_memory(2.0 * double(events.size()) * sizeof(Event),
-                     fmt::format("a program of more than {} events", events.size()));
+    if (events.size() == events.capacity() && events.size() > kFew) grow(events, "events");
     if (!events.empty() && events.back().before == motions.size() && joins(event, events.back()))
       return;
     events.push_back(event);
@@ -50,6 +46,15 @@ class Collector : public MotionSink {
 
  private:
   static constexpr std::size_t kFew = 10000;  // motions that may be kept without asking for memory
+
+  // What a list had before is handed back at once: a loop without an end would hold as much again.
+  template <class T>
+  static void grow(std::vector<T>& list, const char* name) {
+    require_memory(2.0 * double(list.size()) * sizeof(T),
+                   fmt::format("a program of more than {} {}", list.size(), name));
+    list.reserve(2 * list.size());
+    release_freed_memory();
+  }
 };
 
 class TraceSinkAdapter : public MotionSink {

@@ -232,6 +232,16 @@ TEST_F(Memory, LimitsTheGridInThePlaceOfAMesh) {
   }
 }
 
+// Lists that grow hand back what they had: 122 MB were taken here.
+TEST_F(Memory, LimitsLoopsWithoutAnEnd) {
+  write("loop.nc", "%\nO1\nT1 M6\nG0 X0 Y0 Z5\nWHILE[1EQ1]DO1\nG1 Z-1 F100\nG0 Z5\nEND1\nM30\n%\n");
+  expect_failure(
+      "loop.nc --stock box:0,0,-8,20,20,0 --tool ballmill:d=6 -o part.stl --json r.json "
+      "--max-memory 100M",
+      1, "a program of more than");
+  if (kIsPlain) EXPECT_LT(number_after(read("r.json"), "\"peak\":"), 105e6);
+}
+
 // A history of many motions, whose rows are written one by one.
 TEST_F(Memory, LimitsHistories) {
   if (!kIsPlain) GTEST_SKIP();
