@@ -92,6 +92,9 @@ TEST(SinumerikProc, ArraysAndElementsAreParameters) {
   EXPECT_EQ(moves("R1=4\nSUB(R1)\nSUB(R[1])\nX=R1\n", twice), "l16,0,0");
   EXPECT_EQ(moves("X1\nSUB(4)\n", twice), "l1,0,0 | call-arguments");
   EXPECT_EQ(moves("DEF REAL VQ[3]\nX1\nSUB(VQ)\n", twice), "l1,0,0 | call-arguments");
+  // R9 would be a variable beside R9.
+  EXPECT_EQ(moves("X1\nSUB(4)\n", {{"SUB.SPF", "PROC SUB(REAL R9)\nX=R9\nRET\n"}}),
+            "l1,0,0 | call-arguments");
 }
 
 // A text for a number left the parameter at 0.

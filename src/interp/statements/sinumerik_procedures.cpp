@@ -132,6 +132,8 @@ bool SinumerikProcedures::arguments_of(const Procedure& procedure,
   for (std::size_t i = 0; i < procedure.parameters.size(); ++i) {
     Bound one{procedure.parameters[i], i < given.size() ? given[i] : ProcedureArgument{}};
     const std::string& name = one.parameter.name;
+    if (name.size() > 1 && name[0] == 'R' && is_digit(name[1]))
+      return wrong(fmt::format("the parameter {} has the name of an R parameter", name));
     if (!one.argument.value && !one.argument.array) one.argument.value = one.parameter.initial;
     if (one.parameter.by_reference && one.argument.variable.empty())
       return wrong(fmt::format("the VAR parameter {} needs a variable", name));
