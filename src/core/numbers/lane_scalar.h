@@ -27,6 +27,7 @@ inline M both(M a, M b) { return a && b; }
 inline M either(M a, M b) { return a || b; }
 inline M except(M a, M b) { return a && !b; }
 inline unsigned bits(M m) { return m ? 1 : 0; }
+inline bool any(M m) { return m; }
 inline V select(M m, V a, V b) { return m ? a : b; }
 
 #define MRSIM_LANE inline

@@ -36,14 +36,14 @@ MRSIM_LANE V margin(const RegionArgs& a, V squared, V root) {
 // towards an offset whose product with d is up to g. Beyond an end the segment leads away from the
 // region.
 MRSIM_LANE V short_rest(const RegionArgs& a, V g, V raw, V t, V inverse, V size, V end) {
-  const V away = vabs(raw - t) * size - splat(2 * a.delta) * (splat(1) + size);
-  const V gain = vmax(g - vmax(away, splat(0)), splat(0));
+  const V away = vabs(raw - t) * size - splat(2 * a.delta) * (splat(1.0f) + size);
+  const V gain = vmax(g - vmax(away, splat(0.0f)), splat(0.0f));
   const V step = vmin(gain * inverse, vmax(t, end - t));
   return step * (gain + gain - step * size);
 }
 
 MRSIM_LANE Row strip_row(const CandidateColumns& c, std::size_t k, const RegionArgs& a) {
-  const V zero = splat(0), one = splat(1);
+  const V zero = splat(0.0f), one = splat(1.0f);
   const V ux = load(c[StripColumn::ux] + k), uy = load(c[StripColumn::uy] + k),
           end = load(c[StripColumn::length] + k), s = load(c[StripColumn::slope] + k),
           inverse = load(c[StripColumn::inverse] + k), az = load(c[StripColumn::z] + k);
@@ -73,7 +73,7 @@ MRSIM_LANE Row strip_row(const CandidateColumns& c, std::size_t k, const RegionA
 
 // rounded_slab of sweep_lanes.inl.
 MRSIM_LANE V slab(const RegionArgs& a, V rho, V tip) {
-  const V zero = splat(0), z = splat(a.z), low = tip + splat(a.tool.round),
+  const V zero = splat(0.0f), z = splat(a.z), low = tip + splat(a.tool.round),
           top = tip + splat(a.tool.height);
   const M upper = less_equal(splat(0.5f) * (tip + top), z);
   const V r = select(upper, zero, splat(a.tool.round));
@@ -84,7 +84,7 @@ MRSIM_LANE V slab(const RegionArgs& a, V rho, V tip) {
 }
 
 MRSIM_LANE Row line_row(const CandidateColumns& c, std::size_t k, const RegionArgs& a) {
-  const V zero = splat(0), one = splat(1);
+  const V zero = splat(0.0f), one = splat(1.0f);
   const V px = load(c[LineColumn::dx] + k), py = load(c[LineColumn::dy] + k),
           inverse = load(c[LineColumn::inverse] + k);
   const V dx = splat(a.x) - load(c[LineColumn::x] + k),
@@ -103,7 +103,7 @@ MRSIM_LANE Row line_row(const CandidateColumns& c, std::size_t k, const RegionAr
 }
 
 MRSIM_LANE Row arc_row(const CandidateColumns& c, std::size_t k, const RegionArgs& a) {
-  const V zero = splat(0), infinite = splat(kFloatInfinity);
+  const V zero = splat(0.0f), infinite = splat(kFloatInfinity);
   const V radius = load(c[ArcColumn::radius] + k), mx = load(c[ArcColumn::mx] + k),
           my = load(c[ArcColumn::my] + k);
   const V cosine = load(c[ArcColumn::cosine] + k), sine = load(c[ArcColumn::sine] + k);
@@ -111,7 +111,7 @@ MRSIM_LANE Row arc_row(const CandidateColumns& c, std::size_t k, const RegionArg
   const V along = dx * mx + dy * my, off = dy * mx - dx * my, side = vabs(off);
   const V n = vsqrt(dx * dx + dy * dy);
   const M facing = less_equal(cosine * side - sine * along, zero);
-  const V scale = radius / vmax(n, splat(kNoDivisor)) - splat(1);
+  const V scale = radius / vmax(n, splat(kNoDivisor)) - splat(1.0f);
   const V ea = radius * cosine, eb = radius * sine;
   const V signed_eb = select(less_equal(off, zero), zero - eb, eb);
   const V ex = ea * mx - signed_eb * my - dx, ey = ea * my + signed_eb * mx - dy;
@@ -124,7 +124,7 @@ MRSIM_LANE Row arc_row(const CandidateColumns& c, std::size_t k, const RegionArg
   // most half a turn, the end is the nearest point of the arc's hull. Near the centre the nearest
   // point is not known well enough.
   const V wide = splat(a.box ? 2 * a.half * a.half : a.radius * a.radius);
-  const M clear = less_equal(radius, splat(4) * n);
+  const M clear = less_equal(radius, splat(4.0f) * n);
   const V round = (wide + splat(8 * a.delta * a.radius)) * radius /
                   vmax(n - splat(2 * a.delta), splat(kNoDivisor));
   const M end = both(less_equal(zero, cosine), less_equal(eb + splat(2 * a.delta), side));

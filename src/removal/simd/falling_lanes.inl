@@ -23,7 +23,6 @@ MRSIM_LANE M is_wall(const Place& p) { return except(less_equal(p.dz, p.dr), is_
 MRSIM_LANE M is_floor(const Place& p) { return except(less_equal(p.dr, p.dz), is_corner(p)); }
 MRSIM_LANE V value_of(const Place& p, V round) { return slab(p.dr, p.dz, round); }
 
-MRSIM_LANE bool any(M m) { return bits(m) != 0; }
 MRSIM_LANE Place choose(M m, const Place& a, const Place& b) {
   return {select(m, a.t, b.t),
           select(m, a.dr, b.dr),

@@ -10,9 +10,9 @@
 
 // Height of the tool's surface above its tip at radius rho.
 MRSIM_LANE V profile_height(const HeightTool& t, V rho) {
-  const V x = clamped(rho - splat(t.core), splat(0), splat(t.reach));
-  const V beyond = vmax(rho - splat(t.core + t.reach), splat(0));
-  return splat(t.round) - vsqrt(vmax(splat(t.round * t.round) - x * x, splat(0))) +
+  const V x = clamped(rho - splat(t.core), splat(0.0f), splat(t.reach));
+  const V beyond = vmax(rho - splat(t.core + t.reach), splat(0.0f));
+  return splat(t.round) - vsqrt(vmax(splat(t.round * t.round) - x * x, splat(0.0f))) +
          splat(t.slope) * beyond;
 }
 
@@ -27,7 +27,7 @@ struct HeightContact {
   V along;  // u - s
 };
 MRSIM_LANE HeightContact height_contact(const HeightTool& t, V m, V v) {
-  const V one = splat(1), zero = splat(0);
+  const V one = splat(1.0f), zero = splat(0.0f);
   const V mm = m * m, vv = v * v;
   V low = zero, high = splat(t.sine);
   const V far = splat(t.core + t.round * t.sine), end = high * high;
@@ -52,8 +52,8 @@ MRSIM_LANE HeightContact height_contact(const HeightTool& t, V m, V v) {
 // says of the height over all positions in [s0, s1].
 MRSIM_LANE V tangent_height(const HeightTool& t, V wide, V slope, V gu, V gv, V m, V s0, V s1, V u,
                             V v) {
-  const V one = splat(1), tilt = m - gu;
-  const V s = select(less(tilt, splat(0)), s1, s0);
+  const V one = splat(1.0f), tilt = m - gu;
+  const V s = select(less(tilt, splat(0.0f)), s1, s0);
   const V below =
       slope * (splat(t.core) + wide) + splat(t.round) * (vsqrt(one + slope * slope) - one);
   return m * s + gu * (u - s) + gv * v - below;
@@ -64,7 +64,7 @@ MRSIM_LANE V tangent_height(const HeightTool& t, V wide, V slope, V gu, V gv, V 
 static float segment_heights(const CandidateColumns& c, std::size_t n, const HeightArgs& a,
                              float* lower) {
   const HeightTool& t = a.tool;
-  const V zero = splat(0), infinite = splat(kFloatInfinity);
+  const V zero = splat(0.0f), infinite = splat(kFloatInfinity);
   V least = infinite;
   for (std::size_t k = 0; k < n; k += kLanes) {
     const V dx = splat(a.x) - load(c[BallSlot::x] + k), dy = splat(a.y) - load(c[BallSlot::y] + k),
@@ -91,7 +91,7 @@ static float segment_heights(const CandidateColumns& c, std::size_t n, const Hei
     const V e = u - clamped(at, s0, s1), d = vsqrt(e * e + vv);
     const V sine = clamped((d - splat(t.core)) * splat(t.per_round), zero, splat(t.sine));
     const V slope = select(less(splat(t.core + t.reach), d), splat(t.steepest),
-                           sine / vsqrt(vmax(splat(1) - sine * sine, splat(kUprightSquare))));
+                           sine / vsqrt(vmax(splat(1.0f) - sine * sine, splat(kUprightSquare))));
     const V share = slope / vmax(d, splat(kNoDivisor));
     low = vmax(low, tangent_height(t, wide, slope, share * e, share * v, m, s0, s1, u, v));
     store(lower + k, select(near, az + low - error, infinite));
@@ -113,7 +113,7 @@ static float segment_heights(const CandidateColumns& c, std::size_t n, const Hei
 static float horizontal_heights(const CandidateRows& rows, std::size_t n, const HeightArgs& a,
                                 float* lower) {
   const HeightTool& t = a.tool;
-  const V zero = splat(0), infinite = splat(kFloatInfinity);
+  const V zero = splat(0.0f), infinite = splat(kFloatInfinity);
   V least = infinite;
   for (std::size_t k = 0; k < n; k += kLanes) {
     const V squared = load(rows.squared + k), z = load(rows.z + k);

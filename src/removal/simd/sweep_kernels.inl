@@ -1,6 +1,27 @@
 // Loops over the forms of sweep_lanes.inl; included once per instruction set by sweep_kernels.cpp,
-// with kLanes, V, load, load_line, load_arc, store and store_some in scope. The rest of a list that
-// does not fill a register repeats its last sweep and is not stored.
+// with the registers V of kLanes doubles in scope. The rest of a list that does not fill a register
+// repeats its last sweep and is not stored.
+
+// Numbers `from` to `from` + 7 of records[rows[j]], a lane each.
+template <class Record>
+MRSIM_LANE void load_columns(const Record* records, std::size_t from, const std::uint32_t* rows,
+                             V* c) {
+  const double* numbers[kLanes];
+  for (std::size_t j = 0; j < kLanes; ++j) numbers[j] = numbers_of(records, rows[j]) + from;
+  load_eight(numbers, c);
+}
+MRSIM_LANE void load_line(const LineRecord* records, const std::uint32_t* rows, V* c) {
+  load_columns(records, 0, rows, c);
+}
+// Three numbers more than eight: one by one they cost less than another eight.
+MRSIM_LANE void load_arc(const ArcRecord* records, const std::uint32_t* rows, V* c) {
+  const double* numbers[kLanes];
+  for (std::size_t j = 0; j < kLanes; ++j) numbers[j] = records[rows[j]].c;
+  load_eight(numbers, c);
+  c[ArcSlot::core] = gather(numbers, ArcSlot::core);
+  c[ArcSlot::round] = gather(numbers, ArcSlot::round);
+  c[ArcSlot::top] = gather(numbers, ArcSlot::top);
+}
 
 // Rows k .. k + kLanes - 1, the last one repeated.
 MRSIM_LANE void pick(const std::uint32_t* rows, std::size_t k, std::size_t n, std::uint32_t* out) {
