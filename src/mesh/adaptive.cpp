@@ -8,11 +8,11 @@
 #include "mesh/cells/node_budget.h"
 #include "mesh/cells/step_timer.h"
 #include "mesh/cells/thin_features.h"
+#include "mesh/simplify/failed_triangles.h"
 #include "mesh/simplify/mesh_certifier.h"
 #include "mesh/simplify/owner_borders.h"
 #include "mesh/simplify/simplify_apart.h"
 #include "mesh/solid/self_intersection.h"
-#include "mesh/surface/input_hash.h"
 #include "mesh/surface/surface.h"
 
 #include <algorithm>
@@ -27,18 +27,16 @@ namespace {
 
 using detail::BaseMesh;
 using detail::CellOctree;
-using detail::Crossing;
 using detail::Detail;
 using detail::DualSurface;
-using detail::InputHash;
+using detail::FailedTriangles;
 using detail::LabelledMesh;
 using detail::Lattice;
 using detail::StepTimer;
 
-constexpr double kBaseShare = 1.0;        ///< of the tolerance, for triangles before simplification
 constexpr double kBorderShare = 1.0 / 8;  ///< of the voxel, for borders between owners
 constexpr int kCrowdedRounds = 3;         ///< of splitting cells with two pieces of surface
-constexpr double kSecondsPerByte = 3e-8;  ///< of one core: both go with the cells and their faces
+constexpr double kSecondsPerByte = 3e-8;  ///< of one core: time and memory both grow with the cells
 constexpr std::size_t kMostRounds = 24;   ///< of splitting, where a grid may take its place
 constexpr std::size_t kCarefulRounds = 4;  ///< of splitting, by one step each
 constexpr int kLateSteps = 3;              ///< of splitting in one round after those
@@ -101,7 +99,7 @@ class AdaptiveMesher {
       find_topology();
       make_triangles();
     }
-    LabelledMesh mesh = label(surface_->mesh());
+    LabelledMesh mesh = detail::labelled_mesh(*surface_);
     detail::drop_unused_vertices(mesh);
     report_.triangles_before = mesh.triangles.size();
     report_.cells = surface_->loops().size();
@@ -133,25 +131,6 @@ class AdaptiveMesher {
     ++report_.passes;
     budget_.add_round(tree_.size());
     timer_.step("loops");
-  }
-
-  LabelledMesh label(const BaseMesh& base) const {
-    LabelledMesh mesh;
-    mesh.vertices = base.vertices;
-    mesh.triangles = base.triangles;
-    mesh.labels.reserve(base.crossings.size());
-    detail::FlatMap ids;
-    auto moved = base.moved.begin();
-    for (std::uint32_t t = 0; t < base.crossings.size(); ++t) {
-      const auto c = static_cast<std::size_t>(base.crossings[t]);
-      const bool is_moved = moved != base.moved.end() && moved->first == t;
-      const FieldSample& at = is_moved ? (moved++)->second : surface_->crossings()[c].at;
-      const auto [id, is_new] =
-          ids.insert(detail::face_key(at), static_cast<std::int32_t>(mesh.faces.size()));
-      if (is_new) mesh.faces.push_back(at);
-      mesh.labels.push_back(static_cast<std::uint32_t>(id));
-    }
-    return mesh;
   }
 
   // Makes triangles; cells with several pieces of surface whose triangles meet are split.
@@ -206,45 +185,18 @@ class AdaptiveMesher {
     return bad;
   }
 
-  // What the triangles of a round ask for.
-  struct Failures {
-    std::vector<std::uint64_t> hashes;              ///< of all triangles
-    std::vector<Detail> wanted;                     ///< of all triangles
-    std::vector<std::vector<std::int32_t>> guilty;  ///< cells to split, of all triangles
-    std::size_t cells = 0;                          ///< with duplicates
-  };
-
-  Failures find_failures() const {
-    const BaseMesh& base = surface_->mesh();
-    const LabelledMesh mesh = label(base);
-    const double limit = kBaseShare * tolerance_;
-    const detail::MeshCertifier certifier = this->certifier();
-    const std::size_t count = mesh.triangles.size();
-    Failures out{std::vector<std::uint64_t>(count), std::vector<Detail>(count, Detail::flat),
-                 std::vector<std::vector<std::int32_t>>(count)};
-    parallel_for_chunks(
-        count, options_.threads, detail::MeshCertifier::kChunk,
-        [&](std::size_t begin, std::size_t end) {
-          detail::FaceDistances distances(field_);
-          for (std::size_t t = begin; t < end; ++t) {
-            out.hashes[t] = triangle_hash(mesh, t);
-            if (passed_.find(out.hashes[t]) >= 0) continue;
-            const double bound = certifier.certified(mesh, t, limit, distances).distance;
-            if (bound <= limit) continue;
-            if (!misses_crease(mesh, t, distances))
-              out.wanted[t] = detail_for(base, t, bound / limit);
-            if (out.wanted[t] == Detail::flat)
-              out.guilty[t] = detail::guilty_cells(field_, tree_, *surface_, mesh, t, is_late());
-          }
-        });
-    for (const auto& cells : out.guilty) out.cells += cells.size();
-    return out;
+  FailedTriangles find_failures() const {
+    return detail::failed_triangles(field_, tree_, *surface_, passed_,
+                                    {.tolerance = tolerance_,
+                                     .may_draw = report_.passes <= kDrawnRounds,
+                                     .is_late = report_.passes > kCarefulRounds && few_failed_,
+                                     .threads = options_.threads});
   }
 
   // Raises the tolerance until the cells that fail may be split; throws where it must not be raised
   // so far.
-  Failures find_failures_that_fit() {
-    Failures found = find_failures();
+  FailedTriangles find_failures_that_fit() {
+    FailedTriangles found = find_failures();
     while (!budget_.fits(found.cells, tree_.size(), tolerance_)) {
       if (!budget_.may_raise(tolerance_))
         throw Error("mesh-unresolved", detail::too_many_cells(budget_.most()));
@@ -261,7 +213,7 @@ class AdaptiveMesher {
   // split.
   bool split_failed() {
     require_room(detail::kCertifyMemory);
-    const Failures found = find_failures_that_fit();
+    const FailedTriangles found = find_failures_that_fit();
     const std::size_t refined = refine(found);
     std::vector<std::int32_t> cells;
     report_.unresolved = 0;
@@ -282,13 +234,12 @@ class AdaptiveMesher {
 
   // Draws the surface more finely where that is enough, and remembers which triangles need no more
   // looks. Returns how many places are drawn anew.
-  std::size_t refine(const Failures& found) {
+  std::size_t refine(const FailedTriangles& found) {
     const BaseMesh& base = surface_->mesh();
     std::size_t refined = 0;
     for (std::size_t t = 0; t < found.hashes.size(); ++t)
       if (found.wanted[t] != Detail::flat) {
-        surface_->refine(surface_->crossings()[static_cast<std::size_t>(base.crossings[t])],
-                         found.wanted[t]);
+        surface_->refine(detail::at(surface_->crossings(), base.crossings[t]), found.wanted[t]);
         ++refined;
       } else if (found.guilty[t].empty()) {
         passed_.insert(found.hashes[t], 0);
@@ -314,39 +265,6 @@ class AdaptiveMesher {
   bool is_few(std::size_t cells) const { return detail::NodeBudget::is_few(cells, tree_.size()); }
 
   detail::MeshCertifier certifier() const { return {field_, tree_, tolerance_, options_.threads}; }
-
-  // A vertex lies far from the face that the triangle is measured by: what lies between is not seen
-  // in these cells, however finely the surface is drawn in them.
-  bool misses_crease(const LabelledMesh& mesh, std::size_t t,
-                     detail::FaceDistances& distances) const {
-    const auto& x = mesh.triangles[t];
-    return std::any_of(x.begin(), x.end(), [&](std::uint32_t v) {
-      return std::abs(distances(mesh.vertices[v], mesh.faces[mesh.labels[t]])) > tolerance_;
-    });
-  }
-
-  // How finely the surface about a triangle that misses the tolerance by `factor` has to be drawn
-  // in the same cells: with the square of the length of its edges the distance falls by two from
-  // step to step. Flat: cells must be split; so they are in the end, since detail about one edge
-  // can need detail about the next one, all along a curve.
-  Detail detail_for(const BaseMesh& base, std::size_t t, double factor) const {
-    const Crossing& c = surface_->crossings()[static_cast<std::size_t>(base.crossings[t])];
-    if (report_.passes > kDrawnRounds) return Detail::flat;
-    if (c.detail == Detail::flat && factor <= 2 && !is_late()) return Detail::fan;
-    return c.detail != Detail::full && factor <= 4 ? Detail::full : Detail::flat;
-  }
-
-  // After some rounds few triangles fail: splitting too many cells about them is then cheaper than
-  // another round.
-  bool is_late() const { return report_.passes > kCarefulRounds && few_failed_; }
-
-  // Equal for equal triangles: those of former rounds need not be certified again.
-  static std::uint64_t triangle_hash(const LabelledMesh& mesh, std::size_t t) {
-    InputHash hash;
-    hash.add(mesh.faces[mesh.labels[t]]);
-    for (const std::uint32_t v : mesh.triangles[t]) hash.add(mesh.vertices[v]);
-    return hash.value();
-  }
 
   // mm: how far chords may leave the borders between owners on plane faces.
   double border_room() const {

@@ -10,12 +10,18 @@
 
 namespace mrsim::detail {
 
+class DualSurface;
+
 struct LabelledMesh {
   std::vector<Vec3> vertices;
   std::vector<std::array<std::uint32_t, 3>> triangles;
   std::vector<std::uint32_t> labels;  ///< of each triangle: index into `faces`
   std::vector<FieldSample> faces;
 };
+
+/// The triangles of a surface, each with the face of the part at the crossing that it is about.
+/// Requires: surface.make_triangles().
+LabelledMesh labelled_mesh(const DualSurface& surface);
 
 /// Without the vertices that no triangle names; the order of the others is kept.
 void drop_unused_vertices(LabelledMesh& mesh);
