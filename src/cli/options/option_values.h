@@ -16,14 +16,18 @@ class TypedOptions;
 /// Error "usage" of kind usage.
 [[noreturn]] void fail_usage(const std::string& text);
 
+/// All of them: the value of an option by its text. Throw an Error of kind usage that names the
+/// option.
 double number_value(const std::string& option, const std::string& text);
 /// A number above 0, mm.
 double positive_value(const std::string& option, const std::string& text);
+/// From `low` to `high`.
 int whole_value(const std::string& option, const std::string& text, int low, int high);
 /// A whole number from 1 to 1e15.
 std::uint64_t count_value(const std::string& option, const std::string& text);
 /// 1 to 256.
 int threads_value(const std::string& option, const std::string& text);
+/// A number of moments.
 int frames_value(const std::string& option, const std::string& text);
 /// "X,Y,Z"
 Vec3 point_value(const std::string& option, const std::string& text);
@@ -32,8 +36,9 @@ std::size_t size_value(const std::string& option, const std::string& text);
 /// Bytes that --max-memory says, 0 where it was not typed; this thread keeps to them, or to what is
 /// free, from now on.
 std::size_t limit_memory(const TypedOptions& typed);
+/// "on" or "off"
 bool on_off_value(const std::string& option, const std::string& text);
-// One of the words that the table of options has for the option.
+/// One of the words that the table of options has for the option.
 Dialect dialect_value(const std::string& option, const std::string& text);
 MachineKind machine_value(const std::string& option, const std::string& text);
 CompRadius comp_value(const std::string& option, const std::string& text);

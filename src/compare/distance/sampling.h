@@ -40,11 +40,13 @@ struct DeviationField {
 DeviationField measure(SurfaceSamples samples, const NominalSurface& other, double sign,
                        int threads);
 
+/// Largest, mean and percentiles, and the share beyond the band.
 DeviationFigures figures_of(const DeviationField& field, const Acceptance& band);
 
 /// 60 bins over twice the band, odd ones in the middle of nothing: `band` falls on bin borders.
 Histogram histogram_of(const DeviationField& field, const Acceptance& band);
 
+/// mm^2
 double surface_area(const TriMesh& mesh);
 
 }  // namespace mrsim

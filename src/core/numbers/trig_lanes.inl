@@ -35,7 +35,7 @@ MRSIM_LANE V cos_poly(V x) {
   return splat(1.0) + q * c;
 }
 
-// Of reduced + k pi/2, |reduced| <= pi/4, k whole.
+// Sine and cosine of reduced + k pi/2. Requires: |reduced| <= pi/4, k whole.
 MRSIM_LANE VSinCos quadrant(V reduced, V k) {
   const V s = sin_poly(reduced), c = cos_poly(reduced);
   const V q = k - splat(4.0) * vfloor(splat(0.25) * k);  // 0 to 3

@@ -25,7 +25,7 @@ class DraftFile {
   DraftFile& operator=(const DraftFile&) = delete;
   ~DraftFile();
 
-  /// As it was given.
+  /// The path as it was given.
   const std::string& path() const { return place_.given; }
   const OutputPlace& place() const { return place_; }
   /// Appends.

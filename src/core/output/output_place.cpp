@@ -70,7 +70,7 @@ void follow_links(OutputPlace& place) {
   }
 }
 
-// What lies there; nothing where nothing does.
+// The file that lies at the place; nothing where there is none.
 std::optional<struct stat> facts(const OutputPlace& place) {
   struct stat info {};
   const int failed =

@@ -21,7 +21,7 @@
 namespace mrsim {
 namespace {
 
-// Of a run that waits for the end of another.
+// How long a run waits for the end of another one, and between two looks.
 constexpr auto kPatience = std::chrono::seconds(60);
 constexpr auto kPause = std::chrono::milliseconds(5);
 

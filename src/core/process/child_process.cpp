@@ -207,8 +207,8 @@ int start_program(const std::vector<std::string>& words, ProgramLife life) {
 
 namespace {
 
-// What goes through the pipe first; then the lengths of the texts, and all in the order of its
-// counts. Where the work ended in an Error, its code and its sentence are the only texts.
+// The first bytes in the pipe. The lengths of the texts follow, then the data, in the order of
+// these counts. Where the work ended in an Error, its code and its sentence are the only texts.
 struct Header {
   std::uint64_t is_error = 0, is_usage = 0;
   std::uint64_t numbers = 0, texts = 0, vertices = 0, triangles = 0;

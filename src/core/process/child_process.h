@@ -30,8 +30,8 @@ struct ChildOutcome {
 ChildOutcome run_in_child(const ChildLimits& limits,
                           const std::function<void(const ByteSink& sink)>& work);
 
-/// Of a program that is started. `ours`: it dies with this process and shares its streams; `own`:
-/// it lives on and is silent.
+/// How long a started program lives. `ours`: it dies with this process and shares its streams;
+/// `own`: it lives on and is silent.
 enum class ProgramLife { ours, own };
 /// Starts a program that is found by PATH, with the signals as a shell would set them. Its process,
 /// or -1 where it can not be started.
@@ -49,7 +49,8 @@ struct ChildDelivery {
   ChildParcel parcel;  ///< where `end` is done
 };
 
-/// As run_in_child(). An Error that `work` throws is thrown here.
+/// Does what run_in_child() does, and gives back what `work` returns. An Error that `work` throws
+/// is thrown here.
 ChildDelivery deliver_from_child(const ChildLimits& limits,
                                  const std::function<ChildParcel()>& work);
 

@@ -11,7 +11,8 @@ namespace mrsim {
 /// and each small growth of the heap halts every thread that is touching new pages. Pages that are
 /// not touched cost nothing. Does nothing where the C library has no such settings.
 void grow_heap_in_large_steps();
-/// For a process whose address space is limited: a large step would fail where a small one fits.
+/// Lets the heap grow in small steps, for a process whose address space is limited: a large step
+/// would fail where a small one fits.
 void grow_heap_in_small_steps();
 
 /// Asks for huge pages for a large range that will be touched from end to end.
@@ -36,7 +37,7 @@ void reserve_large(std::vector<T>& column, std::size_t count) {
   prefer_huge_pages(column.data(), count * sizeof(T));
 }
 
-/// What the entries of a column take; room in reserve is not touched.
+/// Bytes that the entries of a column take. Reserved room does not count: it has not been touched.
 template <class T>
 std::size_t bytes_of(const std::vector<T>& column) {
   return column.size() * sizeof(T);

@@ -17,7 +17,7 @@ namespace mrsim {
 namespace {
 
 constexpr double kProgram = 10e6;  // bytes: code, stacks, libraries
-// Of the heap that is in use, with what lies between its pieces and fits nobody.
+// Factor on the heap in use, for the gaps between its pieces that are too small for anything.
 constexpr double kFragments = 1.2;
 
 thread_local std::size_t limit = 0;  // 0: none

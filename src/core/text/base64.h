@@ -8,7 +8,7 @@
 namespace mrsim {
 
 std::string base64(std::string_view bytes);
-/// Nothing for text that base64() can not have made.
+/// The bytes again; nothing for text that base64() can not have made.
 std::optional<std::string> from_base64(std::string_view text);
 
 }  // namespace mrsim

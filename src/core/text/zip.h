@@ -20,8 +20,8 @@ struct ZipEntry {
 /// The directory of an archive. Throws Error "3mf-zip" naming `name`.
 std::vector<ZipEntry> zip_directory(std::string_view bytes, const std::string& name);
 
-/// One file of it. Never gives more than the directory says, nor more than `limit` bytes (a bomb is
-/// an Error "3mf-too-large" before it is unpacked). Throws Error "3mf-zip" and "memory".
+/// One file of the archive. Never gives more than the directory says, nor more than `limit` bytes
+/// (a bomb is an Error "3mf-too-large" before it is unpacked). Throws Error "3mf-zip" and "memory".
 std::string unzip(std::string_view bytes, const ZipEntry& entry, std::size_t limit,
                   const std::string& name);
 

@@ -10,7 +10,8 @@
 
 namespace mrsim {
 
-/// By the names below, or by `flat`, `ball` and `bull` for these mills; nothing for another word.
+/// The type of that name (tool_type_names()), or of `flat`, `ball` or `bull` for these mills;
+/// nothing for another word.
 std::optional<ToolType> tool_type(std::string_view name);
 std::string_view tool_type_name(ToolType type);
 const std::vector<std::string_view>& tool_type_names();

@@ -16,22 +16,26 @@ struct Frame {
   friend bool operator==(const Frame&, const Frame&) = default;
 };
 
-/// Direction or displacement.
+/// Image of a direction or displacement.
 Vec3 turn(const Frame& frame, const Vec3& v);
+/// Image of a place.
 Vec3 apply(const Frame& frame, const Vec3& p);
 /// Requires: determinant(frame) != 0.
 Vec3 apply_inverse(const Frame& frame, const Vec3& p);
 Vec3 turn_inverse(const Frame& frame, const Vec3& v);
 /// Requires: determinant(frame) != 0.
 Frame inverse(const Frame& frame);
+/// Of the linear part: the factor on volumes, below 0 where it mirrors.
 double determinant(const Frame& frame);
 
 /// First `inner`, then `outer`.
 Frame compose(const Frame& outer, const Frame& inner);
 
+/// Moves all by a vector, mm.
 Frame shift_frame(const Vec3& shift);
 /// About coordinate axis 0, 1 or 2, degrees, counter-clockwise seen from its positive end.
 Frame rotation_frame(int axis, double degrees);
+/// Scales each axis by a factor.
 Frame scale_frame(const Vec3& factors);
 /// `frame` with `center` as its fixed point instead of the origin.
 Frame about(const Frame& frame, const Vec3& center);

@@ -29,7 +29,7 @@ inline Box3 cube_about(const Box3& box) {
   return inflated(Box3{middle, middle}, half);
 }
 
-/// One of a box's eight, by bits x, y, z.
+/// Octant k of a box: bits 0, 1 and 2 of k are set in the upper halves along x, y and z.
 inline Box3 octant(const Box3& box, int k) {
   const Vec3 m = 0.5 * (box.lo + box.hi);
   return {{k & 1 ? m.x : box.lo.x, k & 2 ? m.y : box.lo.y, k & 4 ? m.z : box.lo.z},
@@ -71,7 +71,7 @@ struct CellFace {
     ++count;
   }
   std::int32_t crossing(int i) const { return slots[i] / 4; }
-  /// Of its crossings all are there.
+  /// All crossings of its border are known.
   bool has_all_edges() const { return low_complete || high_complete; }
 };
 
@@ -89,7 +89,7 @@ class SurfaceCells {
   /// Edge of the cell in fine units.
   virtual std::int32_t size_of(std::int32_t cell) const = 0;
   virtual Box3 box(std::int32_t cell) const = 0;
-  /// Where its vertices may lie: off its sides by at least two steps of the coordinates.
+  /// Where vertices of the cell may lie: off its sides by at least two steps of the coordinates.
   virtual Box3 inner_box(std::int32_t cell) const { return inner(box(cell)); }
   /// The sweeps that can decide d in the cell.
   virtual std::span<const std::uint32_t> candidates(std::int32_t cell) const = 0;

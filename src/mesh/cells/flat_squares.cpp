@@ -5,7 +5,7 @@
 namespace mrsim::detail {
 namespace {
 
-// Those whose eight neighbours are there as well.
+// The cells whose eight neighbours are in the region as well.
 CellRows eroded(const CellRows& in) {
   CellRows narrow{}, out{};
   for (std::size_t i = 0; i < in.size(); ++i) narrow[i] = in[i] & in[i] << 1 & in[i] >> 1;

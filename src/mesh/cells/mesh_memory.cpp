@@ -23,7 +23,7 @@ constexpr std::size_t kMostCells = 4096;  ///< cells from which the memory is es
 constexpr double kCell = 1850, kThirdFace = 3000, kTurningFaces = 30000, kSampledFace = 1200;
 constexpr double kCandidate = 6;
 
-// Of all that is expected, for each node that there is in the end, as measured.
+// Bytes of all memory that is expected, for each node that there is in the end; measured.
 constexpr double kNodeOfAll = 1500;
 
 // How far the surface leaves a plane in a cell of `size` mm, if it turns evenly between the points.

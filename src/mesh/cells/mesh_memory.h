@@ -48,10 +48,11 @@ double memory_of_nodes(double nodes);
 /// Throws Error "mesh-unresolved" where the octree has more nodes, or will have, than `most`; 0 =
 /// any number.
 void require_cells(double nodes, double most);
+/// The sentence of that error.
 std::string too_many_cells(double most);
 
-/// As require_memory for what splitting cells takes beyond the estimate, where the thread has a
-/// limit.
+/// Does what require_memory does, for what splitting cells takes beyond the estimate, where the
+/// thread has a limit.
 void require_room(double bytes, bool has_tolerance = true);
 
 }  // namespace mrsim::detail

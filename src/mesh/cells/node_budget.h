@@ -11,7 +11,7 @@ namespace mrsim::detail {
 /// Where `most_nodes` is 0, everything fits. `nodes`: of the octree at the time of the call.
 class NodeBudget {
  public:
-  /// Of the most tolerance: how far the nodes may raise it.
+  /// Share of the largest tolerance up to which it may be raised because of the nodes.
   static constexpr double kRaisedForNodes = 0.5;
 
   /// `is_raised`: the octree is made for a tolerance that has been raised.
@@ -27,7 +27,7 @@ class NodeBudget {
   /// The octree is made; its surface is not drawn yet.
   void begin(std::size_t nodes) { first_ = static_cast<double>(nodes); }
   void add_round(std::size_t nodes) { work_ += static_cast<double>(nodes); }
-  /// So many cells are split.
+  /// Notes that so many cells are split.
   void add_failed(std::size_t cells) {
     first_ = 0;
     failed_before_ = std::exchange(failed_, cells);
@@ -56,7 +56,7 @@ class NodeBudget {
   bool may_raise(double tolerance) const {
     return 2 * tolerance <= most_tolerance_ * (has_taken_long() ? 1 : kRaisedForNodes);
   }
-  /// It is doubled.
+  /// Notes that the tolerance is doubled.
   void raise(std::size_t nodes) {
     if (has_taken_long())
       full_rounds_ += kMoreRounds;

@@ -103,7 +103,7 @@ class CellOctree final : public SurfaceCells {
   bool is_whole() const { return part_.size == lattice().size(); }
   bool in_range(const LatticePoint& p, const std::int32_t (&range)[2]) const;
   void refine(std::vector<std::int32_t> pending);
-  /// For the parts of that many cells. Throws Error "memory", "mesh-unresolved".
+  /// Reserves memory for the parts of that many cells. Throws Error "memory", "mesh-unresolved".
   void make_room(std::size_t split);
   void find_regions(const std::vector<std::int32_t>& pending);
   void sample_corners(const std::vector<std::int32_t>& pending);

@@ -43,7 +43,7 @@ class StepTimer {
     if (progress_ && !progress_("meshing", share()))
       throw Error("cancelled", "the run was stopped");
   }
-  // As time goes up to one half; then slower, as the expectation may be short.
+  // Follows the time up to one half, then goes slower, since more time may be needed than expected.
   double share() const {
     if (expected_ <= 0) return 0;
     const double x = since(begin_) / expected_;

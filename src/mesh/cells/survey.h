@@ -22,7 +22,7 @@ struct SurfaceSurvey {
   /// Cells of `voxel` mm that the cut surface passes, about. Flat sides of the stock do not count:
   /// their cells are merged. Rather too many than too few.
   double cells(double voxel) const;
-  /// As near to their number as is known, several sheets of surface in one cube included.
+  /// An estimate of their number, with several sheets of surface in one cube.
   double crossed_cells(double voxel) const { return sheets * cells(voxel); }
 };
 

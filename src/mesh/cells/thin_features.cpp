@@ -127,8 +127,8 @@ std::optional<Vec3> find_hidden(const Probe& probe, const Box3& room, bool ends_
   return {};
 }
 
-// How thick it is: twice the first maximum of |d| on the way from p away from the surface, if there
-// is one in the room.
+// The feature at p with its thickness: twice the first maximum of |d| on the way from p away from
+// the surface, if there is one in the room.
 ThinFeature measured(const Probe& probe, const Box3& room, const Vec3& p) {
   constexpr int kSamples = 32;
   const FieldSample first = probe.sample(p);
@@ -151,7 +151,8 @@ ThinFeature measured(const Probe& probe, const Box3& room, const Vec3& p) {
   return found;
 }
 
-// What stands amid the cells about an edge that may hide it, up to `depth` mm from its sides.
+// The feature that stands amid the cells about an edge without crossing one of theirs: a point up
+// to `depth` mm deep in it.
 template <class MayHide, class IsLost>
 std::optional<ThinFeature> find_hidden(const ExactField& field, const SurfaceCells& cells,
                                        const MinimalEdge& e, double depth, const MayHide& may_hide,
@@ -215,7 +216,7 @@ class LostSearch {
     return between(e, probe, a, b, kMostPassages, found);
   }
 
-  // Of a line with ends on different sides: one that the mesh has on the wrong side.
+  // For a line with ends on different sides: the end that the mesh has on the wrong side.
   std::optional<FoundThin> at_end(const MinimalEdge& e, const Probe& probe, const EdgeEnd& a,
                                   const EdgeEnd& b) const {
     for (const EdgeEnd* end : {&a, &b}) {

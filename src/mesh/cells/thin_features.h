@@ -21,17 +21,17 @@ struct FoundThin {
   std::uint64_t block = 0;
 };
 
-/// What passes between two points on the same side of the surface, with different owners, if it is
-/// found.
+/// The wall or gap between two points on the same side of the surface that have different owners,
+/// if it is found.
 std::optional<ThinFeature> thin_between(const Probe& probe, const Vec3& low, const Vec3& high);
 
 /// Thin walls and gaps on the doubtful edges, in their order.
 std::vector<FoundThin> thin_features(const ExactField& field, const SurfaceCells& cells,
                                      std::span<const MinimalEdge> doubtful);
 
-/// Those of them that a mesh of the part does not hold within `tolerance` mm, on the edge or on
-/// lines beside it, in the order of the edges. Requires: the mesh is closed and oriented. Costs
-/// some hundred samples and searches in the mesh for each thin feature.
+/// The doubtful edges' features that a mesh of the part does not hold within `tolerance` mm, on the
+/// edge or on lines beside it, in the order of the edges. Requires: the mesh is closed and
+/// oriented. Costs some hundred samples and searches in the mesh for each thin feature.
 std::vector<FoundThin> lost_features(const ExactField& field, const SurfaceCells& cells,
                                      std::span<const MinimalEdge> doubtful, const TriMesh& mesh,
                                      double tolerance, int threads);
@@ -40,7 +40,7 @@ std::vector<FoundThin> lost_features(const ExactField& field, const SurfaceCells
 /// it. Costs a few samples for each block that the surface may pass.
 std::optional<ThinFeature> find_material(const ExactField& field, double voxel);
 
-/// One for each pair of owners in each block.
+/// Of the features found, one for each pair of owners in each block.
 std::vector<ThinFeature> distinct(std::span<const FoundThin> found);
 
 }  // namespace mrsim::detail

@@ -14,8 +14,8 @@ class TileEdges {
 
   TileEdges() : columns_(3 * kCells * kCells) {}
 
-  /// Of the edges along an axis that start at (x, y, z), z a bit. Sums of such numbers are the
-  /// columns of sums of places.
+  /// The column of the edges along an axis that start at (x, y, z), z a bit. Sums of such numbers
+  /// are the columns of sums of places.
   static constexpr std::int32_t column(int axis, std::int32_t x, std::int32_t y) {
     return (axis * kCells + x) * kCells + y;
   }
@@ -52,7 +52,7 @@ class TileEdges {
     std::uint64_t bits = 0;
     std::int32_t first = 0;
   };
-  // Without the instruction, which not all processors have, and without a call.
+  // Counts set bits without the instruction, which not all processors have, and without a call.
   static std::int32_t count(std::uint64_t bits) {
     if ((bits & (bits - 1)) == 0) return bits != 0;
     bits -= bits >> 1 & 0x5555555555555555u;
@@ -80,7 +80,7 @@ constexpr CellEdge cell_edge(int x, int y, int z, int axis) {
   return e;
 }
 
-/// In the order of all edges: by place, then axis.
+/// The edges of a cell in the order of all edges: by place, then axis.
 inline constexpr CellEdge kCellEdges[12] = {
     cell_edge(0, 0, 0, 0), cell_edge(0, 0, 0, 1), cell_edge(0, 0, 0, 2), cell_edge(0, 0, 1, 0),
     cell_edge(0, 0, 1, 1), cell_edge(0, 1, 0, 0), cell_edge(0, 1, 0, 2), cell_edge(0, 1, 1, 0),

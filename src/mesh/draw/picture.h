@@ -12,8 +12,10 @@ namespace mrsim {
 struct Color {  ///< linear light, 1 = white
   float r = 0, g = 0, b = 0;
 };
+/// Between sRGB and linear light.
 Color to_linear(const Rgb& srgb);
 Rgb to_srgb(const Color& linear);
+/// `share` of b, the rest of a.
 inline Color mix(const Color& a, const Color& b, float share) {
   return {a.r + (b.r - a.r) * share, a.g + (b.g - a.g) * share, a.b + (b.b - a.b) * share};
 }

@@ -12,6 +12,7 @@ namespace mrsim {
 /// base line. Printable ASCII; other characters show as a box. Returns the width.
 double draw_text(Picture& picture, Vec2 at, double height, std::string_view text,
                  const Color& color);
+/// What draw_text() returns.
 double text_width(std::string_view text, double height);
 
 }  // namespace mrsim

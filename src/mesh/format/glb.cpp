@@ -165,7 +165,8 @@ OrderedJson extras_of(const TriMesh& mesh) {
   return {{"mrsim", out}};
 }
 
-// To metres with Y up: (x, y, z) mm -> (x, z, -y) / 1000. By columns.
+// The node that takes the part to metres with Y up: (x, y, z) mm -> (x, z, -y) / 1000. Its matrix
+// stands by columns.
 OrderedJson node_of_part() {
   constexpr double kMetre = 0.001;
   return {{"mesh", 0},

@@ -34,7 +34,7 @@ struct Frame {
   bool mirrors() const { return dot(axes[0], cross(axes[1], axes[2])) < 0; }
 };
 
-// Of a unit quaternion x, y, z, w.
+// The axes that a unit quaternion x, y, z, w turns X, Y and Z to.
 std::array<Vec3, 3> axes_of(double x, double y, double z, double w) {
   return {{{1 - 2 * (y * y + z * z), 2 * (x * y + z * w), 2 * (x * z - y * w)},
            {2 * (x * y - z * w), 1 - 2 * (x * x + z * z), 2 * (y * z + x * w)},

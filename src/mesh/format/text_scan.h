@@ -33,7 +33,7 @@ class TextScan {
   std::size_t line_ = 1;
 };
 
-/// Without the mark of UTF-8 that some editors put before a text.
+/// The text without the byte order mark of UTF-8 that some editors put before it.
 std::string_view without_mark(std::string_view text);
 
 /// The finite float that `word` spells ("1e-3" allowed); nothing otherwise.

@@ -188,9 +188,9 @@ CreaseSearch crease_by_exchange(const Probe& probe, const Box3& room, int axis, 
   return CreaseSearch::not_found;
 }
 
-// Where exchanges lead nowhere, halves the way over the surface until the crease between two faces
-// is near, which need not be those two: tries each pair when it is met first, and again from nearer
-// by. What is known from near by ends the search.
+// Used where exchanges lead nowhere. Halves the way over the surface until the crease between two
+// faces is near; these need not be a and b. Tries each pair of faces when it is met first, and
+// again from nearer by. What is found from near by ends the search.
 bool crease_between(const Probe& probe, const Box3& room, int axis, const Vec3& from, FieldSample a,
                     const Vec3& to, FieldSample b, SurfacePoint& found) {
   const CreaseSearch first = crease_by_exchange(probe, room, axis, 0.5 * (from + to), a, b, found);

@@ -16,6 +16,7 @@ inline constexpr int kNewtonSteps = 24;
 /// how far beyond it its list of candidates holds.
 inline constexpr double kCellReach = 1.0 / 16;
 
+/// Both lie on one face of the part: one patch of one sweep, or of the stock.
 inline bool same_face(const FieldSample& a, const FieldSample& b) {
   return a.owner == b.owner && a.patch == b.patch;
 }
@@ -78,6 +79,7 @@ class CrossingSearch {
   double size_, a_ = 0, b_ = 1, fa_, fb_, t_;
   int side_ = 0, steps_ = 0;
 };
+/// The crossing on the segment; costs two samples in most cases.
 Vec3 find_crossing(const Probe& probe, const Vec3& inside, const Vec3& outside);
 /// Its position() instead of its point().
 Vec3 find_place(const Probe& probe, const Vec3& inside, const Vec3& outside);
@@ -93,7 +95,7 @@ class SmoothSearch {
   const Vec3& point() const { return point_; }  ///< where d is wanted
   /// Takes the sample at point(); true when the search has ended.
   bool take(const ExactField& field, const FieldSample& sample);
-  /// What was found; count = 0: nothing.
+  /// The point that was found; count = 0: none.
   SurfacePoint result() const;
 
  private:
@@ -160,7 +162,8 @@ void run_together(const Probe& probe, std::span<Search> searches) {
   }
 }
 
-/// In the room, off its sides by 1e-6 of it (`flat`: the axis on which it has no extent, or -1).
+/// True for a place in the room that is off its sides by 1e-6 of it (`flat`: the axis on which it
+/// has no extent, or -1).
 bool strictly_inside(const Vec3& p, const Box3& room, int flat);
 
 /// No farther beyond the room, a cell or a face of one, than the probe's candidates hold.

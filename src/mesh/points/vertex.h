@@ -35,7 +35,7 @@ SurfacePoint point_in_cell(const Probe& probe, const Box3& room, const CellHints
 SurfacePoint crease_near(const Probe& probe, const Box3& room, int axis, const Vec3& start,
                          std::span<const FieldSample> faces);
 
-/// As crease_near(), the corner of three of the faces, in no plane.
+/// Does what crease_near() does, for the corner of three of the faces, in no plane.
 SurfacePoint corner_near(const Probe& probe, const Box3& room, const Vec3& start,
                          std::span<const FieldSample> faces);
 

@@ -133,7 +133,8 @@ class Decimation {
 
  private:
   enum class State : std::uint8_t { fixed, absent, fresh, stale };
-  // Of equal errors, as in flat faces, the shortest edge goes first: triangles stay round.
+  // Where errors are equal, as in flat faces, the shortest edge goes first: so triangles stay
+  // round.
   struct Entry {
     double error, length;
     Edge edge;

@@ -21,7 +21,8 @@ namespace mrsim {
 namespace {
 
 constexpr int kRounds = 4;  // of one step, each with more vertices that stay
-// Of the triangles of a step's mesh that it keeps, and where such a step leads nowhere.
+// Share of its mesh's triangles that a step keeps; the second where a step with the first leads
+// nowhere.
 constexpr double kLeastShares[] = {0.2, 0.5};
 constexpr double kBytesPerTriangle = 450;  // of its half edges, quadrics and queue
 constexpr std::size_t kTellEach = 4096;    // collapses

@@ -177,7 +177,8 @@ TriangleBound triangle_bound(FaceDistances& distances, const FieldSample& face, 
 double part_bound(FaceDistances& distances, const CellOctree& tree, const Vec3& a, const Vec3& b,
                   const Vec3& c, double limit) {
   const ExactField& field = distances.field();
-  // In groups that rise in cost and in what they show: the middles, the inner nodes, the quarters.
+  // The nodes in groups, in the order in which they are likely to show a miss: the middles, the
+  // inner nodes, the quarters.
   static constexpr int kOrder[12][2] = {{2, 0}, {0, 2}, {2, 2}, {1, 1}, {2, 1}, {1, 2},
                                         {1, 0}, {3, 0}, {0, 1}, {0, 3}, {3, 1}, {1, 3}};
   static constexpr int kGroups[3] = {3, 6, 12};

@@ -9,7 +9,8 @@ constexpr double kLeastHeight = 2e-5;  ///< mm: of a new triangle
 constexpr double kNoDivisor = 1e-30;   ///< mm: in place of the longest side of a point
 constexpr double kGoodHeight = 2e-4;   ///< mm: required of it where it replaces a higher one
 
-// Of two angles that face an edge: they are more than half a turn together by more than this.
+// Radians: an edge is flipped where the two angles that face it are together more than half a turn
+// by more than this.
 constexpr double kPastDelaunay = 1e-6;
 
 // Whether the circle about a, b and c holds d beyond the edge a b.

@@ -11,7 +11,7 @@
 
 namespace mrsim::detail {
 
-/// Of one thread. Values of the field that are needed again soon are remembered.
+/// For one thread. Remembers values of the field that are needed again soon.
 class FaceDistances {
  public:
   explicit FaceDistances(const ExactField& field) : field_(field), slots_(kSlots) {}

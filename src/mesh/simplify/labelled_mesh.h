@@ -23,10 +23,10 @@ struct LabelledMesh {
 /// Requires: surface.make_triangles().
 LabelledMesh labelled_mesh(const DualSurface& surface);
 
-/// Without the vertices that no triangle names; the order of the others is kept.
+/// Drops the vertices that no triangle names; the order of the others is kept.
 void drop_unused_vertices(LabelledMesh& mesh);
 
-/// In single precision, with the owners of its faces.
+/// The mesh in single precision, each triangle with the owner of its face.
 TriMesh to_tri_mesh(const LabelledMesh& mesh);
 
 }  // namespace mrsim::detail

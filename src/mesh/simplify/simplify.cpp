@@ -148,7 +148,7 @@ class Simplifier {
     targets_.emplace_back(distance(mesh_.vertices[v], mesh_.vertices[ring_[k].next]), k);
   }
 
-  // Of the edges that collapsing v along spoke k would make.
+  // Length of the longest edge that collapsing v along spoke k would make, mm.
   double longest_edge(std::size_t k) const {
     const Vec3& target = mesh_.vertices[ring_[k].next];
     double most = 0;
@@ -184,8 +184,8 @@ class Simplifier {
     return is_good;
   }
 
-  // Of the triangle that is to take the place of the spoke's, with the exact surface at its middle;
-  // -1 for one that has no area.
+  // Cosine between the triangle that is to take the place of the spoke's and the exact surface at
+  // its middle; -1 for one that has no area.
   double cosine_to_face(const Spoke& s, const Vec3& target) const {
     const Vec3 &a = target, &b = mesh_.vertices[s.next], &c = mesh_.vertices[s.last];
     const Vec3 n = cross(b - a, c - a);
@@ -196,7 +196,7 @@ class Simplifier {
            area;
   }
 
-  // Of the triangles about v.
+  // The least cosine of the triangles about v.
   double least_cosine(std::uint32_t v) const {
     double least = 1;
     for (const Spoke& s : ring_) least = std::min(least, cosine_to_face(s, mesh_.vertices[v]));

@@ -24,7 +24,7 @@ void require_solid(const TriMesh& mesh, const std::string& name, int threads = 0
 /// Summed in a fixed order. Requires: indices in range.
 double signed_volume(const TriMesh& mesh);
 
-/// Of the vertices that triangles use.
+/// Bounds of the vertices that triangles use.
 Box3 mesh_bounds(const TriMesh& mesh);
 
 }  // namespace mrsim

@@ -33,7 +33,7 @@ inline std::uint32_t target_of(const TriMesh& mesh, std::uint32_t h) {
   return origin_of(mesh, next_half_edge(h));
 }
 
-/// In place of a neighbour.
+/// Values that stand in place of a neighbour.
 inline constexpr std::uint32_t kBoundaryEdge = ~0u;     ///< one triangle only
 inline constexpr std::uint32_t kTwistedEdge = ~0u - 1;  ///< two that run through it the same way
 inline constexpr std::uint32_t kCrowdedEdge = ~0u - 2;  ///< more than two

@@ -21,7 +21,7 @@ void append(std::vector<T>& all, std::span<const T> more, std::size_t expected) 
   all.insert(all.end(), more.begin(), more.end());
 }
 
-// What append() uses: where it makes the room anew, the old one as well.
+// Bytes that append() uses; where it takes a larger array, the old one counts as well.
 template <class T>
 std::size_t bytes_to_append(const std::vector<T>& all, std::span<const T> more) {
   const std::size_t in_all = all.size() + more.size();

@@ -27,7 +27,7 @@ class MeshSource {
   virtual void for_each_block(const Body& body) const = 0;
   /// The mesh, where it is in memory as a whole.
   virtual const TriMesh* in_memory() const { return nullptr; }
-  /// What owners stand for.
+  /// The table that says what each owner stands for.
   virtual const OwnerTable& origin() const = 0;
   virtual bool has_owners() const = 0;
   virtual bool has_colors() const { return false; }

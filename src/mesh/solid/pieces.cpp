@@ -81,7 +81,7 @@ std::vector<std::uint32_t> solids_around(const SurfaceComponent& cavity,
 
 using Lists = std::map<std::uint32_t, std::vector<std::uint32_t>>;
 
-// Of the components listed for each, those that it lies in, in their order.
+// For each component, those of its candidates that it lies in, in their order.
 Lists components_around(const MeshAudit& audit, const MeshSource& mesh, const Lists& candidates) {
   Lists out;
   if (candidates.empty()) return out;
@@ -180,8 +180,8 @@ int sparse_axis(const std::vector<SurfaceComponent>& surfaces) {
   return best;
 }
 
-// By component, those whose box holds its box. A plane goes along an axis and keeps the boxes that
-// it passes: O(n log n + n m), m of them at once.
+// For each component, those whose box holds its box. A plane goes along an axis and keeps the boxes
+// that it passes: O(n log n + n m), m of them at once.
 Lists boxes_around(const std::vector<SurfaceComponent>& surfaces) {
   const int axis = sparse_axis(surfaces);
   const auto low = [&](std::uint32_t c) { return component(surfaces[c].bounds.lo, axis); };

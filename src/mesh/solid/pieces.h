@@ -38,7 +38,7 @@ std::optional<MisplacedBody> find_misplaced_body(const TriMesh& mesh);
 /// "detached piece of 12.5 mm3 at (3, 4, 5) mm, 1.2 x 3 x 5 mm".
 std::string describe_piece(const Piece& piece);
 
-/// One piece of a mesh, both of which must outlive it; owners and colours with it.
+/// One piece of a mesh, with its owners and colours. Mesh and piece must outlive it.
 class PieceOfMesh final : public MeshSource {
  public:
   PieceOfMesh(const MeshAudit& audit, const MeshSource& mesh, const Piece& piece);
@@ -49,7 +49,7 @@ class PieceOfMesh final : public MeshSource {
   bool has_owners() const override { return mesh_.has_owners(); }
   bool has_colors() const override { return mesh_.has_colors(); }
   const std::vector<ColorLabel>& legend() const override { return mesh_.legend(); }
-  /// Which components belong to it.
+  /// By component: whether it belongs to the piece.
   const std::vector<bool>& wanted() const { return wanted_; }
 
  private:

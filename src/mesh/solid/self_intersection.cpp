@@ -99,7 +99,7 @@ class PairTest {
     return x != 0 && x == orientation(at(s, 0), at(s, 1), at(s, 2), at(t, 1)) &&
            x == orientation(at(s, 0), at(s, 1), at(s, 2), at(t, 2));
   }
-  // As is_apart(), for two triangles that share a corner of t.
+  // Does what is_apart() does, for two triangles that share a corner of t.
   bool is_opposite_apart(const Triangle& s, const Triangle& t, int shared) const {
     const int x = orientation(at(s, 0), at(s, 1), at(s, 2), at(t, shared + 1));
     return x != 0 && x == orientation(at(s, 0), at(s, 1), at(s, 2), at(t, shared + 2));
@@ -122,7 +122,7 @@ class PairTest {
   std::span<const Triangle> triangles_;
 };
 
-// In single precision, rounded outwards.
+// A box in single precision, rounded outwards.
 struct Bounds {
   float lo[3] = {kFar, kFar, kFar}, hi[3] = {-kFar, -kFar, -kFar};
 

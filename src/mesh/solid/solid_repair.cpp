@@ -143,7 +143,7 @@ bool overlap_at(const Point& p, const std::array<Point, 2>& a, const std::array<
   if (CGAL::collinear(p, a[0], a[1]) || CGAL::collinear(p, b[0], b[1])) return false;
   if (!CGAL::coplanar(p, a[0], a[1], b[0]) || !CGAL::coplanar(p, a[0], a[1], b[1]))
     return crosses(a, b) || crosses(b, a);
-  // In one plane: their angles at p have a direction in common.
+  // Two triangles of one plane cross where their angles at p have a direction in common.
   const auto holds = [&](const std::array<Point, 2>& u, const Point& x) {
     return CGAL::coplanar_orientation(p, u[0], u[1], x) == CGAL::POSITIVE &&
            CGAL::coplanar_orientation(p, u[1], u[0], x) == CGAL::POSITIVE;

@@ -34,7 +34,7 @@ TriMesh weld(const TriMesh& mesh);
 std::vector<std::uint32_t> number_used(std::vector<std::array<std::uint32_t, 3>>& triangles,
                                        std::size_t vertices);
 
-/// Without the vertices that no triangle names; the order of the others is kept.
+/// Drops the vertices that no triangle names; the order of the others is kept.
 void drop_unused_vertices(TriMesh& mesh);
 
 }  // namespace mrsim

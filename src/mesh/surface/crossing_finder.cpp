@@ -62,8 +62,8 @@ void CrossingFinder::find(const std::vector<MinimalEdge>& edges) {
   }
 }
 
-// Both ends of the edges of crossings with the same candidates, with rounded offsets: tiles know
-// rounded ones or none, and the result may not depend on which.
+// Finds both ends of the edges of crossings with the same candidates. Offsets are rounded, because
+// a tile knows rounded ones or none, and the result may not depend on that.
 void CrossingFinder::find_ends(const Probe& p, std::span<const std::int32_t> crossings,
                                std::vector<SegmentEnd>& out) const {
   struct Memory {

@@ -101,8 +101,8 @@ Vec3 LoopTriangles::explicit_vertex(const Segment& s) const {
   return snap_inside(point.position, box, face.axis);
 }
 
-// In a face with two segments: between the corner that the segment cuts off and the face's centre,
-// so that the two stay apart.
+// The vertex of a segment in a face with two: it lies between the corner that the segment cuts off
+// and the face's centre, so that the two stay apart.
 SurfacePoint LoopTriangles::point_between(const CellFace& face, const Box3& box, const Crossing& a,
                                           const Crossing& b) const {
   const Probe p = probe(face_cell(face));

@@ -8,7 +8,7 @@
 
 namespace mrsim::detail {
 
-// By loop: where its vertex goes; count = 0: nowhere.
+// Where the vertex of each loop goes; count = 0: it stays.
 std::vector<SurfacePoint> RidgeSharpener::find_tips() const {
   std::vector<SurfacePoint> tips = outside_;
   parallel_for(
@@ -79,7 +79,7 @@ std::vector<RidgeVertex> RidgeSharpener::find_ridge(const CellOctree& tree) cons
   return ridge;
 }
 
-// Of a segment's vertex; count = 0 where that is not known.
+// The point of a segment's vertex; count = 0 where that is not known.
 SurfacePoint RidgeSharpener::point_on(const Segment& s) const {
   if (s.crease >= 0) return at(creases_, s.crease).point;
   const FieldSample &from = at(crossings_, s.from).at, &to = at(crossings_, s.to).at;

@@ -18,7 +18,7 @@ class RidgeSharpener : public SurfaceStep {
  public:
   RidgeSharpener(SurfaceGraph& graph, BaseMesh& mesh) : SurfaceStep(graph), mesh_(mesh) {}
 
-  /// As DualSurface::sharpen().
+  /// Does what DualSurface::sharpen() promises.
   void sharpen(const CellOctree& tree);
 
  private:

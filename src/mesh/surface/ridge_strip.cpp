@@ -262,7 +262,7 @@ bool RidgeStrip::put_back_doubled() {
   struct Edge {
     std::uint32_t a, b, triangle;
   };
-  // One of the two has a corner that was put back.
+  // Marks corners: of two triangles that meet, one has a corner that was put back.
   std::vector<char> is_corner(vertices_.size(), 0);
   bool is_back = false;
   for (const std::uint32_t t : near_)

@@ -64,7 +64,7 @@ class RidgeStrip {
   bool has_corner(std::uint32_t triangle, std::span<const char> flags) const;
   std::vector<std::uint32_t> star(std::int32_t index) const;
   bool join_if(std::int32_t from, std::int32_t to, bool must_be_spoiled);
-  // They return whether anything has changed.
+  // Each of these steps returns whether it has changed anything.
   bool join_neighbour(std::int32_t index);
   bool put_back(std::int32_t index);
   bool put_back_corners(std::uint32_t triangle);

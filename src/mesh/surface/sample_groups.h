@@ -10,8 +10,8 @@ namespace mrsim::detail {
 
 class Groups {
  public:
-  /// By group_of(item), below `count`; groups in the order of their first items, and these in their
-  /// order.
+  /// Sorts the items by group_of(item), a number below `count`. Groups come in the order of their
+  /// first items, and the items of a group in theirs.
   template <class GroupOf>
   Groups(std::span<const std::int32_t> items, std::size_t count, GroupOf group_of) {
     std::vector<std::int32_t> number(count, -1);

@@ -67,7 +67,7 @@ struct Loop {
   SurfacePoint point;
 };
 
-/// Of a list that is counted by signed numbers.
+/// Element i of a list that is counted by signed numbers.
 template <class T>
 const T& at(const std::vector<T>& v, std::int32_t i) {
   return v[static_cast<std::size_t>(i)];

@@ -30,7 +30,8 @@ struct CrowdedTriangles {
   std::vector<std::array<std::uint32_t, 3>> triangles;
 };
 
-/// Those triangles among `triangles`. `cell_of`: by vertex; empty where there are none.
+/// The triangles of crowded cells among `triangles`. `cell_of`: by vertex; empty where there are
+/// none.
 CrowdedTriangles crowded_triangles(std::span<const std::array<float, 3>> vertices,
                                    std::span<const std::array<std::uint32_t, 3>> triangles,
                                    std::span<const CellPlace> cell_of);

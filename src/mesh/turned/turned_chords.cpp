@@ -68,7 +68,8 @@ class Chooser {
     keep_an_area();
   }
 
-  // From points about as far away as a border may move, but no farther than the last corner.
+  // Whether the outline turns sharply at a point, as seen from points about as far away as a border
+  // may move, but no farther than the last corner.
   bool is_sharp(std::size_t at, std::size_t last) const {
     std::size_t before = at, after = at;
     for (double way = 0; before > corners_.back() && way < limits_.border; --before)
@@ -95,7 +96,7 @@ class Chooser {
     }
   }
 
-  // As few stops as the limit needs, with as small a limit as does not need more.
+  // As few stops as the limit needs, and of those the ones with the lowest chords.
   std::vector<std::size_t> even_stops(std::size_t from, std::size_t to) const {
     std::vector<std::size_t> best = stops_within(from, to, limits_.height);
     if (best.size() <= 2) return best;

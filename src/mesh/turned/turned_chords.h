@@ -17,11 +17,11 @@ struct ChordLimits {
   double border = 0;   ///< how far the border between two owners may move
 };
 
-/// Of the points those that are needed; each chord has the face that most of it belongs to, and its
-/// distance from the part. No excess is given.
+/// The points of the outline that are needed to stay within the limits. Each chord has the face
+/// that most of it belongs to, and its distance from the part. No excess is given.
 Outline fewest_chords(const Outline& outline, const ChordLimits& limits);
 
-/// As fewest_chords(), with the chords of a curve about equally high.
+/// Does what fewest_chords() does, with the chords of a curve about equally high.
 Outline even_chords(const Outline& outline, const ChordLimits& limits);
 
 }  // namespace mrsim::detail

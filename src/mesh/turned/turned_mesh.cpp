@@ -42,9 +42,9 @@ std::uint32_t sides_for(double radius, double limit) {
   return std::max(high, kFewestSides);
 }
 
-/// How many sides a ring has: a base times a power of two, so that the corners of one ring are at
-/// angles of those of every larger one; the base a multiple of four, so that diameters along X and
-/// Y are those of the part.
+/// Chooses how many sides a ring has: a base times a power of two, so that each corner of a ring is
+/// at the angle of a corner of every ring with more sides. The base is a multiple of four, so that
+/// diameters along X and Y are those of the part.
 class TurnedSides {
  public:
   /// `least`, `most`: what the rings need.

@@ -36,7 +36,7 @@ class SquareTracer {
   }
 
  private:
-  // What passes the border, counter-clockwise, and the side of it on which it does.
+  // The crossings of a square's border, counter-clockwise, each with its side of the square.
   struct Border {
     std::vector<LineCrossing> crossings;
     std::vector<int> sides;
@@ -235,7 +235,8 @@ class SquareTracer {
     return true;
   }
 
-  // From where the strand leaves the square along the border to where it enters, and back on it.
+  // The polygon of the material: from where the strand leaves the square, along the border to where
+  // it enters, and back on the strand.
   std::vector<Vec3> material_in(const Square& q, const Border& border, const Strand& strand) const {
     const int begin = border.first_inside ? 0 : 1;
     const int entry = border.sides[static_cast<std::size_t>(begin)],

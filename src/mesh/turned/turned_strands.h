@@ -63,7 +63,7 @@ struct Strand {
   Vec3 end;
 };
 
-/// What a square holds.
+/// The strands that pass a square.
 struct TracedSquare {
   std::vector<Strand> strands;
   std::vector<FoundThin> thin;

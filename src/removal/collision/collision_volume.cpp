@@ -56,7 +56,8 @@ double inner_share(const Box3& box, double outside, const Vec3& normal) {
   return std::clamp(0.5 - outside / across, 0.0, 1.0);
 }
 
-// As if the surfaces passed flat and parallel: exact in a thin layer between two of them.
+// The share of a node that collides, taking the surfaces in it as parallel planes: exact in a thin
+// layer between two of them.
 double VolumeSearch::share_within(const Node& node) const {
   const Vec3 p = 0.5 * (node.box.lo + node.box.hi);
   const StockSolid& solid = scene_.part.solid();

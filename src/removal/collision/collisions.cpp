@@ -158,7 +158,8 @@ void Check::detect(std::size_t part, std::vector<Hit>& hits) {
     for (const CollisionHit& hit : block) add(hit);
 }
 
-// In the order of their first motions; the hits of a line by motion.
+// Hits by line of the program, lines in the order of their first motions; the hits of one line are
+// sorted by motion.
 std::vector<std::vector<Check::Hit>> Check::by_line(const std::vector<Hit>& hits) const {
   std::vector<std::vector<Hit>> lines;
   std::map<Line, std::size_t> known;
@@ -191,7 +192,7 @@ Collision Check::measure(const std::vector<Hit>& hits) const {
   return worst;
 }
 
-// Of all bodies of the tool's part (two of a shank) on that motion.
+// The volume that all bodies of the tool's part (a shank has two) cut on that motion.
 double Check::volume(const Collision& found, const std::vector<Hit>& hits) const {
   std::vector<std::uint32_t> movers;
   Box3 bounds;

@@ -94,7 +94,8 @@ class Joiner {
     return indices;
   }
 
-  // By index + 1; 0, the stock's own, stays.
+  // The table's number for each frame of a part. Numbers count from 1; 0, the stock's own frame,
+  // stays.
   std::vector<std::uint16_t> frames_of(const SweepColumns& from) {
     std::vector<std::uint16_t> indices(1, 0);
     for (const ToolFrame& frame : from.frames) {

@@ -27,7 +27,7 @@ HeightTool height_tool(const Profile& tool);
 /// Record of a segment from a to b, which the path leaves by up to `eps`: start of the tip (x, y,
 /// z; the lower end), unit direction (x, y) and length in plan, slope >= 0, eps; all mm.
 LineRecord segment_record(const Vec3& a, const Vec3& b, double eps);
-/// Those of a path. False, and none, where it would need too many.
+/// Appends the segments of a path. Appends none and returns false where it would need too many.
 bool append_segments(const ToolPath& path, std::vector<LineRecord>& out);
 bool append_segments(const ProfileRow& row, std::vector<LineRecord>& out);
 

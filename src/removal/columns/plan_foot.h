@@ -23,7 +23,9 @@ struct HorizontalView {
   double z = 0;  // of the tip
 };
 
+/// Requires: a horizontal or upright move. Points into the columns.
 HorizontalView horizontal_view(const SweepColumns& columns, const SweepRef& ref);
+/// p in the tool's frame, mm.
 PlanFoot plan_foot(const HorizontalView& v, const Vec3& p, Half half);
 
 }  // namespace mrsim

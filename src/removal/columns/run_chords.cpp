@@ -28,7 +28,7 @@ double spread_of(const SweepColumns& c, std::uint32_t pack) {
   return std::sqrt(plan * plan + up * up);
 }
 
-// Of two packs with the same tool, the second behind the first.
+// The run of two packs of one tool, where the second follows the first; none where that is not so.
 std::optional<RunChords::Run> run_of_pair(const SweepColumns& c, std::uint32_t a, std::uint32_t b) {
   const auto line_of = [&](std::uint32_t sweep) -> const PathColumn::Line& {
     return c.paths.line(c.refs[sweep].row);

@@ -22,11 +22,11 @@ class RunChords {
     bool pair = false;  ///< of this pack and the next
   };
   RunChords() = default;
-  /// Those of finished packs; none where no sweep has a chain_minimum().
+  /// The chords of finished packs. There are none where no sweep has a chain_minimum().
   explicit RunChords(const SweepColumns& columns);
 
-  /// That of the smallest pack that holds a sweep, and behind it, if it is the first of two, that
-  /// of both; null where there is none.
+  /// The run of the smallest pack that holds a sweep; if that pack is the first of two, the run of
+  /// both stands behind it. Null where there is none.
   const Run* of(std::uint32_t sweep) const {
     return run_of_.empty() || run_of_[sweep] == kNone ? nullptr : &runs_[run_of_[sweep]];
   }

@@ -1,4 +1,4 @@
-// Some motions of a program on their way into a SweepTable. Parts are made side by side, each with
+// Makes rows of a SweepTable from some motions of a program. Parts are made side by side, each with
 // shapes and frames of its own, and joined in the order of the program.
 #pragma once
 
@@ -30,9 +30,9 @@ class SweepBuilder {
   /// Appends the sweeps of a motion, if it is wanted. Throws as SweepTable.
   void add(const Motion& m, std::int32_t index);
 
-  /// What has been made, but tags, classes and packs.
+  /// The columns made so far, without tags, classes and packs.
   SweepColumns& columns() { return columns_; }
-  /// By shape.
+  /// What each shape is known by, in their order.
   const std::vector<ShapeKey>& keys() const { return keys_; }
 
  private:

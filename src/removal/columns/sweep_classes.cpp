@@ -161,7 +161,7 @@ void classify(SweepColumns& c, int threads) {
     found[pack.of].spread = std::max<double>(found[pack.of].spread, pack.spread);
     found[pack.of].expand_below = std::max<double>(found[pack.of].expand_below, pack.expand_below);
   }
-  // In the order of the keys: groups come together.
+  // Numbered in the order of the keys, so that the classes of a group follow one another.
   std::vector<std::uint32_t> new_index(found.size());
   for (const auto& [key, old] : seen) {
     new_index[old] = static_cast<std::uint32_t>(c.classes.size());

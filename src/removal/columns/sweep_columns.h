@@ -59,8 +59,8 @@ struct SweepRef {
 
 /// Tags: the form (0 ball_line, 1 plane_line, 2 plane_arc, in the stock's frame) above the row.
 inline constexpr std::uint32_t kTagShift = 30, kOtherForm = 3, kTagRow = (1u << kTagShift) - 1;
-/// Of the other form, above the row: what bounds the distance of a sweep that is evaluated on its
-/// own; or the lists that it is evaluated in.
+/// For sweeps of the other form, stored in the tag above the row: what bounds the distance of a
+/// sweep that is evaluated on its own, or the lists that it is evaluated in.
 enum class SingleForm : std::uint32_t { box, slant, chain, outline, turned, upright };
 inline constexpr std::uint32_t kSingleShift = 27, kSingleRow = (1u << kSingleShift) - 1;
 inline bool is_other(std::uint32_t tag) { return tag >> kTagShift == kOtherForm; }
@@ -105,7 +105,7 @@ struct SweepColumns {
   double max_error = 0;
   double smallest_radius = 0;
 
-  /// Of a sweep in the frame of its tool.
+  /// Distance from a sweep of p in the frame of its tool.
   double distance(const SweepRef& ref, const Vec3& p) const;
   double distance(std::size_t i, const Vec3& p) const {
     const SweepRef& ref = refs[i];
@@ -163,7 +163,7 @@ struct SweepColumns {
     const BallArc& s = ball_arcs[ref.row];
     return ref.split ? s.halves[patch >= kBranchPatch ? 1 : 0] : s.whole;
   }
-  /// Of a sweep whose form is known; reads nothing where all are of one.
+  /// The row of a sweep whose form is known. Reads no memory where all sweeps are of one form.
   std::uint32_t row_of(std::uint32_t sweep) const {
     return uniform ? sweep : tags[sweep] & kTagRow;
   }

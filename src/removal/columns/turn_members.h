@@ -40,7 +40,8 @@ using TurnSides = std::vector<ConvexPolygon::Side>;
 /// distance there.
 FacingMember facing(TurnRows turns, const TurnMember& member, double from, double to, double z,
                     TurnSides& sides);
-/// As the other least_of(), the same bits, for points of the stretch that `members` were made for.
+/// Does what the other least_of() does, to the same bits, for points of the stretch that `members`
+/// were made for.
 void least_of(TurnRows turns, std::span<const FacingMember> members, const TurnSides& sides,
               PointColumns& points);
 

@@ -25,16 +25,20 @@ struct SmallestCircle {
   std::array<double, 3> weight;
   double squared = 0;
 };
+/// The smallest circle about a triangle, given by its squared sides (mm^2) or its corners.
 SmallestCircle smallest_circle(double opposite_a, double opposite_b, double opposite_c);
 SmallestCircle smallest_circle(const Corners3& t);
 SmallestCircle smallest_circle(const Corners2& t);
 
+/// The centre of the circle.
 template <class V>
 V weighted(const SmallestCircle& circle, const std::array<V, 3>& t) {
   return circle.weight[0] * t[0] + circle.weight[1] * t[1] + circle.weight[2] * t[2];
 }
 
+/// The range of -f, where that of f is r.
 inline constexpr FaceRange negated(const FaceRange& r) { return {-r.hi, -r.lo}; }
+/// Range of a linear function, from its values at the corners.
 FaceRange range_of(const std::array<double, 3>& linear);
 
 /// Range of a convex function from its values at the corners and its tangent plane at `at`.
@@ -60,6 +64,7 @@ struct ArcView {
   enum class Part { arc, end, both, unknown } part = Part::unknown;
   int side = 0;  ///< which end: 1 or -1
 };
+/// Requires: w are those of the corners of one triangle.
 ArcView arc_view(const double* c, std::span<const Vec2> w);
 /// The end of the arc on that side, from its centre.
 Vec2 arc_end(const double* c, int side);
@@ -70,6 +75,7 @@ struct Envelope {
   std::array<double, 3> at, low, high;
   bool is_known = false;
 };
+/// Between the least of the lower and the largest of the upper function.
 inline FaceRange whole_range(const Envelope& v) {
   return {range_of(v.low).lo, range_of(v.high).hi};
 }
@@ -87,12 +93,14 @@ struct Section {
   std::array<Vec2, 6> hull;
   double below = 0, above = 0;  ///< of v under and over its interpolation
 };
+/// Requires: v.is_known. `y`: by corners.
 Section section_of(const Envelope& v, const std::array<double, 3>& y);
 
-/// Range of H(v, y) from that on the plane triangle of the corners, given how H changes with v.
+/// Bounds of dH/dv.
 struct Slopes {
   double lo = -1, hi = 1;
 };
+/// Range of H(v, y) on a section, from that on the plane triangle of its corners.
 FaceRange widened(const FaceRange& plane, const Section& s, const Slopes& slopes);
 
 /// Range over a section of a convex function with `value`, `slope` (at most 1 long) and second
@@ -100,7 +108,7 @@ FaceRange widened(const FaceRange& plane, const Section& s, const Slopes& slopes
 template <class Value, class Slope>
 FaceRange convex_section_range(const Section& s, double round, Value value, Slope slope);
 
-/// What is left of a slope at the centre of the section, its second derivatives being at most
+/// Bounds of a slope over the section, from the one at its centre and second derivatives of at most
 /// `bend`.
 Slopes slopes_about(const Section& s, Vec2 centre, Vec2 slope, double bend);
 

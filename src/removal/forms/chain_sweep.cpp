@@ -51,7 +51,7 @@ EdgeContact flank_contact(const ChainTool& tool, const ChainLine& line, const la
   return {x.t, flank.across, flank.up, x.f, along >= 0 && along <= e.length};
 }
 
-// Of the ball at the tip, about the axis.
+// Where the ball at the tip touches, about the axis.
 EdgeContact ball_contact(const ChainTool& tool, const ChainLine& line, const lane::ChainView& at) {
   const double h = at.w - tool.tip;
   const double t = std::clamp((at.u * line.plan + h * line.rise) * line.per_way, 0.0, 1.0);

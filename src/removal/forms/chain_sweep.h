@@ -12,8 +12,8 @@
 
 namespace mrsim {
 
-/// None (count 0) where the tool is not convex, has too many edges, or has a closed form of its
-/// own. Valid as long as `tool`.
+/// The tool as a chain of edges; count 0 where it is not convex, has too many edges, or has a
+/// closed form of its own. Valid as long as `tool`.
 ChainTool chain_tool(const Profile& tool);
 /// Requires: a straight path, a chain.
 ChainLine chain_line(const ChainTool& tool, const ToolPath& path);

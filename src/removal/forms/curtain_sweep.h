@@ -15,7 +15,7 @@ struct Curtain {
   Vec2 hems[4];                ///< where upright edges begin: the ends, and the extremes in x
   int hem_count = 0;
 };
-/// From angle `from`, counter-clockwise by `turn`, radians.
+/// The curtain under an arc from angle `from`, counter-clockwise by `turn`, radians.
 Curtain make_curtain(double radius, double from, double turn);
 
 /// Whether the arc passes above one of its own ends, where the curtain has a reflex corner.
@@ -37,11 +37,13 @@ struct BallArc {
   double length = 0;                ///< of the path, mm
   Curtain whole, halves[2];
 };
+/// The nearest point of the curtain, and its squared distance, mm^2.
 struct BallArcFoot {
   double squared = 0;
   Vec3 point;
 };
 BallArcFoot ball_arc_foot(const BallArc& s, const Curtain& part, const Vec3& p);
+/// Signed distance of p from what the ball sweeps on that part, mm, and its gradient.
 double ball_arc_distance(const BallArc& s, const Curtain& part, const Vec3& p);
 Vec3 ball_arc_gradient(const BallArc& s, const Curtain& part, const Vec3& p);
 /// Whether all of the path lies on the lower half of its circle: the curtain is convex then.

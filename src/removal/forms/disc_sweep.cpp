@@ -48,7 +48,8 @@ class DiscPath {
   }
 
  private:
-  // Of earlier turns each position has one below it in the last.
+  // The best position of the last turn: each position of an earlier turn has one below it in the
+  // last.
   PathSample turn(const DiscSide& side, double from, double to) const {
     const double way = to > from ? 1 : -1;
     if (std::fabs(to - from) > kTwoPi) from = to - way * kTwoPi;

@@ -8,8 +8,8 @@ namespace mrsim {
 
 struct ProfileEdge;
 
-/// For something nearer than `best` over [begin, end] of the path: where the nearest place of the
-/// tool lies on `arc`, a concave one. Error bound: kPathError outside; inside the depth is no
+/// Looks for something nearer than `best` over [begin, end] of the path, where the nearest place of
+/// the tool lies on `arc`, a concave one. Error bound: kPathError outside; inside the depth is no
 /// larger than the true one.
 PathSample search_fillet(const Profile& tool, const ProfileEdge& arc, const ToolPath& path,
                          const Vec3& p, double begin, double end, PathSample best);

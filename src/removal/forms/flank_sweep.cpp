@@ -128,7 +128,8 @@ class FlankOnArc {
     return core_ == 0 && std::fabs(tool_.distance({rho, z}) - f) <= kSamePlaceOfPath;
   }
 
-  // Of G / R in x / R = u, with p mirrored to `x` >= 0: a lean + b times the path's slope.
+  // The slope of G / R in x / R = u, with p mirrored to `x` >= 0: a lean + b times the path's
+  // slope.
   struct Slope {
     double value = 0, slope = 0;
     double scale2 = 0;  // squared: of the change of the slope

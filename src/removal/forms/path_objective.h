@@ -122,7 +122,7 @@ class PathObjective {
   const Vec3 p_;
 };
 
-/// Both sides of a local minimum; equal at an end of the range.
+/// Two places between which a local minimum lies; equal at an end of the range.
 struct Bracket {
   double lo, hi;
   PathValue a, b;  ///< F there

@@ -161,7 +161,7 @@ std::optional<ConeHelix> cones_about(const ToolPath& path, const Vec3& p, double
   return std::optional<ConeHelix>(std::in_place, path, p, begin, end);
 }
 
-// Of a tool as a whole, or of one piece, for something nearer than `best`.
+// Searches for something nearer than `best`, with a tool as a whole or with one piece.
 PathSample search_whole(const Profile& tool, const ToolPath& path, const Vec3& p, double begin,
                         double end, const std::optional<ConeHelix>& cones, PathSample best) {
   double guess = -kInfinity;
@@ -198,8 +198,8 @@ Seen seen_from(const ToolPath& path, const Vec3& p, double begin, double end) {
   return seen;
 }
 
-// Of a tool's convex pieces; the one that may be nearest comes first, so that others need not be
-// searched.
+// Searches with each of a tool's convex pieces. The one that may be nearest comes first, so that
+// others need not be searched.
 PathSample search_pieces(const Profile& tool, const ToolPath& path, const Vec3& p, double begin,
                          double end) {
   const std::span<const Profile> pieces = tool.convex_pieces();

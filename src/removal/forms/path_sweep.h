@@ -38,13 +38,14 @@ struct ToolPath {
 struct PathPoint {
   Vec3 position, direction;  ///< d position / dt
 };
+/// Where the tip is at t: 0 to 1 on a line, radians from the start on an arc.
 PathPoint path_point(const ToolPath& path, double t);
 
 /// Whether what an arc leaves has one flank on each side of it in plan: about Z, or in an upright
 /// plane.
 bool is_two_sided(const ToolPath& arc);
 
-/// Where the least distance lies.
+/// The least distance, mm, and the place of the path from which it is reached.
 struct PathSample {
   double distance = 0, t = 0;
 };

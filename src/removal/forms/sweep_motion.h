@@ -26,6 +26,7 @@ struct LocalMotion {
 /// Up and down on the Z axis, as lathes drill.
 bool runs_on_axis(const Motion& m);
 
+/// The motion in the frame of its tool; null: the stock's own.
 LocalMotion localized(const Motion& m, const ToolFrame* frame);
 
 /// A box around the positions of the tip, in the frame of the tool.
@@ -35,7 +36,7 @@ double lowest_tip(const LocalMotion& l);
 
 /// A box around what the tool sweeps, in the stock's coordinates.
 Box3 sweep_bounds(const Profile& tool, const LocalMotion& l, const ToolFrame* frame);
-/// Of a path in this box of the tool's frame.
+/// Bounds of what the tool sweeps on a path within this box of the tool's frame.
 Box3 sweep_bounds(const Profile& tool, Box3 path, const ToolFrame* frame);
 
 /// Fills LineSlot::x .. dy, or ArcSlot::x .. sine (removal/field/record_slots.h).

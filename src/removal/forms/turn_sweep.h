@@ -57,6 +57,7 @@ inline constexpr std::int32_t kMirrorPatch = 1 << 16;
 double turn_distance(const TurnSweep& s, const Vec3& p);
 /// Signed distance in the half plane, for one side of the axis.
 double section_distance(const TurnSweep& s, Vec2 q);
+/// Distance and nearest face, and the unit gradient of one face.
 SweepSample turn_sample(const TurnSweep& s, const Vec3& p);
 Vec3 turn_gradient(const TurnSweep& s, const Vec3& p, std::int32_t patch);
 /// Encloses turn_face_distance() on a triangle.

@@ -16,13 +16,13 @@
 
 namespace mrsim {
 
-/// One block of kBlockVoxels^3 at a time, on one thread.
+/// Walks one block of kBlockVoxels^3 voxels at a time, on one thread.
 class ColumnWalker {
  public:
   ColumnWalker(const PartField& field, double voxel);
 
-  /// As CutWalker::walk(). Requires: is_upward() of all sweeps. Adds the mm^3 that each sweep
-  /// removes to `removed`.
+  /// Does what CutWalker::walk() does. Requires: is_upward() of all sweeps. Adds the mm^3 that each
+  /// sweep removes to `removed`.
   void walk(const std::array<std::int32_t, 3>& origin, std::span<const std::uint32_t> sweeps,
             CutSink* sink, std::span<double> removed);
 

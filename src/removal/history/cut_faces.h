@@ -20,7 +20,7 @@ inline std::int32_t moment_of(std::int32_t cut, std::int32_t inherited) {
 }
 
 struct CutFaces {
-  /// As Play::faces.
+  /// What Play::faces holds.
   std::vector<FaceSurface> faces;
   std::vector<LateSurface> late;  ///< ascending by face, at most one for each
 };

@@ -66,7 +66,7 @@ void RingPlanes::split(const Part& whole, Parts& parts) {
   points_.count = parts.size();
 }
 
-// As CutWalker::distribute does.
+// Does for rings what CutWalker::distribute does for cubes.
 void RingPlanes::distribute(const Part& whole, Parts& parts) {
   const Part& any = parts.front();
   const double radius =
@@ -123,8 +123,8 @@ void RingWalker::walk(const RingPlanes& planes, const CutCell& block, CutSink& s
          sink);
 }
 
-// One ring, or equal ones, on all planes of a cell. Leaves in inner_ where the planes of a leaf
-// begin.
+// Whether all planes of a cell have one ring, or equal ones. Leaves in inner_ where the rings of a
+// leaf's planes begin.
 bool RingWalker::is_uniform(const RingPlanes& planes, const CutCell& cell, std::int32_t& value) {
   const Vec3 low = lattice_.position(cell.origin);
   const double wide = (cell.size - 1) * lattice_.voxel;

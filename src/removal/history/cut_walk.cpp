@@ -10,7 +10,8 @@
 namespace mrsim {
 namespace {
 
-// Of a voxel: what a pass along a finished surface removes by rounding is not part of its extent.
+// Share of a voxel: a sweep that removes less of it has only rounded there (a pass along a finished
+// surface does), and the voxel is not part of its extent.
 constexpr double kLeastGone = 0.01;
 
 }  // namespace
@@ -34,7 +35,7 @@ void CutWalker::walk(const CutCell& block, std::span<const std::uint32_t> sweeps
   visit(block, all, false, 0);
 }
 
-// Of the ball about all voxel centres of a cell.
+// Radius of the ball about all voxel centres of a cell.
 double CutWalker::radius_of(int size) const {
   const double half = 0.5 * (size - 1) * lattice_.voxel;
   return half * (lattice_.half_plane ? 1.4142135623730952 : 1.7320508075688774);
@@ -130,7 +131,7 @@ void CutWalker::fill_tile(const CutCell& cell, std::uint32_t index) {
            1);
 }
 
-// What goes of the outermost voxel lies on its inner side.
+// The share that is removed of the outermost voxel is taken to lie on its inner side.
 void CutWalker::extend(std::uint32_t index, const Vec3& p, double gone) {
   const CutFrame& frame = frames_[std::size_t(field_.sweeps().motion(sweeps_[index]))];
   const double out = (gone - 0.5) * lattice_.voxel;

@@ -19,8 +19,8 @@ namespace mrsim {
 
 inline constexpr int kCutLeaf = 4;
 
-/// One block of voxels at a time, on one thread: from large cells to small ones, each with the
-/// sweeps that can be the first somewhere in it, in the order of the program.
+/// Walks one block of voxels at a time, on one thread, from large cells to small ones, each with
+/// the sweeps that can be the first somewhere in it, in the order of the program.
 class CutWalker {
  public:
   /// `frames`: by motion, where extents are wanted.
@@ -33,7 +33,7 @@ class CutWalker {
   /// surface counts by its share of material, 1/2 - d / voxel within [0, 1].
   void walk(const CutCell& block, std::span<const std::uint32_t> sweeps, CutSink* sink,
             std::span<double> removed);
-  /// Of all walks since the list has changed, in the order of the list.
+  /// Extents of all walks since the list changed last, in the order of the list.
   const std::vector<CutExtent>& extents() const { return extents_; }
 
  private:

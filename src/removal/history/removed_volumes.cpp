@@ -19,8 +19,8 @@
 namespace mrsim {
 namespace {
 
-// Of a height of an arc, where only sums are wanted: mm, and of the stock's height. A search takes
-// 20 to 100 times as long as its bounds.
+// How exactly the height of an arc is found where only sums are wanted: in mm, and as a share of
+// the stock's height. Searching it takes 20 to 100 times as long as its bounds.
 constexpr double kClose = 0.1, kCloseShare = 0.01;
 
 // What a sweep removes of one block.

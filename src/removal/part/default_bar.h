@@ -7,7 +7,7 @@
 
 namespace mrsim {
 
-/// What default_stock() says of lathes. Requires: at least one cutting motion.
+/// The bar that default_stock() takes for a lathe. Requires: at least one cutting motion.
 StockShape default_bar(std::span<const Motion> motions, std::span<const Tool> tools, double zero);
 
 }  // namespace mrsim

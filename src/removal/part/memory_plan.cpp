@@ -34,7 +34,7 @@ constexpr double kCutVoxel = 10;
 // A mesh without slabs: each voxel on the stock's surface. The flat sides of a box have few
 // triangles.
 constexpr double kMeshColumn = 70, kBoxMeshColumn = 8;
-// Of the mesh, by its tiles. The sums are measured, not each part of them.
+// Bytes that meshing takes. Measured are the sums; how they divide among the members is a guess.
 struct MeshCosts {
   double always;      ///< what it takes beside the rest
   double thread;      ///< each thread that makes tiles, whatever the tiles hold
@@ -50,7 +50,7 @@ constexpr MeshCosts kMost{0, 13e6, 600, 16, 0.45e6, 48};
 constexpr double kTilesAThread = 2;
 // Each cell in which faces of a stock's mesh meet: it is split and remembered.
 constexpr double kBentCell = 900;
-// Not bytes: such cells for each triangle of the stock, expected and at most.
+// Cells in which the stock bends, for each of its triangles: expected, and at most.
 constexpr double kBends = 0.6, kMostBends = 1.5;
 // Each tile with surface, as long as the run lasts: the sizes of its records.
 constexpr double kTile = 400;

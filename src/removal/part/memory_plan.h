@@ -24,9 +24,9 @@ struct MemoryPlan {
 void require_table(std::span<const Motion> motions, std::span<const Tool> tools,
                    const SweepSelection& selection);
 
-/// Of a run whose program has that many motions. Throws Error "voxel-invalid"; "voxel-too-small"
-/// where the stock's surface has too many voxels; "memory" where the run does not fit, with what
-/// would.
+/// The plan of a run whose program has that many motions. Throws Error "voxel-invalid";
+/// "voxel-too-small" where the stock's surface has too many voxels; "memory" where the run does not
+/// fit, with what would.
 MemoryPlan plan_memory(const PartField& field, std::size_t motions, const CarvePlan& options);
 
 }  // namespace mrsim

@@ -80,7 +80,7 @@ std::int32_t Stock::owner(const Vec3& p) const {
   return field().sample(p, candidates_at(*grid_, p)).owner;
 }
 
-// As the nearest double to its decimal form.
+// The result is the double nearest to its decimal form.
 double round_down_voxel(double x) {
   double scale = 1;  // x * scale or x / scale lies in [1, 10)
   const bool below_one = x < 1;

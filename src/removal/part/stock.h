@@ -41,7 +41,8 @@ class Stock {
   void plan_grid_mesh(double voxel, double cut_cells, const std::string& no_slabs);
   /// Bytes that this mesh may take as a whole.
   double mesh_room() const;
-  /// It takes more: plans the same in slabs. Throws as plan_grid_mesh().
+  /// Plans the same mesh in slabs, after it has taken more memory in one piece than was expected.
+  /// Throws what plan_grid_mesh() throws.
   void plan_slabs();
 
   /// d, gradient and owner at p from the exact field, through the index over the sweeps.

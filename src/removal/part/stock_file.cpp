@@ -32,7 +32,7 @@ class SinkBuffer : public std::streambuf {
   SinkBuffer(const ByteSink& out, ContentHash& hash, std::string uuid)
       : out_(out), hash_(hash), uuid_(std::move(uuid)) {}
 
-  /// What the sink threw: a stream keeps no more of it than that something failed.
+  /// Throws again what the sink threw: the stream itself only knows that something has failed.
   void rethrow() const {
     if (fault_) std::rethrow_exception(fault_);
   }

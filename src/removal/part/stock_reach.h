@@ -7,8 +7,8 @@
 
 namespace mrsim {
 
-/// Of the way of all milling cuts below the top of `stock`, the share that passes it by at more
-/// than the tool's diameter, beside it or below.
+/// The share of the length of all milling cuts below the top of `stock` that passes it, beside or
+/// below, by more than the tool's diameter.
 double share_beside(std::span<const Motion> motions, std::span<const Tool> tools,
                     const Box3& stock);
 

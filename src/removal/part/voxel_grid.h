@@ -25,9 +25,9 @@ class VoxelGrid {
   virtual ~VoxelGrid() = default;
   virtual std::size_t active_voxels() const = 0;
   virtual std::size_t memory() const = 0;  ///< bytes
-  /// As a stream of OpenVDB: three grids, "distance" (mm, level set), "owner", and "cut", which is
-  /// made here, of the field and the blocks that the samples were taken from; `recipe` and a hash
-  /// of the distances are metadata of the file. Faults of `out` are left in its state.
+  /// Writes a stream of OpenVDB with three grids: "distance" (mm, level set), "owner", and "cut",
+  /// which is made here from the field and the blocks that the samples were taken from; `recipe`
+  /// and a hash of the distances are metadata of the file. Faults of `out` are left in its state.
   virtual void write(const PartField& field, const BlockIndex& index, const std::string& recipe,
                      std::ostream& out) const = 0;
 };

@@ -22,7 +22,7 @@ class HeightBounds {
   void begin(const RegionArgs& at, float lateral);
   /// What the loops take for the sweeps, or packs, of a class.
   HeightArgs args(const SweepClass& type) const;
-  /// Some sweep reaches down to `upper` over the whole square, and up beyond the region.
+  /// Notes that some sweep reaches down to `upper` over the whole square, and up beyond the region.
   void add(float upper) { least_ = upper < least_ ? upper : least_; }
 
   /// The whole region is deeper in one sweep than the band.

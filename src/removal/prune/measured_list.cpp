@@ -184,8 +184,8 @@ void MeasuredList::measure_slice(std::size_t i) {
   }
 }
 
-// What the list's heights are in the square: a sweep above the lowest of them, or above the
-// region, is out of all that matters.
+// Bounds the heights of the list's sweeps over the square. A sweep that lies above the lowest upper
+// bound, or above the region, decides nothing in it.
 void MeasuredList::measure_heights() {
   heights_.begin(at_, lateral(at_));
   scratch_.lower.resize(

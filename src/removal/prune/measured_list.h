@@ -19,7 +19,7 @@ inline bool is_undercutting(const SweepClass& type) {
   return type.form == SweepClass::Form::segment && !type.packs && type.heights.lift > 0;
 }
 
-/// One thread has one of these at a time: its memory is kept for the next.
+/// Each thread uses one of these at a time, and its memory again for the next list.
 class MeasuredList {
  public:
   /// Measures the list. `reach` and `band` (mm) as for prune(). `undercuts`: mills that narrow

@@ -19,9 +19,9 @@ bool is_of_strips(const SweepTable& table, const CandidateList& list);
 std::array<std::size_t, kStripQuarters> nearest_strips(const PruneRegion& region, double beside,
                                                        const CandidateList& in);
 
-/// As prune() for a list with is_of_strips(), in a region without parts: the indices of what is
-/// left, in the order of the list. `near`: slot of a strip near the region; less is left the nearer
-/// it is.
+/// Does what prune() does, for a list with is_of_strips() and a region that is not divided further:
+/// writes the indices of the sweeps that are left, in the order of the list. `near`: slot of a
+/// strip near the region; the nearer it is, the more sweeps are dropped.
 bool prune_strips(const SweepTable& table, const PruneRegion& region, double reach,
                   const CandidateList& in, std::size_t near, std::vector<std::uint32_t>& out);
 

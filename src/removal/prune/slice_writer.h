@@ -177,7 +177,7 @@ class SliceWriter {
   void put(std::size_t column, std::uint32_t number) {
     to_[column * stride_ + slot_] = std::bit_cast<float>(number);
   }
-  // Of PackColumns::kLanes entries, as many as there are.
+  // Writes the numbers of PackColumns::kLanes entries, or of as many as there are.
   void put_numbers(std::size_t column, std::uint32_t first) {
     float* to = to_ + column * stride_ + slot_;
     for (std::uint32_t k = 0; k < PackColumns::kLanes; ++k) to[k] = std::bit_cast<float>(first + k);

@@ -37,7 +37,7 @@ MRSIM_LANE V ball_low(const double* c, const BallView& at) {
       splat(std::numeric_limits<double>::infinity()));
 }
 
-/// Not above the bottom anywhere within r of the place.
+/// A lower bound of the bottom everywhere within r of the place.
 MRSIM_LANE V ball_least(const double* c, const BallView& at, double r) {
   const V zero = splat(0.0), length = splat(c[BallSlot::length]);
   const V lowest = c[BallSlot::slope] > 0 ? zero : vmin(vmax(at.u, zero), length);
@@ -45,7 +45,7 @@ MRSIM_LANE V ball_least(const double* c, const BallView& at, double r) {
   return ball_low(c, {near, vmax(at.v - splat(r), zero)}) - splat(kRounding);
 }
 
-/// Not below it: the position that touches at the far side of the disc.
+/// An upper bound: the position that touches at the far side of the disc.
 MRSIM_LANE V ball_most(const double* c, const BallView& at, double r) {
   const V infinity = splat(std::numeric_limits<double>::infinity());
   if (c[BallSlot::radius] < r) return infinity;

@@ -100,7 +100,8 @@ struct PlanBeaters {
 
 /// Parts of a region for which strip_quarters finds the nearest strip.
 inline constexpr std::size_t kStripQuarters = 4;
-/// Of several strips the first of the nearest ones, by the squared distance less one for all.
+/// The nearest of several strips, of equally near ones the first. `squared`: its squared distance,
+/// less a number that is the same for all strips.
 struct StripAt {
   float squared;
   std::size_t slot;
@@ -129,10 +130,10 @@ struct CandidateKernels {
                       bool& reaches);
 
   /// Heights over a square: writes what each is at least to `lower`, infinite where the tool does
-  /// not come, and returns what the least one is at most (height_lanes.inl). Of segments of paths:
+  /// not come, and returns what the least one is at most (height_lanes.inl). For segments of paths:
   float (*segment_heights)(const CandidateColumns& c, std::size_t n, const HeightArgs& a,
                            float* lower);
-  /// Of horizontal moves, by rows that line() or arc() has filled:
+  /// For horizontal moves, by rows that line() or arc() has filled:
   float (*horizontal_heights)(const CandidateRows& rows, std::size_t n, const HeightArgs& a,
                               float* lower);
 

@@ -257,7 +257,7 @@ struct ChainObjective {
   }
 
  private:
-  // As ChainView counts.
+  // The tip as a slanted line, in the coordinates of ChainView.
   SlantRecord tip_record() const {
     const bool falls = line.rise < 0;
     const double length = std::sqrt(line.plan * line.plan + line.rise * line.rise);

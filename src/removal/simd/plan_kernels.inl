@@ -156,8 +156,8 @@ static void plan_least_of(const Record* records, const std::uint32_t* rows,
   }
 }
 
-// In runs of one section whose ids ascend; points that fill no more than a register are measured
-// alone.
+// Sweeps are measured in runs of one section whose ids ascend; so many points as fit one register
+// are measured sweep by sweep.
 template <class Record>
 static void plan_least(const Record* records, const std::uint32_t* rows, const std::uint32_t* ids,
                        std::size_t n, PointColumns& points) {

@@ -71,7 +71,8 @@ struct SweepKernels {
   /// result above `limit` only means *above limit*. `out` has room as for slant_bounds.
   void (*chain_bounds)(const ChainTool& tool, const ChainLine* lines, const std::uint32_t* rows,
                        std::size_t n, const Vec3& p, double limit, double* out);
-  /// As chain_bounds, for moves in columns, with room for a register behind the last one.
+  /// Does what chain_bounds does, for moves in columns, with room for a register behind the last
+  /// one.
   void (*chain_bounds_beside)(const ChainTool& tool, const ChainColumns& lines, std::size_t n,
                               const Vec3& p, double limit, double* out);
   /// Brings `points` up to date with sweep `id`, a straight move of a convex tool.

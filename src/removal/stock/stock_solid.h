@@ -38,7 +38,7 @@ class StockSolid {
 
   double distance(const Vec3& p) const { return sample(p).distance; }
   bool is_box() const { return shape_.kind == StockShape::Kind::box; }
-  /// One section at all heights: a box, cylinder or tube.
+  /// Whether the stock has one section at all heights: a box, cylinder or tube.
   bool is_upright() const { return shape_.kind != StockShape::Kind::mesh; }
   /// Signed distance in plan from the sides. Requires: is_upright().
   double plan_distance(double x, double y) const;

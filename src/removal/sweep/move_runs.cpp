@@ -9,7 +9,7 @@
 namespace mrsim {
 namespace {
 
-// Of a straight move with a record; -1 for other sweeps.
+// The tool of a sweep that is a straight move with a record; -1 for other sweeps.
 std::int32_t tool_of(const SweepColumns& c, std::uint32_t sweep) {
   const std::uint32_t tag = c.tags[sweep];
   return is_other(tag) && single_form(tag) == SingleForm::chain ? c.refs[sweep].shape : -1;

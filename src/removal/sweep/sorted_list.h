@@ -22,7 +22,7 @@ class SortedList {
   const FormPart& ball_lines() const { return forms_[0]; }
   const FormPart& plane_lines() const { return forms_[1]; }
   const FormPart& plane_arcs() const { return forms_[2]; }
-  /// Those that have bounds (bounded_sweeps.h).
+  /// Sweeps that have bounds (bounded_sweeps.h).
   std::span<const std::uint32_t> bounded() const { return bounded_; }
   /// Upright arcs and inserts.
   std::span<const std::uint32_t> others() const { return others_; }

@@ -38,7 +38,8 @@ SweepSample horizontal_sample(const SweepColumns& c, const SweepRef& ref, const 
   return {c.distance(ref, p), s.patch + (ref.split && f.half == 1 ? kBranchPatch : 0)};
 }
 
-// Where the face `patch` of a horizontal sweep looks at p from.
+// The foot in plan of p on the half of the path that the face `patch` of a horizontal sweep belongs
+// to.
 PlanFoot face_foot(const HorizontalView& v, const SweepRef& ref, const Vec3& p,
                    std::int32_t patch) {
   Half half = Half::any;

@@ -13,11 +13,15 @@ struct GrooveSide {
   Vec3 across;      ///< unit: the way in which `off` grows
   double most = 0;  ///< mm: how far `off` may go below 0 (to the centre of an arc)
 };
+/// Requires: ref.grooves. p in the tool's frame, mm.
 GrooveSide groove_side(const SweepColumns& c, const SweepRef& ref, const Vec3& p);
 
+/// Distance of p from sweep i, mm, and the face that is nearest.
 SweepSample sweep_sample(const SweepColumns& c, std::size_t i, const Vec3& p);
-/// Of a straight path in the stock's frame, whose place t is nearest to p.
+/// The patch of a sweep along a straight path in the stock's frame, where t is the place of the
+/// path that is nearest to p.
 std::int32_t sweep_patch(const SweepColumns& c, std::size_t i, const Vec3& p, double t);
+/// SweepTable::gradient(), patch_distance(), face_plane() and flat_floor().
 Vec3 sweep_gradient(const SweepColumns& c, std::size_t i, const Vec3& p, std::int32_t patch);
 double sweep_patch_distance(const SweepColumns& c, std::size_t i, const Vec3& p,
                             std::int32_t patch);

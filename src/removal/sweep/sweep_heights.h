@@ -53,7 +53,8 @@ class SweepHeights {
   /// `below`. Requires: run_end() is not the next index.
   double run_lower(std::uint32_t index, double x, double y, double r, double below) const;
 
-  /// By index, as kernels take them, where all are straight moves of balls; else empty.
+  /// Records of all sweeps by index, as kernels take them, where all are straight moves of balls;
+  /// else empty.
   std::span<const LineRecord> balls() const { return balls_; }
 
   /// bottom() is a closed form or one root; others are searched, which takes 20 to 100 times as

@@ -12,15 +12,19 @@
 
 namespace mrsim {
 
+/// SweepTable::all().
 std::vector<std::uint32_t> all_numbers(const SweepColumns& c, double longest);
+/// SweepTable::expanded().
 std::vector<std::uint32_t> sweeps_meeting(const SweepColumns& c,
                                           std::span<const std::uint32_t> list, const Box3& box);
+/// SweepTable::nearest().
 SweepTable::Nearest nearest_sweep(const SweepColumns& c, std::span<const std::uint32_t> list,
                                   const Vec3& p, double enough);
-/// With `least`, only distances that are not above it, nor above another of the list, need be
-/// right.
+/// Distances from p of the sweeps in `ids`, into `out`. With `least`, a distance above it, or above
+/// another one of the list, need not be exact.
 void sweep_distances(const SweepColumns& c, std::span<const std::uint32_t> ids, const Vec3& p,
                      double* out, std::optional<double> least = {});
+/// SweepTable::least().
 void least_distances(const SweepColumns& c, std::span<const std::uint32_t> ids,
                      PointColumns& points);
 

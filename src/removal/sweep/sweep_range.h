@@ -5,7 +5,7 @@
 
 namespace mrsim {
 
-/// As SweepTable::patch_range; the default FaceRange where no enclosure is known.
+/// Does what SweepTable::patch_range does; the default FaceRange where no enclosure is known.
 FaceRange sweep_range(const SweepColumns& c, std::size_t i, const Corners3& t, std::int32_t patch);
 
 }  // namespace mrsim

@@ -66,7 +66,7 @@ class SweepTable {
   /// gradient(i, p, patch) is the gradient of. Positive outside of the sweep.
   double patch_distance(std::size_t i, const Vec3& p, std::int32_t patch) const;
 
-  /// Both for Newton's method (field.h, face_plane).
+  /// The face's plane for Newton's method: value and normal (field.h, face_plane).
   FacePlane face_plane(std::size_t i, const Vec3& p, std::int32_t patch) const;
 
   /// Encloses patch_distance(i, ., patch) on a triangle (field.h, patch_range).

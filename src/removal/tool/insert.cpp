@@ -128,7 +128,8 @@ double angle_away(const InsertSide& side) {
   return side.z < 0 ? kPi / 2 : -kPi / 2;
 }
 
-// One tooth of a threading insert, as wide as the tool, its nose centre at the origin.
+// The outline of one tooth of a threading insert, as wide as the tool. The centre of its nose is
+// the origin.
 std::vector<Vec2> thread_tooth(const Tool& tool, const InsertSide& side, double round,
                                double edge) {
   const double angle = tool.insert_angle > 0 ? tool.insert_angle : radians(60);

@@ -19,6 +19,7 @@ struct ConvexPolygon {
   std::vector<Side> sides;  ///< empty for a point
   Vec2 point;               ///< the point, or the first corner
 };
+/// The convex hull of the points, mm. Requires: at least one.
 ConvexPolygon make_polygon(std::span<const Vec2> points);
 
 /// Signed distance, exact inside and outside.
@@ -28,12 +29,15 @@ std::int32_t polygon_side(const ConvexPolygon& polygon, Vec2 q);
 /// Unit gradient of the distance.
 Vec2 polygon_gradient(const ConvexPolygon& polygon, Vec2 q);
 
+/// d turned by a quarter clockwise.
 inline Vec2 right_of(Vec2 d) { return {d.y, -d.x}; }
 
+/// mm: how far q lies outside of the line of the side.
 inline double side_of(const ConvexPolygon::Side& s, Vec2 q) {
   return dot(right_of(s.direction), q - s.a);
 }
 
+/// The nearest point of the side.
 inline Vec2 foot_on(const ConvexPolygon::Side& s, Vec2 q) {
   const double t = dot(s.direction, q - s.a);
   return s.a + (t < 0 ? 0 : t > s.length ? s.length : t) * s.direction;

@@ -68,7 +68,7 @@ class Profile {
   Vec2 corner_direction(int corner) const;
   /// -1 where all normals of a convex corner point down or level, 1 where up or level, otherwise 0.
   int corner_side(int corner) const;
-  /// Of the start of edge i, or the end of the last one.
+  /// The corner at the start of edge i; i = number of edges: at the end of the last one.
   Corner corner(std::size_t i) const { return corners_[i]; }
   Vec2 corner_point(int corner) const { return edges_[static_cast<std::size_t>(corner)].a; }
 

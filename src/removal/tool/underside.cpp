@@ -147,9 +147,9 @@ Underside::Slope Underside::slope_at(double rho) const {
   return {kInfinity, kInfinity};
 }
 
-// Of the tool widened by r, which is convex as well: so is the height as a function of e, and it
-// lies above its tangents at both ends of a bracket of the contact. A bracket no longer than r will
-// do: what the tangents lose grows with the square of its length.
+// A lower bound by the tool widened by r. That is convex as well, and so is the height as a
+// function of e, so it lies above its tangents at both ends of a bracket of the contact. A bracket
+// no longer than r will do: what the tangents lose grows with the square of its length.
 double Underside::lower(const Slant& at, double r) const {
   const double reach = radius_ + r, wide = root(reach * reach - at.v * at.v);
   const double low = std::max(at.u - at.length, -wide), high = std::min(at.u, wide);
@@ -197,7 +197,7 @@ double Underside::ball_lower(const Slant& at, double r) const {
          kRounding;
 }
 
-// Of the position that touches at the far side of the disc.
+// An upper bound: the height of the position that touches at the far side of the disc.
 double Underside::ball_upper(const Slant& at, double r) const {
   const double reach = radius_ - r, square = reach * reach - at.v * at.v;
   if (reach < 0 || square < 0) return kInfinity;

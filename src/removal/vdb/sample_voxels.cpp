@@ -41,7 +41,7 @@ class BlockCarver : LeafWriter {
   static constexpr int kLast = 4;  // voxels: smaller blocks are columns
 
   double half(int size) const { return 0.5 * (size - 1) * voxel_; }
-  // Of a block of size x size x tall voxels.
+  // Centre of a block of size x size x tall voxels.
   Vec3 center(const openvdb::Coord& origin, int size, int tall) const {
     return Vec3{lattice_position(voxel_, origin.x(), kLatticeShift.x),
                 lattice_position(voxel_, origin.y(), kLatticeShift.y),

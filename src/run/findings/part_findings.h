@@ -24,6 +24,8 @@ void warn_of_threads(JobResult& result);
 /// the columns of the history may miss are left out.
 void warn_of_idle_tools(JobResult& result, bool stock_assumed);
 
+/// Puts into the result: voxel and tolerance with their reasons; what the mesher found; that the
+/// run was done in slabs.
 void tell_choice(JobResult& result, const MeshChoice& choice);
 void report_mesh(JobResult& result, const MeshReport& found);
 void report_slabs(JobResult& result, const MeshStore& part, const Stock& stock);
