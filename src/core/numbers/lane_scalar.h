@@ -3,6 +3,7 @@
 // the SIMD versions must equal.
 #pragma once
 
+#include "core/numbers/rounding.h"
 #include "core/numbers/units.h"
 
 #include <cmath>

@@ -5,7 +5,7 @@
 
 namespace mrsim {
 
-/// Where there is nothing to be near to, or no end.
+/// A distance from nothing, or the end of something without one.
 inline constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 /// mm: lengths and gaps up to this are none. Coordinates up to 10 m are rounded by 1e-12, sums of
@@ -17,6 +17,9 @@ inline constexpr double kBoundError = 1e-8;
 
 /// Radians, and products of unit vectors: turns up to this are none.
 inline constexpr double kTurnRounding = 1e-9;
+
+/// In place of a divisor that is 0, so that the quotient stays finite or counts for nothing.
+inline constexpr double kNoDivisor = 1e-300;
 
 /// Shares: sizes that differ by less are equal, a sum of products is rounded by less.
 inline constexpr double kShareRounding = 1e-9;

@@ -16,7 +16,6 @@ constexpr double kHair = 1e-8;           // mm, leftovers that are rounding
 constexpr double kTangent = 1e-6;        // |t1 x t2| below which there is no corner
 constexpr double kLeastSize = 1e-6;      // mm: no smaller rounding or chamfer is inserted
 constexpr double kSameAxis = 1e-12;      // between unit vectors: both moves have the same plane
-constexpr double kPointLength = 1e-300;  // in place of a length that is 0
 constexpr std::size_t kMostBetween = 3;  // blocks without plane travel inside a corner
 
 // Where a rounding or chamfer touches its two elements.
@@ -37,7 +36,7 @@ bool at_distance(const PlanePiece& piece, Vec2 corner, double distance, bool fro
   ring.radius = distance;
   std::array<Vec2, 2> hits;
   const int n = intersect(piece, ring, hits);
-  double best = 1e300;
+  double best = kInfinity;
   for (int i = 0; i < n; ++i) {
     const double along = position_on(piece, hits[static_cast<std::size_t>(i)]);
     const double gap = from_end ? extent(piece) - along : along;
@@ -45,7 +44,7 @@ bool at_distance(const PlanePiece& piece, Vec2 corner, double distance, bool fro
     best = gap;
     out = hits[static_cast<std::size_t>(i)];
   }
-  return best < 1e300;
+  return best < kInfinity;
 }
 
 Vec2 foot_on(const PlanePiece& piece, Vec2 p) {
@@ -54,7 +53,7 @@ Vec2 foot_on(const PlanePiece& piece, Vec2 p) {
     return piece.start + dot(p - piece.start, t) * t;
   }
   const Vec2 d = p - piece.center;
-  return piece.center + (piece.radius / std::max(length(d), kPointLength)) * d;
+  return piece.center + (piece.radius / std::max(length(d), kNoDivisor)) * d;
 }
 
 bool on_piece(const PlanePiece& piece, Vec2 p) {
@@ -68,7 +67,7 @@ bool round_contacts(const PlanePiece& a, const PlanePiece& b, double side, doubl
   if ((oa.arc && oa.radius <= kRounding) || (ob.arc && ob.radius <= kRounding)) return false;
   std::array<Vec2, 2> hits;
   const int n = intersect(oa, ob, hits);
-  double best = 1e300;
+  double best = kInfinity;
   for (int i = 0; i < n; ++i) {
     const Vec2 c = hits[static_cast<std::size_t>(i)];
     const double far = length(c - a.end);
@@ -78,7 +77,7 @@ bool round_contacts(const PlanePiece& a, const PlanePiece& b, double side, doubl
     best = far;
     out = {first, second, c};
   }
-  return best < 1e300;
+  return best < kInfinity;
 }
 
 bool contacts(const CornerSpec& spec, const PlanePiece& a, const PlanePiece& b, double side,

@@ -1,5 +1,6 @@
 #include "interp/path/offset_contour.h"
 
+#include "core/numbers/rounding.h"
 #include "core/numbers/units.h"
 
 #include <cmath>
@@ -7,9 +8,8 @@
 namespace mrsim {
 namespace {
 
-constexpr double kStraight = 1e-9;  // |t1 x t2| of a tangent transition
-constexpr double kStep = 5e-4;      // mm: what a program's last digit makes of one
-constexpr double kCusp = 0.1;       // |t1 x t2| from which on a path does not turn back
+constexpr double kStep = 5e-4;  // mm: what a program's last digit makes of one
+constexpr double kCusp = 0.1;   // |t1 x t2| from which on a path does not turn back
 
 // To the left above 0.
 double curvature(const PlanePiece& piece) {
@@ -18,7 +18,7 @@ double curvature(const PlanePiece& piece) {
 
 bool collinear(const PlanePiece& a, const PlanePiece& b) {
   const Vec2 t = start_tangent(a), u = start_tangent(b);
-  return std::abs(cross(t, u)) < kStraight && dot(t, u) > 0 &&
+  return std::abs(cross(t, u)) < kTurnRounding && dot(t, u) > 0 &&
          std::abs(cross(t, b.start - a.end)) < kTouch;
 }
 
@@ -40,7 +40,7 @@ bool meeting(const PlanePiece& a, const PlanePiece& b, Vec2 from, Vec2 corner, V
   }
   std::array<Vec2, 2> hits;
   const int n = intersect(a, b, hits);
-  double best = 1e300;
+  double best = kInfinity;
   for (int i = 0; i < n; ++i) {
     const Vec2 p = hits[static_cast<std::size_t>(i)];
     const double scale = a.arc ? a.radius : 1, scale_b = b.arc ? b.radius : 1;
@@ -56,7 +56,7 @@ bool meeting(const PlanePiece& a, const PlanePiece& b, Vec2 from, Vec2 corner, V
     best = far;
     out = p;
   }
-  return best < 1e300;
+  return best < kInfinity;
 }
 
 Corner corner_kind(const PathMove& a, const PathMove& b) {
@@ -66,8 +66,8 @@ Corner corner_kind(const PathMove& a, const PathMove& b) {
   if (dot(t1, t2) < 0 && std::abs(c) < kCusp && (p.arc || q.arc))
     c -= a.comp.radius * (curvature(p) + curvature(q));
   const double step = std::abs(c) * a.comp.radius;  // between the moved ends
-  if ((std::abs(c) < kStraight || step < kStep) && dot(t1, t2) > 0) return Corner::smooth;
-  if (std::abs(c) < kStraight) return Corner::outside;  // straight back
+  if ((std::abs(c) < kTurnRounding || step < kStep) && dot(t1, t2) > 0) return Corner::smooth;
+  if (std::abs(c) < kTurnRounding) return Corner::outside;  // straight back
   return a.comp.side * c > 0 ? Corner::inside : Corner::outside;
 }
 

@@ -20,7 +20,7 @@ double half_tangent(double turn) {
 bool run_on(const PlanePiece& a, const PlanePiece& b, Vec2& out) {
   std::array<Vec2, 2> hits;
   const int n = intersect(a, b, hits);
-  double best = 1e300;
+  double best = kInfinity;
   for (int i = 0; i < n; ++i) {
     const Vec2 p = hits[static_cast<std::size_t>(i)];
     const double far = length(p - a.end);
@@ -30,7 +30,7 @@ bool run_on(const PlanePiece& a, const PlanePiece& b, Vec2& out) {
     best = far;
     out = p;
   }
-  return best < 1e300;
+  return best < kInfinity;
 }
 
 // Straight on from both ends, by the same length.

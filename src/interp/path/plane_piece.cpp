@@ -14,7 +14,6 @@ namespace {
 constexpr double kParallel = 1e-12;  // sine between two lines that never meet
 constexpr double kConcentric =
     1e-12;  // mm: between the centres of circles that are one, or none meets
-constexpr double kNoDivisor = 1e-300;  // in place of the length of a line that is a point
 
 // +1 when u x v points along the arc's axis, -1 when the basis is seen from behind or mirrored.
 double sense(const Motion& motion, const Basis& basis) {

@@ -16,7 +16,6 @@ constexpr double kKeeps = 1e-4;  // mm: by how much a place may be too near at m
 constexpr double kTooNear[] = {1e-7, 1e-5, kKeeps};
 constexpr double kSameSpot = 1e-6;    // mm
 constexpr double kJoins = 2e-3;       // mm: what rounded programs leave between two pieces
-constexpr double kStraightOn = 1e-9;  // |t1 x t2| of a tangent transition
 constexpr double kOutwards = 0.0137;  // of a step, where loops cannot be joined
 constexpr std::size_t kMostLoops = 20'000;
 
@@ -56,7 +55,7 @@ std::vector<PlanePiece> moved_border(const std::vector<Loop>& contours, double d
       if (!aside.arc || aside.radius > kSameSpot) out.push_back(aside);
       const Vec2 t1 = end_tangent(a), t2 = start_tangent(b);
       const double turn = cross(t1, t2), ahead = dot(t1, t2);
-      if (turn > -kStraightOn && (ahead > 0 || turn > kStraightOn)) continue;
+      if (turn > -kTurnRounding && (ahead > 0 || turn > kTurnRounding)) continue;
       PlanePiece round;
       round.arc = true;
       round.center = b.start;
@@ -184,7 +183,7 @@ Loop turning(const Loop& loop, bool counter_clockwise) {
 }
 
 double distance_to_loop(const Loop& loop, Vec2 p) {
-  double least = 1e300;
+  double least = kInfinity;
   for (const PlanePiece& piece : loop) least = std::min(least, distance_to(piece, p));
   return least;
 }
@@ -235,7 +234,7 @@ bool Region::contains(Vec2 p, const std::vector<std::vector<Vec2>>& polygons) co
 
 // Nothing is gained by knowing more of what is nearer than `enough`.
 double Region::distance_from_contours(Vec2 p, double enough) const {
-  double least = 1e300;
+  double least = kInfinity;
   std::size_t at = 0;
   for (const Loop& loop : contours_)
     for (const PlanePiece& piece : loop) {

@@ -1,5 +1,6 @@
 #include "mesh/draw/ray_image.h"
 
+#include "core/numbers/rounding.h"
 #include "core/process/parallel.h"
 #include "mesh/solid/check.h"
 #include "mesh/solid/half_edges.h"
@@ -208,7 +209,7 @@ Color RayImage::color_of(const Surfel& s, const Seen& seen, Vec2 pixel) const {
 
 // Light changes little along a surface, so the light of the best matching neighbour is used.
 Seen RayImage::borrowed_light(const Surfel& s, int x, int y) const {
-  double least = 1e300;
+  double least = kInfinity;
   Seen best;
   for (int j = std::max(y - 1, rows_.begin); j <= std::min(y + 1, rows_.end - 1); ++j)
     for (int i = std::max(x - 1, 0); i <= std::min(x + 1, width_ - 1); ++i) {

@@ -1,5 +1,6 @@
 #include "removal/columns/height_segments.h"
 
+#include "core/numbers/rounding.h"
 #include "core/numbers/trig.h"
 #include "removal/columns/sweep_columns.h"
 
@@ -10,7 +11,6 @@
 namespace mrsim {
 namespace {
 
-constexpr double kFlat = 1e-9;         // mm, and of slopes
 constexpr double kSteepest = 60;       // largest slope of a tangent
 constexpr double kSteepFillet = 7;     // the same where the fillet ends upright
 constexpr double kArcError = 0.01;     // mm: wanted distance of an arc from its segments
@@ -31,8 +31,8 @@ std::size_t read_underside(const std::vector<ProfileEdge>& edges, HeightTool& t)
   if (next < edges.size() && edges[next].radius > 0) {
     const ProfileEdge& arc = edges[next];
     const double across = arc.b.x - arc.center.x;
-    if (!arc.convex || std::fabs(arc.center.x - core) > kFlat ||
-        std::fabs(arc.center.y - arc.radius) > kFlat || arc.b.y > arc.center.y + kFlat ||
+    if (!arc.convex || std::fabs(arc.center.x - core) > kRounding ||
+        std::fabs(arc.center.y - arc.radius) > kRounding || arc.b.y > arc.center.y + kRounding ||
         across <= 0)
       return edges.size();
     t.round = static_cast<float>(arc.radius), t.per_round = static_cast<float>(1 / arc.radius);
@@ -102,7 +102,7 @@ HeightTool height_tool(const Profile& tool) {
 LineRecord segment_record(const Vec3& a, const Vec3& b, double eps) {
   const Vec3 &low = b.z < a.z ? b : a, &high = b.z < a.z ? a : b;
   const double dx = high.x - low.x, dy = high.y - low.y, length = std::sqrt(dx * dx + dy * dy);
-  const bool point = length < kFlat || high.z - low.z > kUprightSlope * length;
+  const bool point = length < kRounding || high.z - low.z > kUprightSlope * length;
   LineRecord record;
   record.c[BallSlot::x] = low.x, record.c[BallSlot::y] = low.y, record.c[BallSlot::z] = low.z;
   record.c[BallSlot::ux] = length > 0 ? dx / length : 1,

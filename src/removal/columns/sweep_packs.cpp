@@ -1,5 +1,6 @@
 #include "removal/columns/sweep_packs.h"
 
+#include "core/numbers/rounding.h"
 #include "core/numbers/vec.h"
 #include "core/process/heap.h"
 #include "core/process/ordered.h"
@@ -15,7 +16,6 @@ namespace {
 
 constexpr std::size_t kMost = 8, kLeast = 4;    // members of a pack
 constexpr double kLargestSpread = 1.0 / 16;     // of the chord: the largest spread
-constexpr double kJoined = 1e-9;                // mm: ends of moves that follow one another
 constexpr double kShortest = 1e-3;              // mm in plan: shorter chords have no direction
 constexpr double kSteepChord = 8;               // slope from which heights say little of a chord
 constexpr std::size_t kSweepsOfPart = 1 << 13;  // sweeps that are packed on their own
@@ -85,10 +85,10 @@ Item item_of(const SweepColumns& c, std::uint32_t sweep) {
 bool follows(const Item& a, const Item& b) {
   return b.number == a.number + 1 && a.form != Form::other && b.form == a.form &&
          b.kind == a.kind && b.shape == a.shape && b.first == a.last + 1 &&
-         (a.form != Form::line || a.start.z == b.start.z) && length(b.start - a.end) <= kJoined;
+         (a.form != Form::line || a.start.z == b.start.z) && length(b.start - a.end) <= kRounding;
 }
 
-// From the segment that begins at a, d long.
+// Squared distance of p from the segment from a to a + d.
 double squared_distance(const Vec3& p, const Vec3& a, const Vec3& d, double inverse) {
   const Vec3 e = p - a;
   const Vec3 off = e - std::clamp(dot(e, d) * inverse, 0.0, 1.0) * d;
@@ -164,7 +164,7 @@ class SweepPacks::Builder {
     for (std::size_t i = 0; i < items.size();) {
       std::size_t n = 1;
       while (n < kMost && i + n < items.size() && follows(items[i + n - 1], items[i + n])) ++n;
-      // What bends too much for few moves mostly does for more.
+      // Moves that bend too much for a small pack mostly bend too much for a larger one.
       std::optional<Spread> spread;
       if (n >= kLeast) spread = spread_of({&items[i], kLeast});
       if (spread)
@@ -196,11 +196,12 @@ class SweepPacks::Builder {
       if (joints > most) return std::nullopt;
       own = std::max(own, item.spread.plan);
     }
-    const double spread = std::sqrt(joints) + own + 4 * kJoined;
+    const double spread = std::sqrt(joints) + own + 4 * kRounding;
     if (spread * spread > most) return std::nullopt;
     return Spread{spread};
   }
-  // In plan and upwards at the same place along the chord, which no joint leaves at an end.
+  // The spread in plan and upwards, both at one place along the chord. None where a joint lies
+  // beyond an end of the chord.
   std::optional<Spread> spread_of_segments(std::span<const Item> items, const Vec3& a,
                                            const Vec3& d) const {
     const double n = std::sqrt(d.x * d.x + d.y * d.y), ux = d.x / n, uy = d.y / n, m = d.z / n;
@@ -209,16 +210,16 @@ class SweepPacks::Builder {
     for (const Item& item : items) {
       const Vec3 q = item.start - a;
       const double along = q.x * ux + q.y * uy;
-      if (along < -kJoined || along > n + kJoined) return std::nullopt;
+      if (along < -kRounding || along > n + kRounding) return std::nullopt;
       joints = max(joints, {std::fabs(q.y * ux - q.x * uy), std::fabs(q.z - m * along)});
       own = max(own, item.spread);
     }
-    const double room = 4 * kJoined * (1 + kSteepChord);
+    const double room = 4 * kRounding * (1 + kSteepChord);
     const Spread spread = joints + own + Spread{room, room};
     if (in_height(items[0], spread) > kLargestSpread * n) return std::nullopt;
     return spread;
   }
-  // What it may change in the height of a tool, about.
+  // By how much the spread may change the height of a tool, mm, about.
   double in_height(const Item& item, const Spread& spread) const {
     if (item.form != Form::segment) return spread.plan;
     return spread.up + slopes_[static_cast<std::size_t>(item.shape)] * spread.plan;

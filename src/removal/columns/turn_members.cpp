@@ -1,14 +1,12 @@
 #include "removal/columns/turn_members.h"
 
+#include "core/numbers/rounding.h"
+
 #include <algorithm>
 #include <array>
 
 namespace mrsim {
 namespace {
-
-// mm: a point this far from the line of a side is surely on that side of it. Rounding of
-// coordinates up to 10 m is less.
-constexpr double kSure = 1e-9;
 
 // How far two points lie beyond the line of a side. Between them that is linear: what holds for
 // both holds for all between.
@@ -17,7 +15,7 @@ struct Beyond {
   bool above(double x) const { return from > x && to > x; }
   bool below(double x) const { return from < x && to < x; }
   bool above(const Beyond& other) const {
-    return from > other.from + kSure && to > other.to + kSure;
+    return from > other.from + kRounding && to > other.to + kRounding;
   }
 };
 
@@ -61,11 +59,11 @@ FacingMember facing(TurnRows turns, const TurnMember& member, double from, doubl
   for (std::size_t i = 0; i < all.size(); ++i)
     beyond[i] = {side_of(all[i], {sign * from, z}), side_of(all[i], {sign * to, z})};
   const bool outside =
-      std::any_of(beyond.begin(), beyond.end(), [](const Beyond& b) { return b.above(kSure); });
-  const bool inside =
-      std::all_of(beyond.begin(), beyond.end(), [](const Beyond& b) { return b.below(-kSure); });
+      std::any_of(beyond.begin(), beyond.end(), [](const Beyond& b) { return b.above(kRounding); });
+  const bool inside = std::all_of(beyond.begin(), beyond.end(),
+                                  [](const Beyond& b) { return b.below(-kRounding); });
   for (std::size_t i = 0; i < all.size(); ++i) {
-    if (outside && beyond[i].below(-kSure)) continue;
+    if (outside && beyond[i].below(-kRounding)) continue;
     if (inside && std::any_of(beyond.begin(), beyond.end(),
                               [&](const Beyond& b) { return b.above(beyond[i]); }))
       continue;

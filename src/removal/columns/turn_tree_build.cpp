@@ -10,9 +10,6 @@
 namespace mrsim {
 namespace {
 
-// Room for rounding in a bound, mm: coordinates up to 10 m.
-constexpr double kBoundSlack = 1e-9;
-
 // mm: half a side of the path of a round insert that stays in one place, because a polygon needs a
 // side.
 constexpr double kPointSide = 1e-6;
@@ -135,7 +132,7 @@ class TurnTree::Builder {
       const Chord& c = chords_[from + k];
       const InsertOutline& insert = shapes_[shape_of(ranges_[from + k])].insert;
       TurnSweep s = turn_line(insert, c.a, c.b);
-      double away = c.away + kBoundSlack;
+      double away = c.away + kRounding;
       if (s.polygon.sides.empty()) {
         s = turn_line(insert, c.a, c.b + Vec2{kPointSide, 0});
         away += kPointSide;

@@ -1,5 +1,6 @@
 #include "removal/forms/path_objective.h"
 
+#include "core/numbers/rounding.h"
 #include "core/numbers/units.h"
 
 #include <algorithm>
@@ -7,7 +8,6 @@
 namespace mrsim {
 namespace {
 
-constexpr double kTiny = 1e-300;       // in the place of a divisor that is 0
 constexpr double kExact = 1e-13;       // of the size: best value and bound agree
 constexpr double kBeyond = 1.1;        // of a Newton step, so that the minimum lies behind
 constexpr double kAcross = 1.0 / 32;   // of a bracket: how far a step goes across a kink at most
@@ -20,8 +20,8 @@ struct Place {
 
 bool agree(double best, double floor) { return best - floor <= kExact * (1 + std::fabs(best)); }
 
-// From x downhill until F rises, or to the end of [lo, hi]: Newton's steps, longer ones where these
-// do not get far.
+// Walks from x downhill until F rises, or to the end of [lo, hi]: Newton's steps, longer ones where
+// these do not get far.
 Bracket walk_down(const PathObjective& F, Place x, double lo, double hi, double limit) {
   const bool rises = x.at.slope > 0;
   const double end = rises ? lo : hi;
@@ -116,8 +116,8 @@ double least_bend(const PathValue& m, double half) {
 // As slope sin s >= 0 and s - sin s <= s / 2 (1 - cos s), where I is not negative to 2 I / |n h|;
 // and for s <= 1, where the slope makes up for the rest.
 double clear_reach(const PathValue& m) {
-  const double bend = std::fabs(m.slope) / (std::max(-m.inward, 0.0) + m.advance / 3 + kTiny);
-  const double trough = 2 * m.inward / (m.advance + kTiny);
+  const double bend = std::fabs(m.slope) / (std::max(-m.inward, 0.0) + m.advance / 3 + kNoDivisor);
+  const double trough = 2 * m.inward / (m.advance + kNoDivisor);
   return std::max(std::min(5.0 / 3 * bend, 1.0), std::min(trough, kPi));
 }
 

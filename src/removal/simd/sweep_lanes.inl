@@ -51,8 +51,6 @@ MRSIM_LANE V ball_line(const V* c, V px, V py, V pz) {
          c[BallSlot::radius];
 }
 
-constexpr double kNoDivisor = 1e-300;  // in place of a divisor that is 0
-
 // Horizontal line: foot in plan on the segment, as a vector and the path's parameter in [0, 1].
 // c: LineSlot. An upright move has dx = dy = 0.
 struct PlanLineFoot {

@@ -14,8 +14,7 @@
 namespace mrsim {
 namespace {
 
-constexpr double kUprightInPlan = 1e-9;  // mm in plan: an upright move
-constexpr double kFound = 1e-10;         // mm: to which a height is searched
+constexpr double kFound = 1e-10;  // mm: to which a height is searched
 constexpr int kMostSteps = 80;
 
 constexpr double kSlack = 1e-6;  // mm: above the error of distances
@@ -154,7 +153,7 @@ void SweepHeights::set_slant(Row& row, const Vec3& start, const Vec3& end) const
   const double dx = high.x - low.x, dy = high.y - low.y, plan = std::sqrt(dx * dx + dy * dy);
   row.form = Form::slant;
   row.x = low.x, row.y = low.y, row.z = low.z;
-  if (plan < kUprightInPlan) return;
+  if (plan < kRounding) return;
   row.ux = dx / plan, row.uy = dy / plan;
   row.length = plan, row.slope = (high.z - low.z) / plan;
 }
@@ -230,8 +229,8 @@ Underside::Bounds SweepHeights::segment_bounds(const Row& row, double x, double 
   return out;
 }
 
-// Of a cylinder on a helix that falls, at most one turn long: the last position within `radius` of
-// the place.
+// The lowest bottom of a cylinder on a falling helix of at most one turn: that of the last position
+// within `radius` of the place.
 double SweepHeights::helix_bottom(const Row& row, double x, double y, double radius) const {
   const SweepColumns& c = sweeps_.columns();
   const ToolPath& path = c.paths.arc(c.refs[row.sweep].row);

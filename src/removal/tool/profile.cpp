@@ -1,5 +1,6 @@
 #include "removal/tool/profile.h"
 
+#include "core/numbers/rounding.h"
 #include "core/process/error.h"
 #include "removal/tool/profile_pieces.h"
 
@@ -11,7 +12,6 @@ namespace mrsim {
 namespace {
 
 constexpr double kSameCorner = 1e-12;  // of the radius: rounding of corners
-constexpr double kSmooth = 1e-9;       // sine of the turn below which two edges join smoothly
 
 Vec2 left_of(Vec2 d) { return {-d.y, d.x}; }
 
@@ -74,7 +74,7 @@ void Profile::find_patches() {
       const Vec2 in = tangent_at(edges_[i - 1], edges_[i].a),
                  out = tangent_at(edges_[i], edges_[i].a);
       const double turn = cross(in, out);
-      if (turn > -kSmooth && turn < kSmooth && dot(in, out) > 0)
+      if (turn > -kTurnRounding && turn < kTurnRounding && dot(in, out) > 0)
         corners_[i] = Corner::smooth;
       else
         corners_[i] = turn > 0 ? Corner::convex : Corner::reflex;
@@ -84,9 +84,9 @@ void Profile::find_patches() {
   }
   // Where the profile leaves the axis at a right angle its mirror image continues it.
   const Vec2 first = tangent_at(edges_.front(), edges_.front().a);
-  if (first.y < kSmooth) corners_.front() = Corner::smooth;
+  if (first.y < kTurnRounding) corners_.front() = Corner::smooth;
   const ProfileEdge& last = edges_.back();
-  if (!std::isinf(last.b.y) && tangent_at(last, last.b).y < kSmooth)
+  if (!std::isinf(last.b.y) && tangent_at(last, last.b).y < kTurnRounding)
     corners_.back() = Corner::smooth;
 }
 
@@ -112,7 +112,7 @@ double Profile::max_radius_below(double z) const {
 
 bool Profile::has_sharp_tip() const {
   const Vec2 from = tangent_at(edges_.front(), edges_.front().a);
-  return from.x > kSmooth && from.y > kSmooth;
+  return from.x > kTurnRounding && from.y > kTurnRounding;
 }
 
 void Profile::find_flags() {
@@ -126,7 +126,7 @@ void Profile::find_flags() {
     const Vec2 from = tangent_at(e, e.a), to = e.is_arc() ? tangent_at(e, e.b) : from;
     if (e.is_arc() && !e.convex) is_convex_ = false;
     // An arc that bulges out passes its widest point where its tangent turns from out to in.
-    const bool over = e.is_arc() && e.convex && from.x > kSmooth && to.x < -kSmooth;
+    const bool over = e.is_arc() && e.convex && from.x > kTurnRounding && to.x < -kTurnRounding;
     const double reach = over ? e.center.x + e.radius : std::isinf(e.b.y) ? e.a.x : e.b.x;
     const double at = over ? e.center.y : std::isinf(e.b.y) ? e.a.y : e.b.y;
     const bool dips = e.is_arc() && !e.convex && from.x < 0 && to.x > 0;
@@ -218,8 +218,8 @@ Profile::Foot Profile::nearest(Vec2 q) const {
   return best;
 }
 
-// Both edges of a corner decide, by their tangents there: where they join all but smoothly,
-// rounding makes the corner the foot of places on either side.
+// At a corner both edges decide, by their tangents. For where they join nearly smoothly, rounding
+// makes the corner the nearest point of places on either side.
 bool Profile::is_outside(const Foot& f, Vec2 q) const {
   const ProfileEdge& e = edges_[f.edge];
   if (f.at_corner < 0 || corners_[f.at_corner] == Corner::smooth) return side(e, q) > 0;
