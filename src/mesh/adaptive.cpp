@@ -2,7 +2,7 @@
 
 #include "core/process/error.h"
 #include "core/process/parallel.h"
-#include "mesh/cells/cell_levels.h"
+#include "mesh/cells/cell_halvings.h"
 #include "mesh/cells/flat_map.h"
 #include "mesh/cells/mesh_memory.h"
 #include "mesh/cells/node_budget.h"
@@ -303,8 +303,8 @@ std::optional<TriMesh> adaptive_mesh(const ExactField& field, double voxel, cons
                                      MeshReport& report) {
   double memory = 0;
   for (double tolerance = options.tolerance;; tolerance *= 2) {
-    const int levels = detail::fine_levels(field.bounds(), voxel, tolerance);
-    const Lattice lattice(field.bounds(), voxel, levels);
+    const int halvings = detail::voxel_halvings(field.bounds(), voxel, tolerance);
+    const Lattice lattice(field.bounds(), voxel, halvings);
     try {
       TriMesh mesh = AdaptiveMesher(field, lattice, tolerance, options, report).run();
       report.memory = std::max(report.memory, memory);

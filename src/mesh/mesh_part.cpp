@@ -2,7 +2,7 @@
 
 #include "core/process/error.h"
 #include "mesh/adaptive.h"
-#include "mesh/cells/cell_levels.h"
+#include "mesh/cells/cell_halvings.h"
 #include "mesh/cells/thin_features.h"
 #include "mesh/tiles/uniform.h"
 #include "mesh/turned/turned_mesh.h"
@@ -24,8 +24,8 @@ void mesh_grid(const ExactField& field, double voxel, const MeshPlan& options, M
                MeshReport& report) {
   for (int k = 1;; ++k) {
     try {
-      const int levels = detail::fine_levels(field.bounds(), voxel, 0);
-      detail::mesh_uniform(field, voxel, levels, options, sink, report);
+      const int halvings = detail::voxel_halvings(field.bounds(), voxel, 0);
+      detail::mesh_uniform(field, voxel, halvings, options, sink, report);
       return;
     } catch (const Error& error) {
       if (error.code() != "mesh-unresolved" || !options.measure || k == kMostGrids) throw;

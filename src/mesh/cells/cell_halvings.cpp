@@ -1,4 +1,4 @@
-#include "mesh/cells/cell_levels.h"
+#include "mesh/cells/cell_halvings.h"
 
 #include "core/numbers/vec.h"
 #include "core/process/error.h"
@@ -22,15 +22,16 @@ double largest_coordinate(const Box3& bounds) {
 
 }  // namespace
 
-int fine_levels(const Box3& bounds, double voxel, double tolerance) {
+int voxel_halvings(const Box3& bounds, double voxel, double tolerance) {
   const Vec3 size = bounds.hi - bounds.lo;
   const double longest = std::max({size.x, size.y, size.z});
   const double wanted = tolerance > 0 ? 0.5 * tolerance : voxel / 8;
   const double least = 64 * coordinate_step(largest_coordinate(bounds));
-  int levels = 0;
-  while (levels < 12 && voxel / (1 << levels) > wanted && voxel / (2 << levels) > least) ++levels;
-  while (levels > 0 && 2 * longest / voxel * (1 << levels) > (1 << 20)) --levels;
-  return levels;
+  int halvings = 0;
+  while (halvings < 12 && voxel / (1 << halvings) > wanted && voxel / (2 << halvings) > least)
+    ++halvings;
+  while (halvings > 0 && 2 * longest / voxel * (1 << halvings) > (1 << 20)) --halvings;
+  return halvings;
 }
 
 void require_tolerance(const Box3& bounds, double tolerance) {

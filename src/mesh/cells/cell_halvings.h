@@ -8,7 +8,7 @@ namespace mrsim::detail {
 /// How often a voxel may be halved: down to half the tolerance (mm), in which any triangle is
 /// within it, an eighth of a voxel without one; but not so small that coordinates as floats no
 /// longer resolve the cells of a part within `bounds`, mm.
-int fine_levels(const Box3& bounds, double voxel, double tolerance);
+int voxel_halvings(const Box3& bounds, double voxel, double tolerance);
 
 /// Throws Error "voxel-invalid" where float coordinates do not separate the planes of the voxels
 /// apart.

@@ -94,22 +94,22 @@ class Scan {
   }
 
  private:
-  // `level`: the first one that holds none of the regions about the range.
-  bool finds(const Range& range, List list, std::size_t level) {
+  // `tier`: the first one that holds none of the regions about the range.
+  bool finds(const Range& range, List list, std::size_t tier) {
     const int axis = range.longest();
     if (range.side(axis) <= kTogether) return finds_among(range, list);
     const Vec3 first = points_.position(range.lo), last = points_.position(range.hi);
     if (judge_.is_far({first, last}, list)) return false;
-    if (list.size() > kLong && descent_->enter(level, box_about(first, last), judge_.band(),
-                                               true) == ExactField::Region::mixed) {
-      if (lists_.size() <= level) lists_.resize(level + 1);
-      descent_->candidates(level, lists_[level]);
-      list = lists_[level++];
+    if (list.size() > kLong && descent_->enter(tier, box_about(first, last), judge_.band(), true) ==
+                                   ExactField::Region::mixed) {
+      if (lists_.size() <= tier) lists_.resize(tier + 1);
+      descent_->candidates(tier, lists_[tier]);
+      list = lists_[tier++];
     }
     Range low = range, high = range;
     low.hi[axis] = range.lo[axis] + range.side(axis) / 2 - 1;
     high.lo[axis] = low.hi[axis] + 1;
-    return finds(low, list, level) || finds(high, list, level);
+    return finds(low, list, tier) || finds(high, list, tier);
   }
   bool finds_among(const Range& range, List list) const {
     Vec3 points[kMost];
@@ -125,7 +125,7 @@ class Scan {
   const Points& points_;
   const Judge& judge_;
   std::unique_ptr<ExactField::Descent> descent_;
-  std::deque<Candidates> lists_;  ///< by level; they stay where they are
+  std::deque<Candidates> lists_;  ///< by tier; they stay where they are
 };
 
 // Half of the diagonal of the box that two opposite corners span, whichever these are.

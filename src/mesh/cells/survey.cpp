@@ -24,14 +24,15 @@ struct Count {
   double sheets = 0;                    ///< of the surface in these blocks
 };
 
-// One in so many, evenly spread, whatever the order.
+// Whether a box is one of those that are tried: one in `one_in`, evenly spread, whatever their
+// order.
 bool is_tried(const Box3& box, double block, int one_in) {
   const auto cell = [&](double lo) { return static_cast<std::int64_t>(std::floor(lo / block)); };
   return ((cell(box.lo.x) * 7 + cell(box.lo.y) * 13 + cell(box.lo.z) * 29) & (one_in - 1)) == 0;
 }
 
-// By eight points of a box: whether faces of different directions meet there, since normals
-// differ. Many sweeps may share one face, as the turns of a helix do.
+// Whether faces of different directions meet in a box, judged by the normals at eight points of it.
+// Many sweeps may share one face, as the turns of a helix do.
 bool has_creases(const ExactField& field, const Box3& box, const Candidates& sweeps) {
   constexpr double kLeastCosine = 0.94;  // 20 degrees
   std::array<Vec3, 8> points, normals;
@@ -48,10 +49,10 @@ bool has_creases(const ExactField& field, const Box3& box, const Candidates& swe
   return false;
 }
 
-// How often the surface crosses a line through the box along each axis, somewhere in it: the edges
-// of a lattice that it crosses there, for each square of its cells. Two sheets
-// count as two where they are farther apart than the points on a line. The points begin up to half
-// a step before the box or in it, so that a sheet between two boxes counts in one of them.
+// How many sheets of surface a box holds: how often the surface crosses lines along each axis that
+// pass the box, for each square of cells. Two sheets count as two where they are farther apart than
+// the points on a line. The points begin up to half a step before the box or in it, so that a sheet
+// between two boxes counts in one of them.
 double sheets_in(const ExactField& field, const Box3& box, const Candidates& sweeps) {
   constexpr std::size_t kMost = 24, kLeast = 6, kAsked = 400;  // steps; distances to sweeps in all
   constexpr double kGolden = 0.618033988749895;
@@ -81,12 +82,12 @@ double sheets_in(const ExactField& field, const Box3& box, const Candidates& swe
   return crossed;
 }
 
-// Counts the blocks `depth` halvings below the box, which is at `level` of the descent.
+// Counts the blocks that so many `halvings` make of the box, which is at `tier` of the descent.
 void count_blocks(const ExactField& field, ExactField::Descent& descent, const Box3& box,
-                  std::size_t level, int depth, int one_in, Candidates& left, Count& count) {
-  if (descent.enter(level, box, kSurfaceBand, depth == 0) != ExactField::Region::mixed) return;
-  if (depth == 0) {
-    descent.candidates(level, left);
+                  std::size_t tier, int halvings, int one_in, Candidates& left, Count& count) {
+  if (descent.enter(tier, box, kSurfaceBand, halvings == 0) != ExactField::Region::mixed) return;
+  if (halvings == 0) {
+    descent.candidates(tier, left);
     count.blocks += !left.empty();
     count.sweeps += left.size();
     if (left.empty() || !is_tried(box, box.hi.x - box.lo.x, one_in)) return;
@@ -96,7 +97,7 @@ void count_blocks(const ExactField& field, ExactField::Descent& descent, const B
     return;
   }
   for (int k = 0; k < 8; ++k)
-    count_blocks(field, descent, octant(box, k), level + 1, depth - 1, one_in, left, count);
+    count_blocks(field, descent, octant(box, k), tier + 1, halvings - 1, one_in, left, count);
 }
 
 struct Part {
@@ -105,14 +106,14 @@ struct Part {
 };
 
 // The parts of the box after some halvings, with what can matter in each.
-void find_parts(ExactField::Descent& descent, const Box3& box, std::size_t level, int depth,
+void find_parts(ExactField::Descent& descent, const Box3& box, std::size_t tier, int halvings,
                 std::vector<Part>& out) {
-  if (descent.enter(level, box, kSurfaceBand, false) != ExactField::Region::mixed) return;
-  if (depth == 0) {
-    descent.candidates(level, out.emplace_back(Part{box, {}}).candidates);
+  if (descent.enter(tier, box, kSurfaceBand, false) != ExactField::Region::mixed) return;
+  if (halvings == 0) {
+    descent.candidates(tier, out.emplace_back(Part{box, {}}).candidates);
     return;
   }
-  for (int k = 0; k < 8; ++k) find_parts(descent, octant(box, k), level + 1, depth - 1, out);
+  for (int k = 0; k < 8; ++k) find_parts(descent, octant(box, k), tier + 1, halvings - 1, out);
 }
 
 }  // namespace

@@ -73,7 +73,7 @@ void CellTile::add_list(std::span<const std::uint32_t> list) {
   ids_.insert(ids_.end(), list.begin(), list.end());
 }
 
-// Which planes lie between the box's sides, as its distance has it.
+// Finds the planes that lie between the sides of the stock's box, as its distance sees them.
 void CellTile::find_stock() {
   is_box_ = field_.has_box_stock();
   if (!is_box_) return;
@@ -96,23 +96,23 @@ Box3 CellTile::node_box(const LatticePoint& origin, std::int32_t size) const {
           {plane(0, origin.x + size), plane(1, origin.y + size), plane(2, origin.z + size)}};
 }
 
-void CellTile::visit(const LatticePoint& origin, std::int32_t size, std::size_t level) {
+void CellTile::visit(const LatticePoint& origin, std::int32_t size, std::size_t tier) {
   const Box3 reach = reach_of(node_box(origin, size), lattice().voxel());
   const auto region = size == kNode
-                          ? descent_->finish(level, reach, kSurfaceBand, list_)
-                          : descent_->enter(level, reach, kSurfaceBand, /*last=*/size == 2 * kNode);
+                          ? descent_->finish(tier, reach, kSurfaceBand, list_)
+                          : descent_->enter(tier, reach, kSurfaceBand, /*last=*/size == 2 * kNode);
   if (region != ExactField::Region::mixed)
     return fill(origin, size, region == ExactField::Region::material);
   if (size == kNode) return sample_node<kNode>(origin, list_);
-  if (size == 2 * kNode && descent_->is_short(level)) {
-    descent_->candidates(level, list_);
+  if (size == 2 * kNode && descent_->is_short(tier)) {
+    descent_->candidates(tier, list_);
     return sample_node<2 * kNode>(origin, list_);
   }
   const std::int32_t half = size / 2;
   for (int k = 0; k < 8; ++k)
     visit({origin.x + (k & 1 ? half : 0), origin.y + (k & 2 ? half : 0),
            origin.z + (k & 4 ? half : 0)},
-          half, level + 1);
+          half, tier + 1);
 }
 
 void CellTile::fill(const LatticePoint& origin, std::int32_t size, bool inside) {
@@ -315,7 +315,7 @@ void CellTile::append_crossed(std::vector<MinimalEdge>& out) const {
           out.push_back(edge_at({x, y, std::countr_zero(left)}, axis));
 }
 
-// Where a neighbour was not sampled, nothing is shown.
+// False where a neighbour was not sampled.
 bool CellTile::runs_evenly(std::int32_t low, std::int32_t step) const {
   return run_evenly({offset(low - step), offset(low), offset(low + step), offset(low + 2 * step)},
                     lattice().voxel());

@@ -62,7 +62,7 @@ class CellTile final : public SurfaceCells {
 
   /// The edges whose ends lie on different sides of the surface, and what lies about them.
   const TileEdges& crossed() const { return crossed_; }
-  /// These edges by their numbers, added to `out`.
+  /// Adds these edges to `out`, by their numbers.
   void append_crossed(std::vector<MinimalEdge>& out) const;
   std::span<const TileSquare> squares() const { return squares_; }
   /// Bits of the cells (x, y, z), z a bit: in a square.
@@ -135,7 +135,7 @@ class CellTile final : public SurfaceCells {
   float offset(std::int32_t corner) const;  ///< infinite where not sampled
   Vec3 position(const LatticePoint& corner) const;
 
-  void visit(const LatticePoint& origin, std::int32_t size, std::size_t level);
+  void visit(const LatticePoint& origin, std::int32_t size, std::size_t tier);
   Box3 node_box(const LatticePoint& origin, std::int32_t size) const;
   void fill(const LatticePoint& origin, std::int32_t size, bool inside);
   void find_stock();

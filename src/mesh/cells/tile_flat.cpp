@@ -61,12 +61,12 @@ void CellTile::merge_flat_cells() {
                           d = inside(x + 1, y + 1);
       const std::uint64_t differ = (a ^ b) | (a ^ c) | (a ^ d);
       if (((differ | (a ^ a >> 1)) & uncut) == 0) continue;
-      const std::uint64_t level = ~((a ^ a >> 1) | (b ^ b >> 1) | (c ^ c >> 1) | (d ^ d >> 1));
+      const std::uint64_t even_in_z = ~((a ^ a >> 1) | (b ^ b >> 1) | (c ^ c >> 1) | (d ^ d >> 1));
       const auto row = static_cast<std::size_t>(x);
-      if (const std::uint64_t bits = uncut & level & ~(a ^ b) & ~(c ^ d) & (a ^ c);
+      if (const std::uint64_t bits = uncut & even_in_z & ~(a ^ b) & ~(c ^ d) & (a ^ c);
           bits != 0 && is_tested(x, false))
         flat.of(0, x)[static_cast<std::size_t>(y)] = bits;
-      if (const std::uint64_t bits = uncut & level & ~(a ^ c) & ~(b ^ d) & (a ^ b);
+      if (const std::uint64_t bits = uncut & even_in_z & ~(a ^ c) & ~(b ^ d) & (a ^ b);
           bits != 0 && is_tested(y, false))
         flat.of(1, y)[row] = bits;
       for (std::uint64_t left =

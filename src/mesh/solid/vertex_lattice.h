@@ -65,14 +65,14 @@ inline std::uint64_t key(const LatticePoint& p) {
          static_cast<std::uint64_t>(p.z) << 42;
 }
 
-/// The grid: a cube of 2^levels fine units, voxel * 2^-fine_levels each, aligned with the carver's
+/// The grid: a cube of 2^levels fine units, voxel * 2^-halvings each, aligned with the carver's
 /// samples.
 class Lattice {
  public:
   Lattice() = default;
   /// Begins `margin` voxels before the bounds.
-  Lattice(const Box3& bounds, double voxel, int fine_levels, int margin = 2)
-      : voxel_(voxel), fine_(voxel / (1 << fine_levels)), per_voxel_(1 << fine_levels) {
+  Lattice(const Box3& bounds, double voxel, int halvings, int margin = 2)
+      : voxel_(voxel), fine_(voxel / (1 << halvings)), per_voxel_(1 << halvings) {
     const Vec3 size = bounds.hi - bounds.lo;
     const double longest =
         size.x > size.y ? (size.x > size.z ? size.x : size.z) : (size.y > size.z ? size.y : size.z);

@@ -47,12 +47,12 @@ TileRange whole(const ExactField& field, const Lattice& lattice) {
 
 // The parts of up to `most` tiles that the surface may pass.
 void find_parts(const Lattice& lattice, ExactField::Descent& descent, const TileRange& range,
-                std::size_t level, std::int64_t most, std::vector<TilePart>& out) {
+                std::size_t tier, std::int64_t most, std::vector<TilePart>& out) {
   const Box3 reach = reach_of(box(lattice, range), lattice.voxel());
-  if (descent.enter(level, reach, kSurfaceBand, false) != ExactField::Region::mixed) return;
+  if (descent.enter(tier, reach, kSurfaceBand, false) != ExactField::Region::mixed) return;
   if (count(range) <= most) {
     out.push_back({range, {}});
-    descent.candidates(level, out.back().candidates);
+    descent.candidates(tier, out.back().candidates);
     return;
   }
   int axis = 0;
@@ -61,8 +61,8 @@ void find_parts(const Lattice& lattice, ExactField::Descent& descent, const Tile
   TileRange low = range, high = range;
   component(low.high, axis) = component(high.low, axis) =
       component(low.low, axis) + extent(range, axis) / 2;
-  find_parts(lattice, descent, low, level + 1, most, out);
-  find_parts(lattice, descent, high, level + 1, most, out);
+  find_parts(lattice, descent, low, tier + 1, most, out);
+  find_parts(lattice, descent, high, tier + 1, most, out);
 }
 
 }  // namespace

@@ -385,9 +385,9 @@ class UniformMesher {
 
 }  // namespace
 
-void mesh_uniform(const ExactField& field, double voxel, int fine_levels, const MeshPlan& options,
+void mesh_uniform(const ExactField& field, double voxel, int halvings, const MeshPlan& options,
                   MeshSink& sink, MeshReport& report) {
-  UniformMesher(field, Lattice(field.bounds(), voxel, fine_levels, kVoxelsBefore), options, report)
+  UniformMesher(field, Lattice(field.bounds(), voxel, halvings, kVoxelsBefore), options, report)
       .run(sink);
 }
 

@@ -10,10 +10,10 @@
 namespace mrsim::detail {
 
 /// The surface over cells of one voxel, in blocks as it is made; cells in which two pieces of
-/// surface meet are split, at most `fine_levels` times. Memory: some 13 MB a thread, and two tiles
+/// surface meet are split, at most `halvings` times. Memory: some 13 MB a thread, and two tiles
 /// that are being made (removal/part/memory_plan.h). Throws Error
 /// "mesh-unresolved", "mesh-too-large".
-void mesh_uniform(const ExactField& field, double voxel, int fine_levels, const MeshPlan& options,
+void mesh_uniform(const ExactField& field, double voxel, int halvings, const MeshPlan& options,
                   MeshSink& sink, MeshReport& report);
 
 }  // namespace mrsim::detail

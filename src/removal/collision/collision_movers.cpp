@@ -171,9 +171,9 @@ bool Selection::stays_in(const Motion& cut, const Motion& rapid, const Known& to
     return length(w - height * up) <= kSameTip;
   };
   const auto lies_in = [&](const Vec3& p) {
-    const Vec3 level = clears_above ? travel - dot(travel, up) * up : travel;
-    const double size = dot(level, level);
-    const double t = size > 0 ? std::clamp(dot(p - from, level) / size, 0.0, 1.0) : 0;
+    const Vec3 across = clears_above ? travel - dot(travel, up) * up : travel;
+    const double size = dot(across, across);
+    const double t = size > 0 ? std::clamp(dot(p - from, across) / size, 0.0, 1.0) : 0;
     return above(p, t) || above(p, 0) || above(p, 1);
   };
   return lies_in(rapid.start) && lies_in(rapid.end);

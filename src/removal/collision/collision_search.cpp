@@ -69,68 +69,68 @@ std::vector<CollisionHit> CollisionDetector::detect(const Box3& box,
   return std::move(hits_);
 }
 
-void CollisionDetector::visit(const Box3& box, std::size_t depth,
+void CollisionDetector::visit(const Box3& box, std::size_t tier,
                               std::span<const std::uint32_t> cuts,
                               std::span<const std::uint32_t> movers) {
   const Ball ball{0.5 * (box.lo + box.hi), 0.5 * distance(box.lo, box.hi)};
   const double stock = scene_.part.solid().distance(ball.center);
   if (stock >= ball.radius - scene_.threshold) return;
-  Level& level = levels_[depth];
-  keep_movers(ball, movers, level);
-  if (!level.movers.empty()) settle(ball, stock, cuts, level);
-  if (!level.movers.empty() && level.cuts.size() <= kMostFloors) drop_over_floors(box, level);
-  if (!level.movers.empty() && ball.radius < kTouchSize * scene_.threshold)
-    drop_touching(ball, stock, level);
-  if (level.movers.empty()) return;
-  if (ball.radius <= scene_.finest || depth + 1 == levels_.size()) return look_beside(ball, level);
-  for (const Box3& half : halves(box)) visit(half, depth + 1, level.cuts, level.movers);
+  Tier& own = tiers_[tier];
+  keep_movers(ball, movers, own);
+  if (!own.movers.empty()) settle(ball, stock, cuts, own);
+  if (!own.movers.empty() && own.cuts.size() <= kMostFloors) drop_over_floors(box, own);
+  if (!own.movers.empty() && ball.radius < kTouchSize * scene_.threshold)
+    drop_touching(ball, stock, own);
+  if (own.movers.empty()) return;
+  if (ball.radius <= scene_.finest || tier + 1 == tiers_.size()) return look_beside(ball, own);
+  for (const Box3& half : halves(box)) visit(half, tier + 1, own.cuts, own.movers);
 }
 
-// Those that reach the ball and have not been found elsewhere.
+// Keeps the movers that reach the ball and have not been found elsewhere.
 void CollisionDetector::keep_movers(const Ball& ball, std::span<const std::uint32_t> movers,
-                                    Level& level) const {
-  level.movers.clear();
+                                    Tier& tier) const {
+  tier.movers.clear();
   for (const std::uint32_t mover : movers) {
     const auto at =
         std::lower_bound(all_movers_.begin(), all_movers_.end(), mover) - all_movers_.begin();
-    if (!done_[static_cast<std::size_t>(at)]) level.movers.push_back(mover);
+    if (!done_[static_cast<std::size_t>(at)]) tier.movers.push_back(mover);
   }
-  level.mover_distance.resize(level.movers.size());
-  scene_.movers.sweeps.distances(level.movers, ball.center, level.mover_distance.data());
+  tier.mover_distance.resize(tier.movers.size());
+  scene_.movers.sweeps.distances(tier.movers, ball.center, tier.mover_distance.data());
   std::size_t kept = 0;
-  for (std::size_t m = 0; m < level.movers.size(); ++m) {
-    if (level.mover_distance[m] > ball.radius + slack_) continue;
-    level.movers[kept] = level.movers[m];
-    level.mover_distance[kept++] = level.mover_distance[m];
+  for (std::size_t m = 0; m < tier.movers.size(); ++m) {
+    if (tier.mover_distance[m] > ball.radius + slack_) continue;
+    tier.movers[kept] = tier.movers[m];
+    tier.mover_distance[kept++] = tier.mover_distance[m];
   }
-  level.movers.resize(kept);
-  level.mover_distance.resize(kept);
+  tier.movers.resize(kept);
+  tier.mover_distance.resize(kept);
 }
 
 // Cuts and movers together, in the order of time: `least` is the depth of the centre at the moment
 // of each mover.
 void CollisionDetector::settle(const Ball& ball, double stock, std::span<const std::uint32_t> cuts,
-                               Level& level) {
+                               Tier& tier) {
   const SweepTable& sweeps = scene_.part.sweeps();
   const auto time_of = [this](std::uint32_t mover) { return scene_.movers.motions[mover]; };
-  const std::int32_t last = time_of(level.movers.back());
+  const std::int32_t last = time_of(tier.movers.back());
   const auto end = std::partition_point(
       cuts.begin(), cuts.end(), [&](std::uint32_t cut) { return sweeps.motion(cut) <= last; });
   const auto earlier = cuts.first(static_cast<std::size_t>(end - cuts.begin()));
-  std::vector<double>& d = level.cut_distance;
+  std::vector<double>& d = tier.cut_distance;
   d.resize(earlier.size());
   sweeps.distances(earlier, ball.center, d.data());
-  level.cuts.clear();
+  tier.cuts.clear();
   double least = -stock;
   std::size_t next = 0, kept = 0;
   const auto settle_until = [&](std::int32_t time) {
-    for (; next < level.movers.size() && time_of(level.movers[next]) < time; ++next) {
-      const std::uint32_t mover = level.movers[next];
-      const bool within = level.mover_distance[next] <= 0;
+    for (; next < tier.movers.size() && time_of(tier.movers[next]) < time; ++next) {
+      const std::uint32_t mover = tier.movers[next];
+      const bool within = tier.mover_distance[next] <= 0;
       if (within && least > scene_.threshold) add_hit(mover, ball.center);
       if (least <= scene_.threshold - ball.radius || (within && least > scene_.threshold)) continue;
-      level.mover_distance[kept] = level.mover_distance[next];
-      level.movers[kept++] = mover;
+      tier.mover_distance[kept] = tier.mover_distance[next];
+      tier.movers[kept++] = mover;
     }
   };
   bool cleared = false;
@@ -139,13 +139,13 @@ void CollisionDetector::settle(const Ball& ball, double stock, std::span<const s
     cleared = d[k] <= scene_.threshold - ball.radius;
     const bool near = d[k] <= ball.radius + scene_.threshold + slack_;
     if (cleared || !near || d[k] > least + 2 * ball.radius + slack_) continue;
-    d[level.cuts.size()] = d[k];
-    level.cuts.push_back(earlier[k]);
+    d[tier.cuts.size()] = d[k];
+    tier.cuts.push_back(earlier[k]);
     least = std::min(least, d[k]);
   }
   if (!cleared) settle_until(last + 1);
-  level.movers.resize(kept);
-  level.mover_distance.resize(kept);
+  tier.movers.resize(kept);
+  tier.mover_distance.resize(kept);
 }
 
 void CollisionDetector::add_hit(std::uint32_t mover, const Vec3& place) {
@@ -168,14 +168,14 @@ double CollisionDetector::depth_at(const Vec3& p, std::int32_t time,
 
 // The smallest boxes: their centre may lie beside a mover, whose nearest point is used instead.
 // The box's own cuts may not be all that count there.
-void CollisionDetector::look_beside(const Ball& ball, const Level& level) {
+void CollisionDetector::look_beside(const Ball& ball, const Tier& tier) {
   const SweepTable& sweeps = scene_.movers.sweeps;
-  for (std::size_t m = 0; m < level.movers.size(); ++m) {
-    const std::uint32_t mover = level.movers[m];
+  for (std::size_t m = 0; m < tier.movers.size(); ++m) {
+    const std::uint32_t mover = tier.movers[m];
     const Vec3 p = drawn_onto(sweeps, mover, ball.center);
     if (sweeps.distance(mover, p) > slack_) continue;
     const std::int32_t time = scene_.movers.motions[mover];
-    if (depth_at(p, time, level.cuts) > scene_.threshold &&
+    if (depth_at(p, time, tier.cuts) > scene_.threshold &&
         depth_at(p, time, all_cuts_) > scene_.threshold)
       add_hit(mover, p);
   }
@@ -184,47 +184,47 @@ void CollisionDetector::look_beside(const Ball& ball, const Level& level) {
 // A cutter with a flat end that reaches up has cleared everything above its end. So a box over the
 // flat end is clear for movers that stay above it, whether or not the box does: surfaces that a
 // mover touches from above cost a few large boxes only.
-void CollisionDetector::drop_over_floors(const Box3& box, Level& level) {
+void CollisionDetector::drop_over_floors(const Box3& box, Tier& tier) {
   const SweepTable& sweeps = scene_.part.sweeps();
   const Vec3 center = 0.5 * (box.lo + box.hi), half = box.hi - center;
   const double reach = std::sqrt(half.x * half.x + half.y * half.y);
   double floor = std::numeric_limits<double>::infinity();
   std::size_t kept = 0, cut = 0;
-  for (std::size_t m = 0; m < level.movers.size(); ++m) {
-    const std::uint32_t mover = level.movers[m];
+  for (std::size_t m = 0; m < tier.movers.size(); ++m) {
+    const std::uint32_t mover = tier.movers[m];
     const std::int32_t time = scene_.movers.motions[mover];
-    for (; cut < level.cuts.size() && sweeps.motion(level.cuts[cut]) <= time; ++cut) {
-      const auto under = sweeps.flat_floor(level.cuts[cut], center);
+    for (; cut < tier.cuts.size() && sweeps.motion(tier.cuts[cut]) <= time; ++cut) {
+      const auto under = sweeps.flat_floor(tier.cuts[cut], center);
       if (under && under->inside > reach + slack_) floor = std::min(floor, under->z);
     }
     const double low = std::max(box.lo.z, scene_.movers.sweeps.bounds(mover).lo.z);
     if (low >= floor - scene_.threshold + slack_) continue;
-    level.mover_distance[kept] = level.mover_distance[m];
-    level.movers[kept++] = mover;
+    tier.mover_distance[kept] = tier.mover_distance[m];
+    tier.movers[kept++] = mover;
   }
-  level.movers.resize(kept);
-  level.mover_distance.resize(kept);
+  tier.movers.resize(kept);
+  tier.mover_distance.resize(kept);
 }
 
 // A ball of radius R about s is clear where s lies outside of the mover by R, or within a cut or
 // outside of the stock by R - threshold: distances are 1-Lipschitz. Two of them on both sides of a
 // surface cover a box on it, because they are far larger than the box.
-void CollisionDetector::drop_touching(const Ball& ball, double stock, Level& level) {
+void CollisionDetector::drop_touching(const Ball& ball, double stock, Tier& tier) {
   const SweepTable& sweeps = scene_.part.sweeps();
   clear_.clear();
   add_clear_stock(ball, stock);
   const std::size_t common = clear_.size();
   near_cuts_.clear();
   std::size_t kept = 0, cut = 0;
-  for (std::size_t m = 0; m < level.movers.size(); ++m) {
-    const std::uint32_t mover = level.movers[m];
+  for (std::size_t m = 0; m < tier.movers.size(); ++m) {
+    const std::uint32_t mover = tier.movers[m];
     const std::int32_t time = scene_.movers.motions[mover];
-    for (; cut < level.cuts.size() && sweeps.motion(level.cuts[cut]) <= time; ++cut)
-      add_near({level.cut_distance[cut], level.cuts[cut]});
+    for (; cut < tier.cuts.size() && sweeps.motion(tier.cuts[cut]) <= time; ++cut)
+      add_near({tier.cut_distance[cut], tier.cuts[cut]});
     // Where the mover grazes what the cut left, the clear sides overlap by less than the threshold.
     double overlap = scene_.threshold;
     if (!near_cuts_.empty())
-      overlap = std::clamp(overlap + level.mover_distance[m] - near_cuts_.front().distance,
+      overlap = std::clamp(overlap + tier.mover_distance[m] - near_cuts_.front().distance,
                            kLeastShare * scene_.threshold, scene_.threshold);
     const double depth = 0.75 * ball.radius * ball.radius / overlap + ball.radius;
     for (NearCut& near : near_cuts_) {
@@ -234,10 +234,10 @@ void CollisionDetector::drop_touching(const Ball& ball, double stock, Level& lev
     const bool touches = only_touches(ball, mover, depth);
     clear_.resize(common);
     if (touches) continue;
-    level.mover_distance[kept] = level.mover_distance[m];
-    level.movers[kept++] = mover;
+    tier.mover_distance[kept] = tier.mover_distance[m];
+    tier.movers[kept++] = mover;
   }
-  level.movers.resize(kept);
+  tier.movers.resize(kept);
 }
 
 void CollisionDetector::add_clear_stock(const Ball& ball, double stock) {

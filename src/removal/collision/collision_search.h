@@ -49,7 +49,7 @@ class CollisionDetector {
     double radius;
   };
   // A box's own lists, and what was measured at its centre.
-  struct Level {
+  struct Tier {
     Candidates cuts, movers;
     std::vector<double> cut_distance, mover_distance;
   };
@@ -66,15 +66,15 @@ class CollisionDetector {
     ClearBall clear;
   };
 
-  void visit(const Box3& box, std::size_t depth, std::span<const std::uint32_t> cuts,
+  void visit(const Box3& box, std::size_t tier, std::span<const std::uint32_t> cuts,
              std::span<const std::uint32_t> movers);
-  void keep_movers(const Ball& ball, std::span<const std::uint32_t> movers, Level& level) const;
-  void settle(const Ball& ball, double stock, std::span<const std::uint32_t> cuts, Level& level);
+  void keep_movers(const Ball& ball, std::span<const std::uint32_t> movers, Tier& tier) const;
+  void settle(const Ball& ball, double stock, std::span<const std::uint32_t> cuts, Tier& tier);
   void add_hit(std::uint32_t mover, const Vec3& place);
-  void look_beside(const Ball& ball, const Level& level);
+  void look_beside(const Ball& ball, const Tier& tier);
   double depth_at(const Vec3& p, std::int32_t time, std::span<const std::uint32_t> cuts) const;
-  void drop_over_floors(const Box3& box, Level& level);
-  void drop_touching(const Ball& ball, double stock, Level& level);
+  void drop_over_floors(const Box3& box, Tier& tier);
+  void drop_touching(const Ball& ball, double stock, Tier& tier);
   void add_clear_stock(const Ball& ball, double stock);
   void add_near(const NearCut& cut);
   void find_clear(const Ball& ball, double depth, NearCut& near) const;
@@ -83,7 +83,7 @@ class CollisionDetector {
 
   const CollisionScene& scene_;
   double slack_;  // mm: rounding of a difference of two distances
-  std::array<Level, 64> levels_;
+  std::array<Tier, 64> tiers_;
   std::vector<ClearBall> clear_;    // of all movers at their time
   std::vector<NearCut> near_cuts_;  // the nearest first
   std::vector<CollisionHit> hits_;

@@ -73,27 +73,29 @@ class ExactField {
   virtual Region restrict_to(const Box3& box, double band, std::span<const std::uint32_t> in,
                              Candidates& out) const = 0;
 
-  /// A way down from a region to its parts that keeps what was found on each level, so that lists
-  /// are narrowed without being made anew. For one thread.
+  /// A way down from a region to its parts, and theirs: tier 0 is the whole, each part is one tier
+  /// below what it is a part of. The lists of all tiers on the way are kept, so that a list is
+  /// narrowed and not made anew. For one thread.
   class Descent {
    public:
     Descent() = default;
     Descent(const Descent&) = delete;
     Descent& operator=(const Descent&) = delete;
     virtual ~Descent() = default;
-    /// As restrict_to, of the candidates that level - 1 has left. Requires: the last region entered
-    /// at level - 1 holds this one; level >= 1. The list that is left may still contain packs; with
-    /// `last`, when d is evaluated next, it holds single sweeps.
-    virtual Region enter(std::size_t level, const Box3& box, double band, bool last) = 0;
-    /// As enter(), for a region without parts: what is left goes to `out`, ascending. Requires: the
-    /// last region was entered at level - 1 with `last`.
-    virtual Region finish(std::size_t level, const Box3& box, double band, Candidates& out) = 0;
+    /// Does what restrict_to does with the candidates that tier - 1 has left. Requires: the last
+    /// region entered at tier - 1 holds this one; tier >= 1. The list that is left may still
+    /// contain packs; with `last`, when d is evaluated next, it holds single sweeps.
+    virtual Region enter(std::size_t tier, const Box3& box, double band, bool last) = 0;
+    /// Does what enter() does for a region that is not divided further: writes the candidates that
+    /// are left to `out`, ascending. Requires: the last region was entered at tier - 1 with
+    /// `last`.
+    virtual Region finish(std::size_t tier, const Box3& box, double band, Candidates& out) = 0;
     /// True where so little is left that looking closer costs more than it saves.
-    virtual bool is_short(std::size_t level) const = 0;
-    /// What the last region entered at this level has left, ascending.
-    virtual void candidates(std::size_t level, Candidates& out) const = 0;
+    virtual bool is_short(std::size_t tier) const = 0;
+    /// What the last region entered at this tier has left, ascending.
+    virtual void candidates(std::size_t tier, Candidates& out) const = 0;
   };
-  /// Begins with `in` (about the point `origin`) as what level 0 has left.
+  /// Begins with `in` (about the point `origin`) as what tier 0 has left.
   virtual std::unique_ptr<Descent> descent(const Vec3& origin,
                                            std::span<const std::uint32_t> in) const;
 
@@ -171,16 +173,16 @@ class ListDescent final : public ExactField::Descent {
  public:
   ListDescent(const ExactField& field, std::span<const std::uint32_t> in)
       : field_(field), lists_(1, Candidates(in.begin(), in.end())) {}
-  ExactField::Region enter(std::size_t level, const Box3& box, double band, bool) override {
-    if (lists_.size() <= level) lists_.resize(level + 1);
-    return field_.restrict_to(box, band, lists_[level - 1], lists_[level]);
+  ExactField::Region enter(std::size_t tier, const Box3& box, double band, bool) override {
+    if (lists_.size() <= tier) lists_.resize(tier + 1);
+    return field_.restrict_to(box, band, lists_[tier - 1], lists_[tier]);
   }
-  ExactField::Region finish(std::size_t level, const Box3& box, double band,
+  ExactField::Region finish(std::size_t tier, const Box3& box, double band,
                             Candidates& out) override {
-    return field_.restrict_to(box, band, lists_[level - 1], out);
+    return field_.restrict_to(box, band, lists_[tier - 1], out);
   }
-  bool is_short(std::size_t level) const override { return lists_[level].size() <= 1; }
-  void candidates(std::size_t level, Candidates& out) const override { out = lists_[level]; }
+  bool is_short(std::size_t tier) const override { return lists_[tier].size() <= 1; }
+  void candidates(std::size_t tier, Candidates& out) const override { out = lists_[tier]; }
 
  private:
   const ExactField& field_;
@@ -192,6 +194,7 @@ inline std::unique_ptr<ExactField::Descent> ExactField::descent(
   return std::make_unique<ListDescent>(*this, in);
 }
 
+/// Whether a point at that distance (mm, signed) counts as material.
 inline bool is_inside(double distance) { return distance < -kInsideTolerance; }
 
 }  // namespace mrsim

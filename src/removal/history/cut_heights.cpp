@@ -14,8 +14,9 @@ namespace mrsim {
 namespace {
 
 constexpr int kPartsEachWay = 4;  // parts of a square that are cut at once
-// Of the depth of cut: where heights differ by more, columns halve; in a file sooner, as the middle
-// of a column says little of the sharp valleys of V tools. Balls leave none.
+// Shares of the depth of cut. A column in which heights differ by more is halved; where a file is
+// written, sooner, because the middle of a column says little of the sharp valleys that V tools
+// leave. Balls leave none.
 constexpr double kSteepTip = 0.5, kSteepInFile = 0.125;
 constexpr std::size_t kWorthRun = 3;   // sweeps that are worth a bound of all
 constexpr std::size_t kFewSweeps = 6;  // whose walls are worth finer columns
@@ -144,34 +145,33 @@ void HeightWalker::begin(const HeightGrid& grid, std::size_t tile,
 }
 
 // `even`: the square lies in one in which heights do not differ much.
-void HeightWalker::visit(const Square& square, std::size_t level, bool even) {
+void HeightWalker::visit(const Square& square, std::size_t tier, bool even) {
   const Vec2 low = square.center - 0.5 * square.side;
   const bool is_column = square.columns <= 1;
   if (!is_column && (low.x >= end_.x || low.y >= end_.y)) return;
   if (is_column && (square.center.x >= end_.x || square.center.y >= end_.y)) return;
-  if (is_column && (even || finest_ == 0)) return cut(square, lists_[level]);
+  if (is_column && (even || finest_ == 0)) return cut(square, lists_[tier]);
   const bool in_file = !frames_.empty(), is_last = square.finer == finest_;
   const std::size_t most_on_lines = in_file ? kFewSweeps : kMostOnLines;
-  if (is_column && is_last && lists_[level].size() > most_on_lines)
-    return cut(square, lists_[level]);
-  const Found found = narrow(square, level);
+  if (is_column && is_last && lists_[tier].size() > most_on_lines) return cut(square, lists_[tier]);
+  const Found found = narrow(square, tier);
   if (!found.cuts) return;
   even = found.even;
-  const List& left = lists_[level + 1];
+  const List& left = lists_[tier + 1];
   if (is_column && even) return cut(square, left);
   if (is_column && found.walls && found.quick && left.size() <= most_on_lines &&
       square.finer >= (in_file ? kFiner : kLinesFrom))
     return cut_walls(square, left);
   if (is_column && is_last) return cut(square, left);
   if (square.columns == kPartsEachWay * kPartsEachWay && !heights_.balls().empty())
-    return cut_parts(square, level + 1);
+    return cut_parts(square, tier + 1);
   Square part{.side = 0.5 * square.side,
               .columns = square.columns / 2,
               .finer = square.finer + (is_column ? 1 : 0)};
   for (int k = 0; k < 4; ++k) {
     part.center = square.center +
                   Vec2{(k & 1 ? 0.5 : -0.5) * part.side.x, (k & 2 ? 0.5 : -0.5) * part.side.y};
-    visit(part, level + 1, even);
+    visit(part, tier + 1, even);
   }
 }
 
@@ -179,14 +179,14 @@ void HeightWalker::visit(const Square& square, std::size_t level, bool even) {
 // lie below the bottoms of all before them. Where extents are wanted a square is uneven, too, that
 // the wall of a sweep passes, whatever lies there in the end: the wall parts what this motion
 // removes from what a later one does.
-HeightWalker::Found HeightWalker::narrow(const Square& square, std::size_t level) {
+HeightWalker::Found HeightWalker::narrow(const Square& square, std::size_t tier) {
   const double r = 0.5 * length(square.side);
   double least = high_, most = high_;  // of the lowest bottom, in the whole square
   bool has_wall = false;
   Found found;
-  List& left = lists_[level + 1];
+  List& left = lists_[tier + 1];
   left.clear();
-  const List& list = lists_[level];
+  const List& list = lists_[tier];
   std::uint32_t asked = 0;  // index behind the last run that was measured
   for (std::size_t i = 0; i < list.size(); ++i) {
     const std::uint32_t index = list[i];
@@ -283,26 +283,26 @@ HeightWalker::Parts HeightWalker::parts_of(const Square& square) const {
 
 // Balls alone: a sweep is measured at 16 points in plan together, first for squares of columns,
 // then for columns.
-void HeightWalker::cut_parts(const Square& square, std::size_t level) {
+void HeightWalker::cut_parts(const Square& square, std::size_t tier) {
   const Parts parts = parts_of(square);
   PlanPoints points = parts.points;
   alignas(64) double least[PlanPoints::kCount];
   parts.set_low(points, high_), std::fill_n(least, PlanPoints::kCount, high_);
   for (List& list : part_lists_) list.clear();
   const double r = 0.5 * length(parts.side);
-  for (const std::uint32_t index : lists_[level])
+  for (const std::uint32_t index : lists_[tier])
     for_each_bit(sweep_kernels().ball_bounds(heights_.balls()[index], r, points, least),
                  [&](std::size_t k) { part_lists_[k].push_back(index); });
   for_each_bit(parts.open, [&](std::size_t k) {
     if (part_lists_[k].empty()) return;
     const Square part{.center = parts.center(k), .side = parts.side, .columns = kPartsEachWay};
-    cut_part(part, part_lists_[k], level + 1, is_even(least[k], points.low[k]));
+    cut_part(part, part_lists_[k], tier + 1, is_even(least[k], points.low[k]));
   });
 }
 
 // Columns in which heights differ are cut in parts. Where extents are wanted they are halved, each
 // as often as it needs.
-void HeightWalker::cut_part(const Square& part, const List& list, std::size_t level,
+void HeightWalker::cut_part(const Square& part, const List& list, std::size_t tier,
                             bool is_even_part) {
   const SweepKernels& kernels = sweep_kernels();
   const std::span<const LineRecord> balls = heights_.balls();
@@ -311,7 +311,7 @@ void HeightWalker::cut_part(const Square& part, const List& list, std::size_t le
   Square column{.side = parts.side, .columns = 1};
   const List* some = &list;
   if (!is_even_part && finest_ > 0) {
-    List& left = lists_[level];
+    List& left = lists_[tier];
     left.clear();
     alignas(64) double least[PlanPoints::kCount];
     parts.set_low(points, high_), std::fill_n(least, PlanPoints::kCount, high_);
@@ -324,9 +324,9 @@ void HeightWalker::cut_part(const Square& part, const List& list, std::size_t le
       parts.open &= ~(1u << k);
       column.center = parts.center(k);
       if (frames_.empty() && left.size() > kMostOnLines)
-        cut_part(column, left, level + 1, true);
+        cut_part(column, left, tier + 1, true);
       else
-        visit(column, level, false);
+        visit(column, tier, false);
     });
   }
   parts.set_low(points, high_);
@@ -356,7 +356,7 @@ void HeightWalker::extend(std::uint32_t index, const Square& square, double bott
                        square.side.x * square.side.y * stock_share(square)});
 }
 
-// Of a column, by the distance of its centre from the stock's sides.
+// The share of a column that the stock fills, by the distance of its centre from the stock's sides.
 double HeightWalker::stock_share(const Square& square) const {
   if (field_.solid().is_box()) return 1;
   const double d = field_.solid().plan_distance(square.center.x, square.center.y);

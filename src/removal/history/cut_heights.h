@@ -62,7 +62,7 @@ class HeightWalker {
   /// Hands on the staircase of each column of a tile, by its middle alone.
   void walk_steps(const HeightGrid& grid, std::size_t tile, std::span<const std::uint32_t> sweeps,
                   const Steps& steps);
-  /// Of the last walk, in the order of its list.
+  /// Extents of the last walk, in the order of its list.
   const std::vector<CutExtent>& extents() const { return extents_; }
 
  private:
@@ -76,14 +76,14 @@ class HeightWalker {
     int columns = 1;  // on a side; 0 within a column
     int finer = 0;    // halvings of a column
   };
-  void visit(const Square& square, std::size_t level, bool even);
+  void visit(const Square& square, std::size_t tier, bool even);
   struct Found {
     bool cuts = false;   // some sweep cuts
     bool even = false;   // heights do not differ much
     bool walls = false;  // a wall of a sweep may pass
     bool quick = true;   // no sweep is searched
   };
-  Found narrow(const Square& square, std::size_t level);
+  Found narrow(const Square& square, std::size_t tier);
   template <class Step>
   void for_each_step(const Square& square, const List& list, const Step& step) const;
   void cut(const Square& square, const List& list);
@@ -91,8 +91,8 @@ class HeightWalker {
   struct Parts;
   Parts parts_of(const Square& square) const;
   bool is_even(double least, double most) const;
-  void cut_parts(const Square& square, std::size_t level);
-  void cut_part(const Square& part, const List& list, std::size_t level, bool is_even_part);
+  void cut_parts(const Square& square, std::size_t tier);
+  void cut_part(const Square& part, const List& list, std::size_t tier, bool is_even_part);
   void step(const Square& column, std::uint32_t index, double bottom, double low);
   void begin(const HeightGrid& grid, std::size_t tile, std::span<const std::uint32_t> sweeps);
   void extend(std::uint32_t index, const Square& square, double bottom, double top);

@@ -79,9 +79,10 @@ class HeightsReader {
   // A feed to the place above which a way down through the zero begins: "G0 Z2", "G1 X10", "G1
   // Z-3".
   bool waits_above(const Motion& m, const Box3& path) {
-    const bool level = path.hi.z - path.lo.z <= kSameHeight;
+    const bool is_horizontal = path.hi.z - path.lo.z <= kSameHeight;
     const bool first = waiting_ == kNoHeight || std::fabs(waiting_ - path.lo.z) <= kSameHeight;
-    if (level && first && is_entry_ && entry_end_ == kNoHeight && path.lo.z > zero_ + kSameHeight) {
+    if (is_horizontal && first && is_entry_ && entry_end_ == kNoHeight &&
+        path.lo.z > zero_ + kSameHeight) {
       waiting_ = path.lo.z;
       return true;
     }
@@ -154,11 +155,12 @@ double distance_in_plan(const Motion& m, const Vec3& p) {
 }
 
 // A place where a rapid goes down below the stock's top before anything is cut there, or straight
-// down below what has been cut: beside it. So does one to the next pass, level and below the top.
+// down below what has been cut: beside it. So does one to the next pass, horizontal and below the
+// top.
 struct WayDown {
   Vec3 place, from;
   double radius = 0;
-  bool is_level = false;
+  bool is_horizontal = false;
 };
 
 // Whether a cut has made way for this rapid: down to its end where it goes straight down. Rapids
@@ -183,21 +185,21 @@ std::vector<WayDown> ways_down(std::span<const Motion> motions, std::span<const 
   for (std::size_t i = 0; i < motions.size() && ways.size() < kMost; ++i) {
     const Motion& m = motions[i];
     const bool goes_on = is_beside && m.end.z <= m.start.z;
-    const bool is_level = !goes_on && m.end.z == m.start.z;
+    const bool is_horizontal = !goes_on && m.end.z == m.start.z;
     is_beside = false;
     if (m.kind != MotionKind::rapid || m.assumed_start || m.tool < 0 ||
-        !(m.end.z < m.start.z || goes_on || is_level) || m.end.z > top - kSameHeight)
+        !(m.end.z < m.start.z || goes_on || is_horizontal) || m.end.z > top - kSameHeight)
       continue;
     const double radius = radii[static_cast<std::size_t>(m.tool)];
     const bool known = std::any_of(ways.begin(), ways.end(), [&](const WayDown& w) {
       return std::hypot(w.place.x - m.end.x, w.place.y - m.end.y) <
              (goes_on ? kSameHeight : radius);
     });
-    if (!(radius > 0) || (known && is_level) ||
-        is_cut_before(motions, i, is_level ? radius / 2 : radius))
+    if (!(radius > 0) || (known && is_horizontal) ||
+        is_cut_before(motions, i, is_horizontal ? radius / 2 : radius))
       continue;
-    is_beside = !is_level;
-    if (!known) ways.push_back({m.end, is_level ? m.start : m.end, radius, is_level});
+    is_beside = !is_horizontal;
+    if (!known) ways.push_back({m.end, is_horizontal ? m.start : m.end, radius, is_horizontal});
   }
   return ways;
 }
@@ -239,13 +241,13 @@ class SideKeeper {
       if (drawn > kMostOfSide * (side < 2 ? size.x : size.y)) continue;
       const auto [lost, longest] = cut_beyond(side, places[side]);
       const std::pair<double, double> costs(std::floor(lost / way.radius), drawn);
-      const bool cuts_along = way.is_level && longest > way.radius / 2;
+      const bool cuts_along = way.is_horizontal && longest > way.radius / 2;
       if (lost > most || cuts_along || (best >= 0 && costs >= least)) continue;
       best = side;
       least = costs;
     }
     if (best >= 0) *sides[best] = places[best];
-    return best >= 0 || way.is_level;  // between two passes inside: through the stock
+    return best >= 0 || way.is_horizontal;  // between two passes inside: through the stock
   }
 
   struct Lost {

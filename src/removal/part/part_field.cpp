@@ -57,44 +57,44 @@ PruneRegion region_of(const Box3& box) {
 class CandidateDescent final : public ExactField::Descent {
  public:
   CandidateDescent(const PartField& field, const Vec3& origin, std::span<const std::uint32_t> in)
-      : field_(field), levels_(1) {
-    list_candidates(field.sweeps(), in, origin, levels_[0].left);
+      : field_(field), tiers_(1) {
+    list_candidates(field.sweeps(), in, origin, tiers_[0].left);
   }
 
-  ExactField::Region enter(std::size_t level, const Box3& box, double band, bool last) override {
-    if (levels_.size() <= level) levels_.resize(level + 1);
-    Level& own = levels_[level];
-    own.in_stock = levels_[level - 1].in_stock;
+  ExactField::Region enter(std::size_t tier, const Box3& box, double band, bool last) override {
+    if (tiers_.size() <= tier) tiers_.resize(tier + 1);
+    Tier& own = tiers_[tier];
+    own.in_stock = tiers_[tier - 1].in_stock;
     own.region = region_of(box);
     own.region.expand_packs = last;
     own.reach = own.region.radius + band + field_.slack();
-    return field_.restrict_to(own.region, band, levels_[level - 1].left, own.in_stock, own.left);
+    return field_.restrict_to(own.region, band, tiers_[tier - 1].left, own.in_stock, own.left);
   }
-  ExactField::Region finish(std::size_t level, const Box3& box, double band,
+  ExactField::Region finish(std::size_t tier, const Box3& box, double band,
                             Candidates& out) override {
-    const Level& whole = levels_[level - 1];
+    const Tier& whole = tiers_[tier - 1];
     bool in_stock = whole.in_stock;
     if (is_of_strips(field_.sweeps(), whole.left)) {
       PruneRegion region = region_of(box);
       region.expand_packs = true;
       return field_.restrict_to(region, band, whole.left, in_stock, out);
     }
-    const ExactField::Region found = enter(level, box, band, true);
+    const ExactField::Region found = enter(tier, box, band, true);
     out.clear();
-    if (found == ExactField::Region::mixed) candidates(level, out);
+    if (found == ExactField::Region::mixed) candidates(tier, out);
     return found;
   }
-  bool is_short(std::size_t level) const override {
-    const CandidateList& left = levels_[level].left;
+  bool is_short(std::size_t tier) const override {
+    const CandidateList& left = tiers_[tier].left;
     if (left.closed) return left.size() <= kShortList;
     if (left.size() > kShortCostly) return false;
     static thread_local Candidates expanded;
-    return left.size() <= 1 || list(levels_[level], expanded);
+    return left.size() <= 1 || list(tiers_[tier], expanded);
   }
-  void candidates(std::size_t level, Candidates& out) const override { list(levels_[level], out); }
+  void candidates(std::size_t tier, Candidates& out) const override { list(tiers_[tier], out); }
 
  private:
-  struct Level {
+  struct Tier {
     CandidateList left;
     PruneRegion region;
     double reach = 0;
@@ -102,13 +102,13 @@ class CandidateDescent final : public ExactField::Descent {
   };
   // Turning sweeps one by one where they are few: side by side they cost less than their tree.
   // False where packs are left.
-  bool list(const Level& level, Candidates& out) const {
+  bool list(const Tier& tier, Candidates& out) const {
     out.clear();
-    append_ids(level.left, out);
-    return expand_turned(field_.sweeps(), level.region, level.reach, kShortTurned, out);
+    append_ids(tier.left, out);
+    return expand_turned(field_.sweeps(), tier.region, tier.reach, kShortTurned, out);
   }
   const PartField& field_;
-  std::vector<Level> levels_;
+  std::vector<Tier> tiers_;
 };
 
 }  // namespace

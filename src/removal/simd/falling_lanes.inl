@@ -73,7 +73,7 @@ static inline Place crossing(const Stretch& s, const Place& a, const Place& b, M
 ///   at(t, x, m)          any place, with the help of a near one;
 ///   rim(a, b, m)         where dr = 0, between a with dr <= 0 and b with dr > 0;
 ///   ground(a, b, m)      where dz = 0, between a with dz > 0 and b with dz < 0;
-///   level(a, b, m)       where dr = dz, between a with dr <= dz and b with dr >= dz;
+///   diagonal(a, b, m)    where dr = dz, between a with dr <= dz and b with dr >= dz;
 ///   corner(a, b, m)      the least of dr^2 + dz^2 between places with dr >= 0 and dz >= 0.
 template <class Stretch>
 static inline Place best_place(const Stretch& s, M wanted) {
@@ -92,7 +92,7 @@ static inline Place best_place(const Stretch& s, M wanted) {
     end = choose(below, from, last);
     inside = either(inside, below);
   }
-  if (any(inside)) best = choose(inside, s.level(first, end, inside), best);
+  if (any(inside)) best = choose(inside, s.diagonal(first, end, inside), best);
   active = except(active, inside);
   if (!any(active)) return best;
   if (const M ground = both(active, less(last.dz, zero)); any(ground))

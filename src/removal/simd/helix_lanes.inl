@@ -37,7 +37,7 @@ struct HelixView {
     const V slope = select(less(zero, lateral), area * sine / lateral, zero);
     return {delta, lateral - core, dz(t), slope, -fall, cosine, sine};
   }
-  // At t, or where `ends` at an end of the path.
+  // The place at t; in lanes of `ends` it is an end of the path.
   Place place(V t, V delta, V sine, V cosine, const HelixRecord::End& end, M ends) const {
     if (any(ends)) {
       const V s = splat(end.sin), c = splat(end.cos);
@@ -93,7 +93,7 @@ class FallingTurn {
     return choose(less(a.t, delta), choose(less(delta, b.t), x, b), a);
   }
 
-  Place level(const Place& a, const Place& b, M wanted) const {
+  Place diagonal(const Place& a, const Place& b, M wanted) const {
     return crossing(*this, a, b, wanted);
   }
 

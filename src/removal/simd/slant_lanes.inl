@@ -69,7 +69,7 @@ class SlantStretch {
   }
 
   // lateral = core + dz is a quadratic equation of t, whose first root is wanted.
-  Place level(const Place& a, const Place& b, M) const {
+  Place diagonal(const Place& a, const Place& b, M) const {
     const V zero = splat(0.0), reach = core_ + high_;
     const V square = plan_ * plan_ - rise_ * rise_;
     const V half = from_ * plan_ + reach * rise_, rest = from_ * from_ + square_ - reach * reach;

@@ -26,7 +26,8 @@ struct UprightColumn {
 
 class UprightStretch {
  public:
-  /// Where the least distance is above `limit`, any place of larger distance.
+  /// Where the least distance is above `limit`, the place is any one whose distance is above
+  /// `limit`, too.
   UprightStretch(const V* c, V px, V py, V pz, V limit)
       : radius_(c[UprightColumn::radius]),
         core_(c[UprightColumn::core]),
@@ -59,7 +60,7 @@ class UprightStretch {
     const V u = vmin(vmax((x_ + reach) / radius_, zero), splat(1.0));
     return within(a, b, u, half_ * vsqrt(splat(1.0) - u * u));
   }
-  Place level(const Place& a, const Place& b, M wanted) const {
+  Place diagonal(const Place& a, const Place& b, M wanted) const {
     return crossing(*this, a, b, wanted);
   }
   Place ground(const Place& a, const Place& b, M) const {
@@ -197,8 +198,8 @@ class UprightStretch {
     return choose(found, at(zero - h), choose(before, a, b));
   }
 
-  // Of the last step of Newton's method its square is left, times about the radius over the core,
-  // along which the lean changes: this much of the place, mm.
+  // mm: error of the place after the last step of Newton's method, whose square is left, times
+  // about the radius over the core, along which the lean changes.
   static constexpr double kPlace = 1e-13;
 
   V radius_, core_, half_;

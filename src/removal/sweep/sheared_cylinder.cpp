@@ -20,7 +20,8 @@ struct ShearedCylinder {
 
   bool is_line() const { return paths.is_line(row); }
   PathPoint at(double t) const { return paths.point(row, t); }
-  double level(double height) const { return (height - corner.at.y - z) / rise; }
+  /// The parameter of the path where the circle has that height, mm.
+  double place_at_height(double height) const { return (height - corner.at.y - z) / rise; }
 };
 
 std::optional<ShearedCylinder> cylinder_of(const PathColumn& paths, std::size_t row,
@@ -70,7 +71,8 @@ Passing passing_helix(const ShearedCylinder& s, const Vec3& p) {
   const double cosine = (path.radius * path.radius + far2 - s.corner.at.x * s.corner.at.x) /
                         (2 * path.radius * std::sqrt(far2));
   const double angle = mrsim::atan2(x * path.v.x + y * path.v.y, x * path.u.x + y * path.u.y);
-  const double turn = std::round((std::clamp(s.level(p.z), 0.0, path.sweep) - angle) / kTwoPi);
+  const double turn =
+      std::round((std::clamp(s.place_at_height(p.z), 0.0, path.sweep) - angle) / kTwoPi);
   const double sine2 = 1 - cosine * cosine;
   return {angle + kTwoPi * turn, sine2 > 0 ? mrsim::atan2(std::sqrt(sine2), cosine) : 0};
 }
@@ -90,7 +92,7 @@ std::optional<FacePlane> floor_beside(const ShearedCylinder& s, double t, const 
   return FacePlane{normal, normal.z * (p.z - height)};
 }
 
-// Where the surface is flat its height over the plan tells the distance: the circle of p's level
+// Where the surface is flat its height over the plan tells the distance: the circle at p's height
 // may be on the other side of the path, as the upper half of a cylinder of a slight slope lies some
 // micrometres above the lower one, and Newton's method would jump between them.
 std::optional<FacePlane> floor_plane(const ShearedCylinder& s, const Vec3& p) {
@@ -114,7 +116,7 @@ std::optional<FacePlane> sheared_cylinder(const PathColumn& paths, std::size_t r
   const std::optional<ShearedCylinder> s = cylinder_of(paths, row, corner);
   if (!s) return std::nullopt;
   if (const auto floor = floor_plane(*s, p)) return floor;
-  const PathPoint at = s->at(s->level(p.z));
+  const PathPoint at = s->at(s->place_at_height(p.z));
   const std::optional<Vec3> normal = normal_at(*s, at, p);
   if (!normal) return std::nullopt;
   const double x = p.x - at.position.x, y = p.y - at.position.y;

@@ -3,7 +3,7 @@
 #include "core/numbers/rounding.h"
 #include "core/numbers/units.h"
 #include "core/numbers/vec.h"
-#include "mesh/cells/cell_levels.h"
+#include "mesh/cells/cell_halvings.h"
 #include "mesh/cells/survey.h"
 #include "removal/part/default_stock.h"
 #include "removal/part/stock.h"
@@ -63,7 +63,7 @@ double longest_side(const Box3& box) {
   return std::max({size.x, size.y, size.z});
 }
 
-// Of each tool the lowest tip of its cuts; infinite where it does not cut along its own axis Z.
+// The lowest tip of each tool's cuts; infinite where it does not cut along its own axis Z.
 std::vector<double> lowest_tips(const CutList& cuts) {
   std::vector<double> lowest(cuts.tools().size(), std::numeric_limits<double>::infinity());
   for (const Motion& motion : cuts.motions()) {
