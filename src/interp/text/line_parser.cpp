@@ -4,14 +4,12 @@
 #include "interp/text/characters.h"
 
 #include <algorithm>
-#include <array>
 #include <optional>
 #include <string>
 
 #include <fmt/format.h>
 
 namespace mrsim {
-namespace {}  // namespace
 
 void LineParser::skip_blanks() {
   while (p_ < line_.size() && blank(line_[p_])) ++p_;

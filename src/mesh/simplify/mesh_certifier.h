@@ -3,9 +3,9 @@
 #pragma once
 
 #include "mesh/cells/octree.h"
-#include "mesh/simplify/certify.h"
 #include "mesh/simplify/labelled_mesh.h"
 #include "mesh/simplify/simplify.h"
+#include "mesh/simplify/triangle_bounds.h"
 #include "mesh/surface/surface.h"
 
 #include <cstddef>

@@ -1,7 +1,7 @@
 #include "mesh/simplify/simplify.h"
 
 #include "core/process/parallel.h"
-#include "mesh/simplify/certify.h"
+#include "mesh/simplify/triangle_bounds.h"
 #include "mesh/solid/exact_predicates.h"
 #include "mesh/surface/input_hash.h"
 

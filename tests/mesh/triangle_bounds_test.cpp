@@ -1,5 +1,5 @@
 // What a tolerance costs where short moves end at the stock's sides, and that bounds hold there.
-#include "mesh/simplify/certify.h"
+#include "mesh/simplify/triangle_bounds.h"
 
 #include "core/numbers/units.h"
 #include "core/numbers/vec.h"

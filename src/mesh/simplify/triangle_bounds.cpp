@@ -1,4 +1,4 @@
-#include "mesh/simplify/certify.h"
+#include "mesh/simplify/triangle_bounds.h"
 
 #include "mesh/points/vertex.h"
 
