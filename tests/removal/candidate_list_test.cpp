@@ -21,7 +21,7 @@ using namespace testing;
 struct Scene {
   const char* name;
   std::vector<Tool> tools;
-  bool level, arcs;
+  bool horizontal, arcs;
   double step;           // length of a move, mm
   bool helices = false;  // and arcs in upright planes
 };
@@ -73,9 +73,9 @@ std::vector<Motion> moves(Random& r, const Scene& s, const Vec3& origin) {
   std::vector<Motion> list;
   Vec3 at = origin;
   for (int i = 0; i < 60; ++i) {
-    const bool level = s.level || r.pick(4) == 0;
+    const bool horizontal = s.horizontal || r.pick(4) == 0;
     const Vec3 to =
-        at + Vec3{r(-s.step, s.step), r(-s.step, s.step), level ? 0 : r(-0.5, 0.5) * s.step};
+        at + Vec3{r(-s.step, s.step), r(-s.step, s.step), horizontal ? 0 : r(-0.5, 0.5) * s.step};
     Motion m = line(at, to);
     if (s.arcs && i % 2)
       m = arc(at, {to.x, to.y, at.z}, {0, 0, 1}, r.pick(2) ? r(-3.1, 3.1) : r(-6, 6));
@@ -92,7 +92,7 @@ std::vector<Motion> moves(Random& r, const Scene& s, const Vec3& origin) {
     if (i % 9 == 0) list.push_back(m);  // coincident
     at = m.end;
     if (i % 20 == 19) at = origin + Vec3{r(-2, 2), r(-2, 2), r(-1, 1)};
-    if (s.level) at.z = origin.z + 0.5 * r.pick(3);
+    if (s.horizontal) at.z = origin.z + 0.5 * r.pick(3);
   }
   return list;
 }
@@ -242,7 +242,7 @@ TEST(CandidateList, LongArcsOfUndercuttingMillsAreMeasured) {
 // Short moves along smooth paths, back and forth and again: what packs are made of.
 std::vector<Motion> smooth_moves(Random& r, const Scene& s, const Vec3& origin) {
   std::vector<Motion> list;
-  const double bend = r.pick(2) ? r(-0.2, 0.2) : 0, slope = s.level ? 0 : r(-0.3, 0.3);
+  const double bend = r.pick(2) ? r(-0.2, 0.2) : 0, slope = s.horizontal ? 0 : r(-0.3, 0.3);
   for (int row = 0; row < 12; ++row) {
     double heading = r(-0.1, 0.1) + (row % 2 ? 3.14 : 0);
     Vec3 at = origin + Vec3{row % 2 ? 3.0 : -3.0, 0.4 * (row - 6), 0.1 * r.pick(3)};
@@ -250,7 +250,7 @@ std::vector<Motion> smooth_moves(Random& r, const Scene& s, const Vec3& origin) 
     const std::size_t first = list.size();
     for (int i = 0; i < 70; ++i) {
       heading += s.step * bend;
-      const double rise = s.level ? 0 : slope + 0.3 * std::sin(0.4 * i);
+      const double rise = s.horizontal ? 0 : slope + 0.3 * std::sin(0.4 * i);
       const double step = s.step * (i % 30 == 0 ? 5 : 1);
       const Vec3 to = at + step * Vec3{std::cos(heading), std::sin(heading), rise};
       list.push_back(line(at, to));
@@ -300,19 +300,19 @@ TEST(CandidateList, PacksStandForTheirSweeps) {
       list_candidates(table, table.all(), center, lists[0]);
       sweeps += plain.size(), packed += lists[0].size();
       const double band = r(0.1, 1), asked = round % 5 == 4 ? 0 : band;
-      for (int level = 0; level < 6; ++level, half /= 2) {
+      for (int tier = 0; tier < 6; ++tier, half /= 2) {
         PruneRegion region = round % 3 == 0   ? PruneRegion::ball(center, half)
                              : round % 3 == 1 ? PruneRegion::cube(center, half)
                                               : PruneRegion::column(center, half, 2 * half);
-        region.expand_packs = level == 5;
-        if (!prune(table, region, region.radius + band + 1e-9, asked, lists[level],
-                   lists[level + 1])) {
+        region.expand_packs = tier == 5;
+        if (!prune(table, region, region.radius + band + 1e-9, asked, lists[tier],
+                   lists[tier + 1])) {
           expect_swept(r, table, plain, region, band);
           if (HasFatalFailure()) FAIL() << scene.name << ", round " << round;
           break;
         }
-        expect_same(r, table, plain, lists[level + 1], region, band);
-        if (HasFatalFailure()) FAIL() << scene.name << ", round " << round << ", level " << level;
+        expect_same(r, table, plain, lists[tier + 1], region, band);
+        if (HasFatalFailure()) FAIL() << scene.name << ", round " << round << ", tier " << tier;
         center = center + 0.5 * half * Vec3{r(-1, 1), r(-1, 1), r(-1, 1)};
         if (!region.box) center = region.center;
       }

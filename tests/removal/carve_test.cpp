@@ -77,7 +77,7 @@ TEST(Carve, EqualsTheReferenceToTheLastBit) {
 
 // Many short moves, as finishing rasters and adaptive clearing are made of: where dominance drops
 // most of every list. Some coincide.
-std::vector<Motion> short_moves(std::uint64_t seed, int count, bool level) {
+std::vector<Motion> short_moves(std::uint64_t seed, int count, bool horizontal) {
   std::mt19937_64 random(testing::salted(seed));
   std::uniform_real_distribution<double> step(-0.6, 0.6);
   std::vector<Motion> motions;
@@ -87,7 +87,7 @@ std::vector<Motion> short_moves(std::uint64_t seed, int count, bool level) {
       at = {double(random() % 20), double(random() % 20), 3.0 + double(random() % 4)};
     const Vec3 to{std::clamp(at.x + step(random), 0.0, 20.0),
                   std::clamp(at.y + step(random), 0.0, 20.0),
-                  level ? at.z : std::clamp(at.z + 0.3 * step(random), 2.0, 8.0)};
+                  horizontal ? at.z : std::clamp(at.z + 0.3 * step(random), 2.0, 8.0)};
     motions.push_back(line(at, to, i));
     if (i % 7 == 0) motions.push_back(line(to, at, i));
     at = to;
@@ -118,13 +118,13 @@ TEST(Carve, DominanceNeverChangesABit) {
 }
 
 // Rows of short moves along smooth curves, some of them twice, which lists hold in packs.
-std::vector<Motion> smooth_rows(std::uint64_t seed, bool level) {
+std::vector<Motion> smooth_rows(std::uint64_t seed, bool horizontal) {
   std::mt19937_64 random(testing::salted(seed));
   std::uniform_real_distribution<double> bend(-0.3, 0.3);
   std::vector<Motion> motions;
   for (int row = 0; row < 16; ++row) {
     const std::size_t first = motions.size();
-    const double turn = bend(random), lift = level ? 0 : bend(random);
+    const double turn = bend(random), lift = horizontal ? 0 : bend(random);
     double heading = 2 * bend(random) + (row % 2 ? kPi : 0);
     Vec3 at{row % 2 ? 15.0 : 5.0, 2.0 + row, 3.0 + double(random() % 3)};
     for (int i = 0; i < 60; ++i, heading += 0.15 * turn) {

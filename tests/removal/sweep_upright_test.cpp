@@ -94,9 +94,9 @@ TEST(UprightArcs, NearestIsTheLeastOfAll) {
       std::vector<std::uint32_t> ids;
       for (std::uint32_t i = 0; i < s.size(); ++i)
         if (r(0, 1) < 0.3) ids.push_back(i);
-      const bool level = round % 4 == 0;  // with the floors of all
+      const bool is_horizontal = round % 4 == 0;  // with the floors of all
       const Vec3 p{r(-2, 62), r(0, 20),
-                   level ? 14 * std::cos(std::asin(10.0 / 14)) - 14 : r(-5, 6)};
+                   is_horizontal ? 14 * std::cos(std::asin(10.0 / 14)) - 14 : r(-5, 6)};
       double least = INFINITY;
       std::uint32_t nearest = 0;
       for (const std::uint32_t id : ids)
