@@ -101,6 +101,40 @@ TEST(DefaultBar, IsNoWiderThanWhereLevelsOfAFaceBegin) {
             20);
 }
 
+// Levels of a face that end at a contour, as G72 cuts them, and the ways off them at 45 degrees;
+// strokes of a groove: they begin and end where the levels before have cut.
+TEST(DefaultBar, IsAsWideAsLevelsOfAFaceThatEndFartherOut) {
+  EXPECT_EQ(StockPath()
+                .rapid({27, 0, 4})
+                .rapid({27, 0, 0})
+                .cut({0, 0, 0})
+                .rapid({0.5, 0, 0.5})
+                .rapid({0.5, 0, 4})
+                .rapid({27, 0, 4})
+                .rapid({27, 0, -2})
+                .cut({10, 0, -2})
+                .rapid({10.5, 0, -1.5})
+                .rapid({27, 0, -1.5})
+                .rapid({27, 0, -4})
+                .cut({15, 0, -4})
+                .rapid({27, 0, -4})
+                .bar()
+                .outer_radius,
+            27);
+  EXPECT_EQ(StockPath()
+                .rapid({26, 0, 4})
+                .rapid({26, 0, -20})
+                .cut({24, 0, -20})
+                .rapid({24.5, 0, -20})
+                .cut({22, 0, -20})
+                .rapid({22.5, 0, -20})
+                .cut({20, 0, -20})
+                .rapid({26, 0, -20})
+                .bar(ToolType::grooving)
+                .outer_radius,
+            26);
+}
+
 // Rapids back within the part, and a feed move to the first pass in the air, tell nothing.
 TEST(DefaultBar, EndsAtZeroWhateverIsInside) {
   const StockShape bar = StockPath()

@@ -64,13 +64,25 @@ TurnedCuts turned_cuts(std::span<const Motion> motions, std::span<const Tool> to
   return cuts;
 }
 
-// The least radius beyond what is cut towards the chuck that a rapid leads to: the bar is thinner.
+// A stroke's way back along its own cut.
+bool goes_back_in(const Motion& cut, const Motion& rapid) {
+  return is_cut(cut) && cut.start.z == cut.end.z && rapid.end.z == cut.end.z &&
+         std::fabs(rapid.end.x) < std::fabs(cut.start.x) - kSameHeight;
+}
+
+// The least radius beyond what is cut towards the chuck that rapids lead to: the bar is thinner.
+// A way off a cut, which rapids go on outwards from, says nothing.
 double clear_radius(std::span<const Motion> motions, const TurnedCuts& cuts) {
-  double least = -kNoHeight;
-  for (const Motion& m : motions) {
-    if (m.kind != MotionKind::rapid || m.assumed_start) continue;
-    for (const double r : {std::fabs(m.start.x), std::fabs(m.end.x)})
-      if (r > cuts.along + kSameHeight) least = std::min(least, r);
+  double least = -kNoHeight, beyond = 0;  // beyond: the largest radius of the rapids that follow
+  for (std::size_t i = motions.size(); i-- > 0;) {
+    const Motion& m = motions[i];
+    if (is_cut(m)) beyond = 0;
+    const bool leads_on = i + 1 < motions.size() && !motions[i + 1].assumed_start;
+    if (m.kind != MotionKind::rapid || (m.assumed_start && !leads_on)) continue;
+    const double r = std::fabs(m.end.x);
+    const bool is_off = r < beyond - kSameHeight || (i > 0 && goes_back_in(motions[i - 1], m));
+    if (!is_off && r > cuts.along + kSameHeight) least = std::min(least, r);
+    beyond = std::max(beyond, r);
   }
   return least;
 }
