@@ -242,6 +242,21 @@ TEST(RecogniseMachine, G74WithRAloneIsALathes) {
   EXPECT_EQ(recognised(head + "G74 Z-40. R2. F1.\nM30\n").machine, MachineKind::automatic);
 }
 
+// Lathes with an axis Y put it to 0 before they turn.
+TEST(RecogniseMachine, YAtZeroDoesNotSpeakAgainstALathe) {
+  const std::string turn = "G96 S150 M3\nG0 X54. Z6.\nG1 X40. F.1\nZ-20.\nX54.\nM30\n";
+  for (const char* head : {"O1\nT0101\nG0 Y0.\n", "O1\nG28 U0. Y0. W0.\nT0101\n"}) {
+    EXPECT_EQ(recognised(head + turn).machine, MachineKind::lathe) << head;
+    EXPECT_EQ(codes(read_text(head + turn, {}), Severity::error), "") << head;
+  }
+  EXPECT_EQ(recognised("O1\nT0101\nG0 Y0.5\n" + turn).machine, MachineKind::automatic);
+  EXPECT_EQ(recognised("O1\nT0101\nG0 Y#1\n" + turn).machine, MachineKind::automatic);
+  // A word of station and offset alone does not decide against it, nor Y0 for a mill.
+  EXPECT_EQ(recognised("O1\nT0101\nG97 S500 M3\nG0 Y0\nG0 X50. Z2.\nG1 Z-9. F.2\n").machine,
+            MachineKind::automatic);
+  EXPECT_EQ(recognised("O1\nT1 M6\nG0 X50. Y0 Z2.\nG1 Z-9. F.2\n").machine, MachineKind::mill);
+}
+
 // J and K of GSK's lathes: the run-out of a thread, and choices of its cycles.
 TEST(RecogniseMachine, JOfALathesCyclesIsNoArc) {
   const std::string head = "O1\nT0101 (16ER AG60)\nG0 X35. Z5.\n";

@@ -94,7 +94,7 @@ bool AxisWords::axis_word(Target& out, int axis, const Word& word, bool incremen
   if (word.form == Form::ic || word.form == Form::dic || word.form == Form::ric) incremental = true;
   const bool home = word.value == 0 && block_.oneshot;  // G28 U0 V0 W0
   if (lathe() && axis == 1 && !home) {
-    if (options_.machine == MachineKind::automatic)
+    if (word.value != 0 && options_.machine == MachineKind::automatic)
       throw Error("machine-unclear",
                   fmt::format("{}:{}: Y moves in a program that looked like a lathe's ({}): say "
                               "--machine mill or --machine lathe",

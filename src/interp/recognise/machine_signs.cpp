@@ -90,6 +90,18 @@ bool drills(const ToolHint& hint) {
          hint.trade == ToolTrade::hole;
 }
 
+// Whether each Y is a number that is 0.
+bool stays_at_y0(std::string_view c) {
+  for (std::size_t i = c.find('Y'); i != c.npos; i = c.find('Y', i + 1)) {
+    if (i > 0 && is_letter(c[i - 1])) continue;
+    const std::size_t number = c.find_first_not_of(" +-", i + 1);
+    if (number == c.npos || (c[number] != '0' && c[number] != '.')) return false;
+    const std::size_t end = c.find_first_not_of("0.", number);
+    if (end != c.npos && (is_digit(c[end]) || c[end] == '[' || c[end] == '#')) return false;
+  }
+  return true;
+}
+
 // Words with Y or J that are no motion: frames, data, threads of LinuxCNC.
 bool sets_data(const std::string& c) {
   for (const std::string_view word : {"TRANS", "ROT ", "SCALE", "MIRROR", "WORKPIECE", "MSG("})
@@ -145,7 +157,8 @@ void MachineSigns::line(const LineScan& s, int n) {
     if (has_word(c, cycle)) note_first(lathe_, "a turning cycle", n);
   if (milling_cycle(c)) note_first(milling_cycle_, "a milling cycle", n);
   const bool data = is_transformed(c) || sets_data(c);
-  if (!data && has_axis(c, 'Y')) note_first(mill_, "a motion with Y", n);
+  if (!data && has_axis(c, 'Y') && mill_.empty())
+    note_first(stays_at_y0(c) ? level_ : mill_, "a motion with Y", n);
   if (!data && has_axis(c, 'J') && !turns_with_j(c)) note_first(mill_, "an arc with J", n);
   if (s.comment.empty()) return;
   const ToolHint hint = read_tool_comment(s.comment);
@@ -181,18 +194,23 @@ void MachineSigns::judge(const InterpOptions& options, Recognition& out) const {
   std::string weak = fanuc && !fanuc_turning_.empty() ? fanuc_turning_ : turning_;
   // Beside turning tools or an axis C a milling tool in a turret is a live one.
   const bool live = !turning_tool_.empty() || !rotary_.empty();
-  if (weak.empty() && fanuc && change_.empty() &&
-      (milling_tool_.empty() || live || (turns_ && !mills_)) && !milling)
-    weak = turret_.empty() && !turning_tool_.empty() ? short_turret_ : turret_;
+  std::string turret;
+  if (fanuc && change_.empty() && (milling_tool_.empty() || live || (turns_ && !mills_)) &&
+      !milling)
+    turret = turret_.empty() && !turning_tool_.empty() ? short_turret_ : turret_;
+  if (weak.empty()) weak = turret;
   if (weak.empty() && milling_tool_.empty() && !turning_tool_.empty() && !per_revolution_.empty())
     weak = fmt::format("turning tool {}, {}", turning_tool_, per_revolution_);
   if (weak.empty() && turning && !milling) weak = "a turning tool in the tool table";
   const std::string mill = weak_mill(milling && !turning, !milling_tool_.empty());
-  if (!mill_.empty() && !lathe.empty() && !(ngc && lathe.starts_with("G96"))) {
-    out.machine_reason = fmt::format("{} speaks for a mill, {} for a lathe", mill_, lathe);
-  } else if (!mill_.empty()) {
+  const bool sure = !lathe.empty() && !(ngc && lathe.starts_with("G96"));
+  const std::string& across = mill_.empty() && !sure ? level_ : mill_;
+  const std::string against = sure ? lathe : mill_.empty() ? turret : "";
+  if (!across.empty() && !against.empty()) {
+    out.machine_reason = fmt::format("{} speaks for a mill, {} for a lathe", across, against);
+  } else if (!across.empty()) {
     out.machine = MachineKind::mill;
-    out.machine_reason = mill_;
+    out.machine_reason = level_.empty() ? across : level_;
   } else if (!lathe.empty()) {
     out.machine = MachineKind::lathe;
     out.machine_reason = lathe;

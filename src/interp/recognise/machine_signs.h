@@ -25,6 +25,7 @@ class MachineSigns {
 
   // Where the first such sign is; empty: there is none.
   std::string mill_, lathe_;
+  std::string level_;                        ///< Y0, which lathes with an axis Y write, too
   std::string ngc_lathe_;                    ///< G7, G8: diameters of LinuxCNC
   std::string fanuc_lathe_;                  ///< words of FANUC's lathes: G71 with P and Q
   std::string fanuc_turning_;                ///< FANUC's words, if nothing moves in Y
