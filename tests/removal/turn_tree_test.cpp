@@ -196,6 +196,37 @@ TEST(TurnTree, OpenedListsHoldWhatMeetsABox) {
   EXPECT_EQ(sweeps.bounds(all[0]).hi, whole.hi);
 }
 
+// Passes one below the other: about a place there are a few of each, by their outlines; by their
+// bounds, as large as the insert, half of a pass.
+TEST(TurnTree, MeetingListsHoldWhatReachesABox) {
+  Random r(17);
+  std::vector<Motion> passes;
+  for (int pass = 0; pass < 40; ++pass)
+    for (int i = 0; i < 200; ++i) {
+      const auto at = [&](int k) {
+        return Vec3{20 - 0.2 * pass + std::sin(0.05 * k), 0, 20 - 0.1 * k};
+      };
+      passes.push_back(line(at(i), at(i + 1)));
+    }
+  const SweepTable sweeps(passes, inserts());
+  const std::vector<std::uint32_t> all = sweeps.all();
+  std::size_t met = 0, bounded = 0;
+  for (int k = 0; k < 200; ++k) {
+    const Vec3 p = somewhere(r);
+    const double half = r(0.01, 0.5);
+    const Box3 box = inflated(Box3{p, p}, half);
+    const std::vector<std::uint32_t> meeting = sweeps.meeting(all, box);
+    const std::vector<std::uint32_t> expanded = sweeps.expanded(all, box);
+    EXPECT_TRUE(std::includes(expanded.begin(), expanded.end(), meeting.begin(), meeting.end()));
+    for (const std::uint32_t i : expanded)
+      if (!std::binary_search(meeting.begin(), meeting.end(), i))
+        EXPECT_GT(sweeps.distance(i, p), half);
+    met += meeting.size(), bounded += expanded.size();
+  }
+  EXPECT_GT(met, 0u);
+  EXPECT_LT(met, bounded / 2);
+}
+
 TEST(TurnTree, EveryInstructionSetGivesTheSameBits) {
   Random r(9);
   for (int round = 0; round < 300; ++round) {

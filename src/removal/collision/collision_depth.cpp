@@ -192,7 +192,8 @@ Candidates cuts_before(const CollisionScene& scene, std::int32_t time, const Box
   for (int a = 0; a < 3; ++a)
     deepest = std::min({deepest, component(box.hi, a) - component(stock.lo, a),
                         component(stock.hi, a) - component(box.lo, a)});
-  const Box3 near = inflated(box, std::max(0.0, deepest));
+  Box3 near = inflated(box, std::max(0.0, deepest));
+  if (scene.turned) near.lo.y = near.hi.y = 0;
   Candidates cuts;
   const auto settle = [&cuts] {
     std::sort(cuts.begin(), cuts.end());
@@ -201,7 +202,7 @@ Candidates cuts_before(const CollisionScene& scene, std::int32_t time, const Box
   for (const std::size_t block : scene.blocks.blocks_of(near)) {
     const Box3 of_block = scene.blocks.box(block);
     const Box3 here{max(of_block.lo, near.lo), min(of_block.hi, near.hi)};
-    for (const std::uint32_t cut : sweeps.expanded(scene.blocks.sweeps(block), here))
+    for (const std::uint32_t cut : sweeps.meeting(scene.blocks.sweeps(block), here))
       if (sweeps.motion(cut) <= time) cuts.push_back(cut);
     if (cuts.size() > 2 * sweeps.size()) settle();
   }

@@ -139,8 +139,8 @@ std::vector<CollisionHit> probe_movers(const CollisionScene& scene, double near,
   std::vector<std::vector<CollisionHit>> found(begins.size() - 1);
   parallel_for(found.size(), threads, [&](std::size_t k) {
     const std::size_t block = probes[begins[k]].block;
-    const Candidates cuts = scene.part.sweeps().expanded(scene.blocks.sweeps(block),
-                                                         inflated(scene.blocks.box(block), near));
+    const Candidates cuts = scene.part.sweeps().meeting(scene.blocks.sweeps(block),
+                                                        inflated(scene.blocks.box(block), near));
     BlockProber(scene, found[k])
         .visit(std::span(probes).subspan(begins[k], begins[k + 1] - begins[k]), cuts);
   });

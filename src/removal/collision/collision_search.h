@@ -20,6 +20,7 @@ struct CollisionScene {
   const Movers& movers;
   double threshold = 0;  ///< mm: what lies deeper collides
   double finest = 0;     ///< mm: half diagonal of the boxes that are not halved again
+  bool turned = false;   ///< stock, cuts and movers are the same at every angle: y = 0 says it all
 
   double rounding() const {
     return 2 * (part.sweeps().max_error() + movers.sweeps.max_error()) + kRounding;

@@ -82,8 +82,12 @@ class Check {
 };
 
 CollisionScene Check::scene(std::size_t part) const {
-  return {*grid_.field, *grid_.index, movers_[part], options_.depth,
-          std::max(0.5 * options_.depth, kFinest * grid_.voxel)};
+  return {*grid_.field,
+          *grid_.index,
+          movers_[part],
+          options_.depth,
+          std::max(0.5 * options_.depth, kFinest * grid_.voxel),
+          turned_};
 }
 
 // Turning tools, and others along the bar's axis: drills of a lathe.
@@ -150,7 +154,7 @@ void Check::detect(std::size_t part, std::vector<Hit>& hits) {
     if (!is_empty(box)) {
       const Box3 around = inflated(index.box(b), near);
       found[b] = CollisionDetector(scene).detect(
-          box, grid_.field->sweeps().expanded(grid_.index->sweeps(b), around), here);
+          box, grid_.field->sweeps().meeting(grid_.index->sweeps(b), around), here);
     }
     step(index.size());
   });

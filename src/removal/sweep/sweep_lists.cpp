@@ -1,5 +1,6 @@
 #include "removal/sweep/sweep_lists.h"
 
+#include "core/numbers/rounding.h"
 #include "core/numbers/vec.h"
 #include "removal/forms/helix_sweep.h"
 #include "removal/sweep/bounded_sweeps.h"
@@ -218,6 +219,42 @@ bool is_one_form(const SweepColumns& c) {
                        c.refs.front().kind == SweepKind::plane_line);
 }
 
+// Those whose bounds meet the box, ascending. A pack and its mirror image hold the same sweeps.
+void keep_bounded(const SweepColumns& c, const Box3& box, std::vector<std::uint32_t>& sweeps) {
+  std::erase_if(sweeps, [&](std::uint32_t i) {
+    const Box3 b = c.bounds_of(c.refs[i]);
+    return is_empty({max(b.lo, box.lo), min(b.hi, box.hi)});
+  });
+  std::sort(sweeps.begin(), sweeps.end());
+  sweeps.erase(std::unique(sweeps.begin(), sweeps.end()), sweeps.end());
+}
+
+// The rectangle of the half plane that holds a box.
+TurnRegion turn_region(const Box3& box) {
+  const double near_x = std::max({0.0, box.lo.x, -box.hi.x});
+  const double near_y = std::max({0.0, box.lo.y, -box.hi.y});
+  const double far_x = std::max(std::fabs(box.lo.x), std::fabs(box.hi.x));
+  const double far_y = std::max(std::fabs(box.lo.y), std::fabs(box.hi.y));
+  const double nearest = std::sqrt(near_x * near_x + near_y * near_y);
+  const double farthest = std::sqrt(far_x * far_x + far_y * far_y);
+  return {{0.5 * (nearest + farthest), 0.5 * (box.lo.z + box.hi.z)},
+          {0.5 * (farthest - nearest), 0.5 * (box.hi.z - box.lo.z)}};
+}
+
+// The sweeps of packs of the turn tree that a ball about the box meets.
+void append_turned(const SweepColumns& c, std::span<const std::uint32_t> numbers, const Box3& box,
+                   std::vector<std::uint32_t>& sweeps) {
+  static thread_local TurnTree::Packs packs;
+  static thread_local std::vector<TurnMember> members;
+  packs.clear();
+  members.clear();
+  for (const std::uint32_t id : numbers)
+    packs.push_back(id - static_cast<std::uint32_t>(c.refs.size()));
+  const TurnRegion region = turn_region(box);
+  c.turn_tree.members(region, {}, length(region.half) + kRounding, 0, packs, members);
+  for (const TurnMember& member : members) sweeps.push_back(member.sweep);
+}
+
 }  // namespace
 
 std::vector<std::uint32_t> all_numbers(const SweepColumns& c, double longest) {
@@ -248,20 +285,24 @@ std::vector<std::uint32_t> all_numbers(const SweepColumns& c, double longest) {
   return list;
 }
 
-std::vector<std::uint32_t> sweeps_meeting(const SweepColumns& c,
+std::vector<std::uint32_t> sweeps_bounded(const SweepColumns& c,
                                           std::span<const std::uint32_t> list, const Box3& box) {
   const auto numbers = c.numbers_of(list);
   const auto plain = c.sweeps_of(numbers);
   std::vector<std::uint32_t> sweeps(plain.begin(), plain.end());
   for (const std::uint32_t id : numbers.turned)
     c.turn_tree.append_sweeps(id - static_cast<std::uint32_t>(c.refs.size()), sweeps);
-  std::erase_if(sweeps, [&](std::uint32_t i) {
-    const Box3 b = c.bounds_of(c.refs[i]);
-    return is_empty({max(b.lo, box.lo), min(b.hi, box.hi)});
-  });
-  // A pack and its mirror image hold the same sweeps.
-  std::sort(sweeps.begin(), sweeps.end());
-  sweeps.erase(std::unique(sweeps.begin(), sweeps.end()), sweeps.end());
+  keep_bounded(c, box, sweeps);
+  return sweeps;
+}
+
+std::vector<std::uint32_t> sweeps_meeting(const SweepColumns& c,
+                                          std::span<const std::uint32_t> list, const Box3& box) {
+  const auto numbers = c.numbers_of(list);
+  const auto plain = c.sweeps_of(numbers);
+  std::vector<std::uint32_t> sweeps(plain.begin(), plain.end());
+  append_turned(c, numbers.turned, box, sweeps);
+  keep_bounded(c, box, sweeps);
   return sweeps;
 }
 

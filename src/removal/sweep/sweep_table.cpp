@@ -77,6 +77,10 @@ std::vector<std::uint32_t> SweepTable::all(double longest) const {
 }
 std::vector<std::uint32_t> SweepTable::expanded(std::span<const std::uint32_t> list,
                                                 const Box3& box) const {
+  return sweeps_bounded(*columns_, list, box);
+}
+std::vector<std::uint32_t> SweepTable::meeting(std::span<const std::uint32_t> list,
+                                               const Box3& box) const {
   return sweeps_meeting(*columns_, list, box);
 }
 SweepTable::Nearest SweepTable::nearest(std::span<const std::uint32_t> list, const Vec3& p,
