@@ -44,6 +44,16 @@ TEST(LatheHabits, TheLeadOfAThreadInE) {
 }
 
 // Of the table without tools: T0 ends the offset, the turret stays.
+// A stop is looked for by increments, and by the axis of a sub-spindle, which is told of once.
+TEST(LatheHabits, ProbingMovesByIncrements) {
+  InterpOptions options = at_origin(Dialect::fanuc, MachineKind::lathe);
+  for (const char* probe : {"G98 G31 W-20. F200\n", "G31 U-2. F50\n"})
+    EXPECT_EQ(codes(read_text(std::string(probe) + "G0 X50. Z2.\nG1 X40. F.1\n", options)), "")
+        << probe;
+  EXPECT_EQ(codes(read_text("G31 B-350. F500\n", options)), "not-supported");
+  EXPECT_EQ(codes(read_text("G31 F500\n", options)), "motion-missing");
+}
+
 TEST(LatheHabits, TZeroChangesNoTool) {
   InterpOptions options = at_origin(Dialect::fanuc, MachineKind::lathe);
   options.table.tools.clear();

@@ -36,7 +36,7 @@ constexpr std::pair<int, std::string_view> kUnsupportedNames[] = {
     {544, "the setting error of a workpiece"},
     {650, "a macro call"},
     {660, "a modal macro call"},
-    {680, "a rotation"},
+    {680, "a rotation; on lathes the mirror image of double turrets"},
     {682, "a tilted working plane"},
     {683, "a tilted working plane"},
     {684, "a tilted working plane"},

@@ -215,10 +215,10 @@ bool ModalWords::apply_code(const Word& word, const CodeEntry& entry) {
       modal_.hole_return = entry.code == Code::return_r ? HoleReturn::safe : HoleReturn::initial;
       return true;
     case Code::probe:
-      if (!peek('X') && !peek('Y') && !peek('Z'))
+      if (!peek('X') && !peek('Y') && !peek('Z') &&
+          !(lathe() && (peek('U') || peek('W') || peek('B'))))
         return error("motion-missing", "a probing move needs an axis", word);
-      return is(Dialect::ngc) ? select_motion(word, entry.code)
-                              : for_one_block(word, entry.code);  // G31
+      return is(Dialect::ngc) ? select_motion(word, entry.code) : for_one_block(word, entry.code);
     case Code::arc_point:
     case Code::arc_tangent:
       return is(Dialect::iso) ? for_one_block(word, entry.code) : select_motion(word, entry.code);
