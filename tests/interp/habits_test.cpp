@@ -217,6 +217,13 @@ TEST(Habits, CyclesOfManualGuideAreOneError) {
   EXPECT_NE(listing(p).find("MANUAL GUIDE"), std::string::npos);
 }
 
+// It stands before the cuts of many programs that are otherwise plain ISO.
+TEST(Habits, BlanksOfManualGuideAreReadOver) {
+  const Program p = read_text("N1 G1901D300.E72.L227.K2.\nG1 X1. F1\n", kFanuc);
+  EXPECT_EQ(path_text(p), "l1,0,0");
+  EXPECT_NE(listing(p).find("simulator-line"), std::string::npos) << listing(p);
+}
+
 // FANUC leaves out the rest of a block behind a slash that stands in it.
 TEST(Habits, ASlashInABlockSkipsItsRest) {
   const auto run = [](unsigned skip, Dialect dialect) {

@@ -68,6 +68,14 @@ TEST(ToolNotes, SeveralCommentsOfOneTool) {
             "1:0 tool-unknown");
 }
 
+// Posts leave out signs that controls do not read in comments.
+TEST(ToolNotes, NamesThatHaveLostTheirSlash) {
+  const std::string head = "(T1 D=3.175 CR=0. - ZMIN=-1. - FLAT END MILL)\nT1 M6\n", cut = kCut;
+  EXPECT_EQ(diameters(head + "(18 FLAT ENDMILL)\n" + cut), "1:3.175");
+  EXPECT_EQ(diameters(head + "(14 FLAT ENDMILL)\n" + cut), "1:0 tool-unknown");
+  EXPECT_EQ(diameters("G20\n(112 FACE MILL)\n(D=1.5)\nT1 M6\n" + cut), "1:38.1");
+}
+
 // WorkNC and others end with the number.
 TEST(ToolNotes, ANumberBehindWhatItNumbers) {
   const std::string cut = kCut;

@@ -41,13 +41,43 @@ bool is_inch_size_in_mm(const ToolLength& length) {
   return whole >= 2 && whole <= 32 && std::abs(sizes - whole) * kMmPerInch / 32 < 6e-4;
 }
 
+// "18 FLAT ENDMILL" beside 3.175 mm, "112 FACE MILL" beside 1.5 inches: posts leave out signs of a
+// tool's name, so that 1/8 has lost its slash.
+bool lost_its_slash(const ToolLength& name, double diameter) {
+  constexpr double kMost = 9999;
+  if (name.unit > 0 || name.fraction || name.value > kMost || name.value != std::floor(name.value))
+    return false;
+  const auto digits = static_cast<int>(name.value);
+  for (int power = 10; power < digits; power *= 10) {
+    const int lower = digits % power;
+    if (lower < 2 || lower > 64 || (lower & (lower - 1)) != 0) continue;
+    for (const int whole_at : {10000, 10, 100}) {  // no whole number, or one before 1 or 2 digits
+      const int upper = digits / power, fraction = upper % whole_at;
+      if (fraction % 2 == 0 || fraction >= lower) continue;
+      const double inches = upper / whole_at + static_cast<double>(fraction) / lower;
+      if (std::abs(inches * kMmPerInch - diameter) < kSameSize) return true;
+    }
+  }
+  return false;
+}
+
+// The most explicit reading.
+const ToolLength& main_reading(const ToolHint& hint, double unit) {
+  for (const ToolLength& reading : hint.diameters)
+    if (std::none_of(hint.diameters.begin(), hint.diameters.end(), [&](const ToolLength& other) {
+          return lost_its_slash(reading, in_mm(other, unit));
+        }))
+      return reading;
+  return hint.diameters.front();
+}
+
 // The diameter in mm; 0 and a reason where the readings differ or the unit is in doubt.
 double agreed_diameter(const ToolHint& hint, double unit, std::string& why) {
-  const ToolLength& first = hint.diameters.front();
+  const ToolLength& first = main_reading(hint, unit);
   const double diameter = in_mm(first, unit);
   bool confirmed = false;
   for (const ToolLength& other : hint.diameters) {
-    if (&other == &first) continue;
+    if (&other == &first || lost_its_slash(other, diameter)) continue;
     if (std::abs(in_mm(other, unit) - diameter) > kSameSize) {
       why = fmt::format("can be read as diameter {} or {}", as_written(first), as_written(other));
       return 0;

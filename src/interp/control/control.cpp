@@ -102,6 +102,15 @@ void ControlPart::note_once(const char* code, const std::string& text, const Wor
   reporter_.once(Severity::note, code, text, word, key);
 }
 
+bool ControlPart::angle_of_slope(const Word& angle) {
+  if (!is(Dialect::fanuc)) return false;
+  note_once("angle-behind",
+            fmt::format("the line runs the other way than {} points: FANUC's angle is its slope",
+                        text_of(angle)),
+            angle, "angle of slope");
+  return true;
+}
+
 double ControlPart::length_unit(const Word& word) const {
   const double unit = modal_.inch ? 25.4 : 1.0;
   if (!options_.least_increments || word.point || !is(Dialect::fanuc)) return unit;

@@ -133,6 +133,9 @@ class ControlPart {
     return plain && !find(Address::ang) ? letter('A') : Address::ang;
   }
 
+  /// A line that runs against its angle, A-30 for A150: FANUC reads the slope alone (noted once).
+  bool angle_of_slope(const Word& angle);
+
   const Word* find(Address a) const { return block_.find(a); }
   const Word* take(Address a) { return block_.take(a); }
   const Word* take(char c) { return block_.take(letter(c)); }

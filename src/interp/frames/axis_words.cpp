@@ -296,7 +296,7 @@ bool AxisWords::angle_target(Target& out, const Vec3& from) {
     return error("angle-parallel",
                  "the line runs square to the given coordinate and never reaches it", *ang);
   const double t = given / along;
-  if (t < 0)
+  if (t < 0 && !angle_of_slope(*ang))
     return error("angle-behind", "the line reaches the given coordinate behind its start", *ang);
   out.programmed = from_plane(b, s + t * direction, dot(out.programmed, b.w));
   for (int i = 0; i < 3; ++i)

@@ -271,7 +271,8 @@ bool Moves::two_angle_lines(const Target& to, const Vec3& from, const Frame& fra
   if (std::abs(det) < kTurnRounding)
     return error("angle-parallel", "the two lines are parallel and have no corner", ang);
   const double t = cross(e - s, d2) / det, rest = cross(d1, e - s) / det;
-  if (t < 0 || rest < 0) return error("angle-behind", "the two lines meet behind their ends", ang);
+  if ((t < 0 || rest < 0) && !angle_of_slope(ang))
+    return error("angle-behind", "the two lines meet behind their ends", ang);
   Target middle = to;
   middle.programmed = from_plane(b, s + t * d1, dot(from, b.w));
   Motion first = pending_angle_.motion;

@@ -76,6 +76,9 @@ void CodeSystems::rename(Word& code, int number, int in_system_a) {
   code.value = number;
 }
 
+// G1900 to G1904 (a bar, a pipe, a box ...) draw the blank and move nothing.
+bool is_blank_of_dialogue(const Word& cycle) { return cycle.value >= 1900 && cycle.value < 1905; }
+
 }  // namespace
 
 WordIndex::WordIndex(Control& control) : ControlPart(control) {
@@ -182,12 +185,21 @@ void WordIndex::read_okuma_corner() {
 
 // Fills slots_; an address twice is an error, G and M words and a few of CODESYS excepted.
 bool WordIndex::run() {
-  if (const Word* cycle = dialogue_cycle())
-    return error("not-supported",
-                 fmt::format("{} is a cycle of MANUAL GUIDE i, which is not supported: let the "
-                             "control convert the program (NC CNV)",
-                             text_of(*cycle)),
-                 *cycle);
+  if (const Word* cycle = dialogue_cycle()) {
+    if (!is_blank_of_dialogue(*cycle))
+      return error("not-supported",
+                   fmt::format("{} is a cycle of MANUAL GUIDE i, which is not supported: let the "
+                               "control convert the program (NC CNV)",
+                               text_of(*cycle)),
+                   *cycle);
+    note_once("simulator-line",
+              fmt::format("{} is the blank of MANUAL GUIDE's own picture: left out; --stock says "
+                          "the same here",
+                          text_of(*cycle)),
+              *cycle, "simulator-line");
+    block_.words.clear();
+    return true;
+  }
   read_okuma_corner();
   CodeSystems(control_).rewrite();
   bool ok = OkumaTurning(control_).rewrite();
