@@ -241,13 +241,15 @@ TEST(Habits, ASlashInABlockSkipsItsRest) {
 
 TEST(Habits, ACommentInACommentIsOneError) {
   EXPECT_EQ(milled_path("G1 X50. (to (the end) of the slot) F1.\n"), " | character");
+  EXPECT_EQ(milled_path("(hole at (61.0, 67.7) )\nG1 X50. F1.\n"), "l50,0,0 | comment-nested");
+  EXPECT_EQ(codes(read_text("(PART (A))\nG1 X1. F1\n", kFanuc)), "comment-nested");
 }
 
 TEST(Habits, MessagesSayWhatToDo) {
   const auto told = [](const std::string& text) {
     return read_text(text, kFanuc).diagnostics.at(0).text;
   };
-  EXPECT_EQ(told("(PART (A))\nG1 X1. F1\n"),
+  EXPECT_EQ(told("(PART (A) B)\nG1 X1. F1\n"),
             ") has no meaning here: a comment ends at its first ), one in another too");
   EXPECT_EQ(told("G1 X1.) F1\n"), ") has no meaning here");
   EXPECT_EQ(told("G1 Z-1,5 F1\n"), ", has no meaning here: a decimal point is written .");

@@ -70,6 +70,10 @@ TEST(RecogniseDialect, Posts) {
       {"N10 G0 X0 Y0\nN20 G41 D3.5\nN30 G1 X10 Y10 F100\n", Dialect::codesys},
       {"N0 G36 D5\nN20 G1 X2 Y1 F100\nN30 G37 D-1\nN40 G20 L20\n", Dialect::codesys},
       {"G21 G90\nG52 X5 Y5\nG1 X1 Y1 F9\nG52 X0 Y0\n", Dialect::fanuc},
+      {"; machine: Snapmaker 2.0 A350\nM3 P100\nG0 X1 Y1 F900\nG1 Z-1 F100\n", Dialect::ngc},
+      {"N10 G291\nN20 G21 G40 G90 G95\n;GOTOF FINE\nN30 G54 G0 X1 Z1\nN40 G1 X2 F.1\n",
+       Dialect::fanuc},
+      {"G54 G0 X1 Y1\nG291\nM98 P10\nG290\nG1 X=R1 F9 ; back\n", Dialect::sinumerik},
       {"N10 G54 G90 G94\nN20 IF R1==2 GOTOF END\nN30 G1 X1 Y1\nN40 ENDIF\n", Dialect::sinumerik}};
   for (const Row& row : rows) {
     const Recognition r = recognised(row.text);
@@ -198,6 +202,10 @@ TEST(RecogniseForeign, NamedAndRefused) {
   EXPECT_NE(refusal("N10 G0 X62 Z2\nN20 G81 X40 Z0 Q60 R-30 C2 D1\n").find("Fagor lathe"),
             std::string::npos);
   EXPECT_EQ(refusal("O1\nG68 X0 Y0 R30.\nG1 X5 Y5 F100\nG69\nG81 X1 Y1 Z-5. R2. C90.\n"), "");
+  EXPECT_NE(refusal("%MPF 90\n( DRILLS )\nN10 G0 X1 Y1\n", "a.mpf").find("840C"),
+            std::string::npos);
+  EXPECT_NE(refusal("%MPF 90\nN1 @371 R52 K2 K0\nN10 G0 X1 Y1\n").find("840C"), std::string::npos);
+  EXPECT_EQ(refusal("%MPF 90\nN10 G0 X1 Y1 ; place\nN20 G1 Z-1 F9\n"), "");
   EXPECT_NE(refusal("% @MACRO\n@1:=10;\n").find("Syntec"), std::string::npos);
   EXPECT_NE(refusal("M140 S60\nM104 S210\nG28\nG1 X10 Y10 E0.5 F1200\n").find("3-D printer"),
             std::string::npos);

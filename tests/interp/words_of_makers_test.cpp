@@ -87,7 +87,7 @@ TEST(WordsOfMakers, SafeStartsOfMachAndPathPilot) {
 // What senders write between the lines: $H homes, settings do nothing, $J= moves.
 TEST(WordsOfMakers, CommandsOfGrbl) {
   const auto run = [](const std::string& text) { return read_text(text, at_origin(Dialect::ngc)); };
-  const Program p = run("$X\n$32=0\n$$ (all)\nG1 X5 F100\n$H\nG0 X0 Y0 Z5\nG1 X6 F100\nM2\n");
+  const Program p = run("$X\n$32=0\n$$ (all)\n?\nG1 X5 F100\n$H\nG0 X0 Y0 Z5\nG1 X6 F100\nM2\n");
   EXPECT_EQ(codes(p), "") << listing(p);
   EXPECT_EQ(codes(p, Severity::note), "reference-point");
   ASSERT_EQ(p.motions.size(), 3U);

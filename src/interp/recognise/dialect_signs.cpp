@@ -102,17 +102,6 @@ bool sets_common_variable(std::string_view c) {
   return i != c.npos && c[i] == '=';
 }
 
-// A whole word of a comment.
-bool names(std::string_view comment, std::string_view word) {
-  for (std::size_t i = comment.find(word); i != comment.npos; i = comment.find(word, i + 1)) {
-    const std::size_t end = i + word.size();
-    if ((i == 0 || !is_letter(comment[i - 1])) &&
-        (end >= comment.size() || !is_letter(comment[end])))
-      return true;
-  }
-  return false;
-}
-
 }  // namespace
 
 void DialectSigns::add(Dialect dialect, int points, std::string_view sign, int line) {
@@ -207,6 +196,9 @@ void DialectSigns::weigh_sinumerik(const LineScan& s, int line) {
   if (has_any_word(s.code, {"G4", "G04"}) && has_axis(s.code, 'F')) add(d, 4, "G4 F", line);
   if (has_any_word(s.code, {"G710", "G700"})) add(d, 8, "G710", line);
   if (has_any_word(s.code, {"G450", "G451"})) add(d, 8, "G450/G451", line);
+  // A program that begins in ISO mode is FANUC's from there on.
+  if (!moved_ && has_word(s.code, "G291")) add(Dialect::fanuc, 60, "G291, the ISO mode", line);
+  moved_ = moved_ || has_any_axis(s.code, "XYZ");
 }
 
 void DialectSigns::weigh_radius(int line) { add(Dialect::sinumerik, -10, "R as a radius", line); }
@@ -264,7 +256,7 @@ bool is_okuma(const LineScan& s) {
   const bool header = c.size() > 3 && c[0] == '$' && c.back() == '%';
   const bool named = c.starts_with("NAT") && c.size() > 3 && is_digit(c[3]);
   return header || named || calls_lap(c) || has(c, "CALL O") || sets_common_variable(c) ||
-         names(upper_case(s.comment), "OKUMA");
+         has_whole_word(upper_case(s.comment), "OKUMA");
 }
 
 void DialectSigns::weigh_okuma(const std::string& c, int line) {
@@ -365,19 +357,20 @@ void DialectSigns::weigh_comment(const LineScan& s, int line) {
   const std::string comment = upper_case(s.comment.substr(0, 200));
   const auto weigh = [&](Dialect d, Phrases words) {
     for (const std::string_view word : words)
-      if (names(comment, word)) add(d, 8, fmt::format("\"{}\"", word), line);
+      if (has_whole_word(comment, word)) add(d, 8, fmt::format("\"{}\"", word), line);
   };
   weigh(Dialect::ngc,
         {"LINUXCNC",   "EMC",     "GRBL",      "MACH2",          "MACH3",          "MACH4",
          "MACH 3",     "MACH 4",  "ESTLCAM",   "CARBIDE CREATE", "CARBIDE MOTION", "CARBIDE3D",
          "CARBIDE 3D", "VECTRIC", "VCARVE",    "SHAPEOKO",       "EASEL",          "BCNC",
-         "OPENBUILDS", "MAKERA",  "PATHPILOT", "TORMACH",        "CAMOTICS"});
+         "OPENBUILDS", "MAKERA",  "PATHPILOT", "TORMACH",        "CAMOTICS",       "SNAPMAKER",
+         "MARLIN",     "KIRI",    "PYCAM",     "FLATCAM",        "GCODETOOLS",     "JSCUT"});
   weigh(Dialect::fanuc, {"FANUC", "HAAS", "MAZAK", "OKUMA", "DOOSAN", "FADAL"});
   weigh(Dialect::sinumerik, {"SINUMERIK", "SIEMENS"});
   for (const std::string_view word : {"STOCKMIN:", "STOCK/BLOCK", "TOOL/MILL"})  // Carbide
     if (comment.find(word) != std::string::npos)
       add(Dialect::ngc, 8, fmt::format("\"{}\"", word), line);
-  if (names(comment, "FREECAD")) add(Dialect::ngc, 4, "\"FREECAD\"", line);
+  if (has_whole_word(comment, "FREECAD")) add(Dialect::ngc, 4, "\"FREECAD\"", line);
 }
 
 void DialectSigns::weigh_iso(const LineScan& s, std::string_view raw, int line) {

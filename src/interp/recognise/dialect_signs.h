@@ -57,6 +57,7 @@ class DialectSigns {
   void weigh_comment(const LineScan& s, int line);
 
   std::array<Entry, 6> entries_;
+  bool moved_ = false;     ///< an axis word was seen
   bool cnc_name_ = false;  ///< the file's name ends in .CNC
   bool tools_ = false;     ///< words that CODESYS does not have
   bool arcs_ = false;      ///< G2 or G3 is in force

@@ -198,6 +198,16 @@ void ForeignPrograms::weigh_sliding_head(const LineScan& s, int number, std::str
            raw);
 }
 
+// "%MPF 90" at the head; "@371" or "(TEXT)", which a later SINUMERIK has not.
+void ForeignPrograms::weigh_old_sinumerik(const LineScan& s, int number, std::string_view raw) {
+  if (s.code.starts_with("%MPF") || s.code.starts_with("%SPF"))
+    old_sinumerik_ = s.code.find_first_not_of("0123456789 ", 4) == s.code.npos;
+  const std::size_t at = s.code.find('@');
+  const bool command = at != s.code.npos && at + 1 < s.code.size() && is_digit(s.code[at + 1]);
+  if (old_sinumerik_ && (command || s.comment_kind == '('))
+    refuse("a program of SINUMERIK 810, 850 or 840C", number, raw);
+}
+
 void ForeignPrograms::line(std::string_view raw, const LineScan& scan, int number) {
   if (scan.code.size() > 1 && scan.code[0] == 'O' && is_digit(scan.code[1])) o_number_ = true;
   if (number <= kHeadLines && !o_number_ && ends_in_star(scan.code, raw))
@@ -208,6 +218,7 @@ void ForeignPrograms::line(std::string_view raw, const LineScan& scan, int numbe
   if (number <= kHeadLines)
     if (const char* what = named_control(path_, scan.code, raw)) refuse(what, number, raw);
   if (number <= kTitleLines && !scan.comment.empty()) weigh_sliding_head(scan, number, raw);
+  if (number <= kHeadLines) weigh_old_sinumerik(scan, number, raw);
   if (!scan.code.empty() && number <= kHeadLines) weigh_num(scan.code, number, raw);
   if (!scan.code.empty() && number <= kHeadLines) weigh_hnc(scan.code, number, raw);
   if (!scan.code.empty() && number <= 2000) weigh_printer(scan.code, number, raw);

@@ -29,15 +29,17 @@ class ForeignPrograms {
   [[noreturn]] void refuse(const std::string& what, int number, std::string_view raw) const;
   void weigh_printer(const std::string& code, int number, std::string_view raw);
   void weigh_plotter(const std::string& code, int number, std::string_view raw);
+  void weigh_old_sinumerik(const LineScan& scan, int number, std::string_view raw);
   void weigh_num(const std::string& code, int number, std::string_view raw);
   void weigh_hnc(const std::string& code, int number, std::string_view raw);
   void weigh_sliding_head(const LineScan& scan, int number, std::string_view raw);
   void weigh_laser(const LineScan& scan, int number);
 
   const std::string& path_;
-  bool numbered_ = false;  ///< "%12" alone heads the text
-  bool coded_ = false;     ///< a line has held more than a comment
-  bool o_number_ = false;  ///< O and a number have headed a program
+  bool numbered_ = false;       ///< "%12" alone heads the text
+  bool old_sinumerik_ = false;  ///< "%MPF 90" does
+  bool coded_ = false;          ///< a line has held more than a comment
+  bool o_number_ = false;       ///< O and a number have headed a program
   bool heats_ = false, extrudes_ = false;
   bool z_ = false, y_ = false, other_ = false;
   bool on_ = false, power_ = false, laser_word_ = false;

@@ -121,7 +121,8 @@ constexpr Row kFanucCodes[] = {
     {421, C::comp_right, G::comp},
     {434, C::unsupported, G::length},
     {435, C::unsupported, G::length},
-    {502, C::ignored, G::other},  // ends polygon turning
+    {502, C::ignored, G::other},   // ends polygon turning
+    {2910, C::ignored, G::other},  // the ISO mode of SINUMERIK, which is this
     {520, C::local_shift, G::oneshot},
     {530, C::suppress_frames, G::oneshot},
     {531, C::unsupported, G::oneshot},

@@ -61,7 +61,7 @@ constexpr std::pair<int, std::string_view> kUnsupportedNames[] = {
     {2740, "Mazak's grooving of a face: write G74"},
     {2750, "Mazak's grooving: write G75"},
     {2760, "Mazak's threading in passes: write G76"},
-    {2900, "Mazak's turning cycle: write G90"},
+    {2900, "Mazak's turning cycle: write G90; or the end of SINUMERIK's ISO mode"},
     {2920, "Mazak's threading cycle: write G92"},
     {2940, "Mazak's facing cycle: write G94"},
     {2910, "ISO dialect mode: run what follows with --dialect fanuc"},

@@ -156,6 +156,16 @@ bool has(std::string_view text, std::string_view token) {
   return false;
 }
 
+bool has_whole_word(std::string_view comment, std::string_view word) {
+  for (std::size_t i = comment.find(word); i != comment.npos; i = comment.find(word, i + 1)) {
+    const std::size_t end = i + word.size();
+    if ((i == 0 || !is_letter(comment[i - 1])) &&
+        (end >= comment.size() || !is_letter(comment[end])))
+      return true;
+  }
+  return false;
+}
+
 bool has_word(std::string_view text, std::string_view word) {
   for (std::size_t i = text.find(word); i != std::string_view::npos; i = text.find(word, i + 1)) {
     const std::size_t end = i + word.size();

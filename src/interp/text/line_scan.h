@@ -52,6 +52,8 @@ bool read_plain(std::string_view line, PlainLine& out);
 
 /// True when `token` stands in the text with no letter before it.
 bool has(std::string_view text, std::string_view token);
+/// A word of a comment, no letters beside it.
+bool has_whole_word(std::string_view comment, std::string_view word);
 /// Letter followed by exactly this number.
 bool has_word(std::string_view text, std::string_view word);
 /// "G0X", "G90 X1", "Y#1", "Y[#2+1]", "YP1" and "Y(P1+2)" have the axis with a value.

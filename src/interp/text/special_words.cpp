@@ -178,10 +178,14 @@ void SpecialWords::codesys_name(Block& block) {
   push(block, word, from);
 }
 
-// "$H" homes, as G28 does. "$X" and "$32=0" change the state or a setting of Grbl and move nothing.
-// "$J=" jogs. False: "$1" names a spindle of LinuxCNC.
+// "$H" homes, as G28 does. "$X" and "$32=0" change the state or a setting of Grbl and move nothing,
+// "?" asks for its state. "$J=" jogs. False: "$1" names a spindle of LinuxCNC.
 bool SpecialWords::grbl_command(Block& block) {
   const std::string_view line = line_.substr(p_);
+  if (line.front() == '?') {
+    if (block.words.empty()) ++p_;
+    return block.words.empty();
+  }
   const std::size_t digits = line.find_first_not_of("0123456789", 1);
   const bool setting = digits != line.npos && (digits > 1 ? line[digits] == '=' : true);
   if (!block.words.empty() || line.size() < 2 || !setting) return false;

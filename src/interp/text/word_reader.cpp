@@ -66,7 +66,8 @@ WordReader::Step WordReader::step(Block& block) {
     letter_word(block);
     return block.statement == Block::kNoStatement ? Step::more : Step::end_of_block;
   }
-  if (dialect_ == Dialect::ngc && c == '$' && special_.grbl_command(block)) return Step::more;
+  if (dialect_ == Dialect::ngc && (c == '$' || c == '?') && special_.grbl_command(block))
+    return Step::more;
   if (dialect_ == Dialect::ngc && (c == '@' || c == '^' || c == '$')) {
     letter_word(block);
     return Step::more;
@@ -225,10 +226,19 @@ void WordReader::read_comment(Block& block, char close) {
   const std::string_view text = line_.substr(from, end - from);
   block.comments.push_back(text);
   p_ = end + 1;
+  if (text.find('(') != text.npos) end_of_outer_comment(block);
+}
+
+// "(HOLE (61.0, 67.7))": nothing is lost where the outer comment ends behind the inner one.
+void WordReader::end_of_outer_comment(Block& block) {
   const std::size_t outer = line_.find(')', p_);
-  if (text.find('(') == text.npos || outer == line_.npos || line_.find('(', p_) < outer) return;
+  if (outer == line_.npos || line_.find('(', p_) < outer) return;
+  const bool at_once = line_.find_first_not_of(" \t", p_) == outer;
   p_ = outer;  // words of an outer comment are no blocks
-  strange_.character(block);
+  if (!at_once) return strange_.character(block);
+  reporter_.add(Severity::warning, "comment-nested",
+                "a comment ends at its first ): some controls stop at this second one",
+                static_cast<int>(p_++), 1);
 }
 
 void WordReader::bare_number(Block& block) {

@@ -32,6 +32,7 @@ class WordReader : public LineParser {
   bool is_end_sign() const;
   bool is_directive() const;
   void read_comment(Block& block, char close);
+  void end_of_outer_comment(Block& block);
   void bare_number(Block& block);
 
   SinumerikWords sinumerik_;
