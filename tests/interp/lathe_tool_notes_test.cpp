@@ -256,6 +256,11 @@ TEST(ToolNotes, WorkAboveTheTWordOfALathe) {
   EXPECT_EQ(tools("(1. FACE)\n(2. CUT OFF)\n" + first + cut), turned + turned);
   EXPECT_EQ(tools(first + "(GROOVE)\n" + cut).substr(0, 12), "tool-unknown")
       << "no insert of 35 degrees cuts it";
+  const std::string modes = "%\nO1(CNC)\nG98 G18\nG50 S6000\n";  // of Fusion
+  EXPECT_EQ(tools(modes + "\n(GROOVE4)\n" + cut).substr(0, 12), "tool-unknown");
+  EXPECT_EQ(tools(modes + "(THREAD1)\n" + cut), type(ToolType::threading));
+  EXPECT_EQ(tools(modes + "(FACE)\n(THREAD)\n" + cut), turned) << "a list";
+  EXPECT_EQ(tools("%\nO1\n(THREAD)\n" + cut), turned) << "a title";
 }
 
 // The nose in a line of its own was no nose: the insert was sharp.

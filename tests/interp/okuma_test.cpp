@@ -84,8 +84,11 @@ TEST(Okuma, VariablesHaveNames) {
 // its tool, and the way back to the top, which is the next part.
 TEST(Okuma, ProgramsForBars) {
   const Program p = read_text(
-      "$PART.MIN%\nM1\nNBAR\nCLEAR\nDEF WORK\nPS LC,[-400,0],[400,19]\nPS LC, [0,0],[46,9],0\nEND\n"
-      "DRAW\nMSG (LOAD BAR)\nNAT01  (OD AND FACE RGH. TURN .032R)\nG0 X20 Z20\nT010101\nG96 S200 "
+      "$PART.MIN%\nVGRIN[1]=1 VGRA2[1]=3\nVCHKL=0 VWKR=-602\nM1\nNBAR\nCLEAR\nDEF WORK\nPS "
+      "LC,[-400,0],[400,19]\nPS LC, [0,0],[46,9],0\nPT LF,LC,[0,0],[9,9]\n"
+      "END\n"
+      "DRAW\nN7 VLMON[1]=11\nMSG (LOAD BAR)\nNAT01  (OD AND FACE RGH. TURN .032R)\nG0 X20 "
+      "Z20\nT010101\nG96 S200 "
       "M3\nG0 X10 Z1\n"
       "G1 Z-5 F.1\nG0 X20\nGOTO NBAR\nM2\n",
       InterpOptions{});

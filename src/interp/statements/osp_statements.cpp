@@ -5,6 +5,7 @@
 #include "interp/statements/lap_contour.h"
 #include "interp/text/characters.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include <fmt/format.h>
@@ -21,15 +22,35 @@ std::string_view name_from(std::string_view line, std::size_t p) {
   return line.substr(p, end - p);
 }
 
-// "DEF WORK", "PS LC,[-400,0],[400,19]", "END", "DRAW" and "CLEAR", which draw the blank on the
-// control's screen.
+// "VGRIN[1]=1 VGRL[1]=40", "VCHKL=0 VWKR=602", "VLMON[1]=11" and nothing else: the shapes of tools,
+// chuck and tailstock on that screen, and the load monitor.
+bool sets_picture(std::string_view line, std::size_t p) {
+  constexpr std::string_view kNames[] = {"VGR", "VTS", "VCHK", "VWKR", "VLMON"};
+  while (p < line.size() && line[p] != '(') {
+    const std::string name = upper_case(name_from(line, p));
+    if (std::ranges::none_of(kNames, [&](std::string_view n) { return name.starts_with(n); }))
+      return false;
+    const std::size_t value = line.find('=', p += name.size());
+    if (value == line.npos ||
+        line.substr(p, value - p).find_first_not_of("[]0123456789 ") != line.npos)
+      return false;
+    const std::size_t end =
+        std::min(line.size(), line.find_first_not_of("0123456789.+-", value + 1));
+    p = std::min(line.size(), line.find_first_not_of(" \t", end));
+  }
+  return true;
+}
+
+// "DEF WORK", "PS LC,[-400,0],[400,19]", "PT LF,LC,[0,0],[80,80]", "END", "DRAW" and "CLEAR", which
+// draw the blank on the control's screen.
 bool draws_blank(std::string_view line, std::size_t p) {
+  if (upper(line[p]) == 'V') return sets_picture(line, p);
   const std::string name = upper_case(name_from(line, p).substr(0, 6));
   std::size_t behind = p + name.size();
   while (behind < line.size() && (line[behind] == ' ' || line[behind] == '\t')) ++behind;
   const std::string next = upper_case(name_from(line, behind).substr(0, 5));
   if (name == "DEF") return next == "WORK";
-  if (name == "PS") return next == "LC" || next == "RC";
+  if (name == "PS" || name == "PT") return next == "LC" || next == "RC" || next == "LF";
   const bool alone = behind == line.size() || line[behind] == '(';
   return alone && (name == "CLEAR" || name == "DRAW" || name == "END");
 }
@@ -53,11 +74,15 @@ bool OspStatements::bracketed(std::size_t& p, bool& holds) {
   return true;
 }
 
+void OspStatements::note_picture(std::size_t from) {
+  note_once("simulator-line", "what the control shows of blank, tools and load is not read",
+            place_word(from, block_.line.size()), "DRAW");
+}
+
 bool OspStatements::statement(std::size_t from) {
   std::size_t p = from;
   if (draws_blank(block_.line, from)) {
-    note_once("simulator-line", "the blank of the control's own picture is not read",
-              place_word(from, block_.line.size()), "DRAW");
+    note_picture(from);
     reader_.set_position(block_.line.size());
     return true;
   }
@@ -196,6 +221,11 @@ bool OspStatements::assignment(std::string_view line, std::size_t& p) {
   const std::size_t to = p;
   while (p < line.size() && line[p] != '=') ++p;
   ++p;
+  if (draws_blank(line, from)) {
+    note_picture(from);
+    p = line.size();
+    return true;
+  }
   if (upper(name[0]) == 'V' && !Variables::is_common(name))
     return fail("variable-unset", fmt::format("the system variable {} cannot be set here", name),
                 from, to);

@@ -22,6 +22,7 @@ class OspStatements : public MacroStatements {
   bool statement(std::size_t p) override;
 
  private:
+  void note_picture(std::size_t from);
   bool bracketed(std::size_t& p, bool& holds);
   /// A program, how often it runs, and the local variables that it begins with.
   struct Call {

@@ -21,6 +21,9 @@ bool heads_list(const std::string& comment) {
   return false;
 }
 
+// "%", "O0001": behind them and a block of modes a lone comment is no title any more.
+constexpr std::size_t kHeaderBlocks = 2;
+
 // Comments and lists that are kept: a program of nothing but comments fills no memory.
 constexpr std::size_t kLongestList = 1000;
 
@@ -75,6 +78,11 @@ void ToolNotes::add(const std::string& id, const ToolHint& hint) {
 
 void ToolNotes::comment(std::string_view bytes, const std::string& called, bool alone, bool heads) {
   ToolHint hint = read_tool_comment(bytes);
+  const bool is_lone = !std::exchange(commented_, true);
+  operation_.reset();
+  if (lathe_ && !cuts_ && alone && is_lone && blocks_ > kHeaderBlocks && !hint && hint.id.empty() &&
+      (hint.operation || hint.bores))
+    operation_ = hint;
   hint.at_call = !called.empty() || blocks_since_change_ <= 0;
   if (hint.only_diameter()) {
     if (!called.empty()) not_understood_.try_emplace(called, hint.text);
@@ -249,6 +257,10 @@ void ToolNotes::call(const std::string& id) {
   const bool other = !group_.id.empty() && group_.id != id;
   const bool listed = !other && add_by_name(id);
   if (lathe_) add_no_cutter(id);
+  if (operation_ && find(id) == nullptr) {
+    name_by_operation(*operation_);
+    if (*operation_) add(id, *operation_);
+  }
   if (group_ && !listed && (other || find(id) == nullptr || tells_more(id, group_)))
     add(other ? group_.id : id, group_);
   group_ = {};
@@ -287,6 +299,9 @@ void ToolNotes::change(const std::string& id) {
 void ToolNotes::end_block() {
   settle_comments();
   told_id_.clear();
+  operation_.reset();
+  commented_ = false;
+  ++blocks_;
   if (blocks_since_change_ < 1) ++blocks_since_change_;
 }
 

@@ -6,6 +6,7 @@
 #include "interp/comments/tool_comment.h"
 
 #include <map>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -80,6 +81,10 @@ class ToolNotes {
   std::vector<ToolHint> named_;     ///< without a number, above the first cut
   ToolHint nameless_;               ///< above the first cut
   bool lists_ = false;              ///< a comment has headed a list of tools
+  /// "(GROOVE1)" above the first T word of a lathe, behind the modes at the head and alone there.
+  std::optional<ToolHint> operation_;
+  std::size_t blocks_ = 0;  ///< with words
+  bool commented_ = false;  ///< since the last of them
   bool cuts_ = false, cuts_since_change_ = false;
   bool adopted_ = false;  ///< nameless_ is the tool
   std::string other_, current_;
