@@ -50,6 +50,28 @@ TEST(Tools, WithoutM6AsWithIt) {
   EXPECT_EQ(ends(same), "-20,0,0 0,3,0 20,3,0 20,20,0");
 }
 
+// The machine's habit of schools: the first tool is in the spindle, and each T word beside a motion
+// makes the next tool ready.
+TEST(Tools, TheFirstIsInTheSpindleAndTheNextIsCalledBesideAMotion) {
+  const std::string tail =
+      "G1 Z-1. F100\nG0 Z9.\n(T02 - 3MM END MILL)\nT2\nM6\nG0 X5. T1\nG1 Z-2.\nG0 Z9.\nM30\n";
+  const Program p = read_text("(T01 - 6MM END MILL)\nG21\nG90 G0 X1. Y1. S900 M3 T2\n" + tail,
+                              at_origin(Dialect::fanuc));
+  ASSERT_EQ(codes(p), "") << listing(p);
+  EXPECT_NE(listing(p).find("T1, which the comment names"), std::string::npos) << listing(p);
+  ASSERT_EQ(p.tools.size(), 2U);
+  EXPECT_EQ(p.tools[0].id, "1");
+  EXPECT_EQ(p.tools[0].diameter, 6);
+  EXPECT_EQ(p.tools[1].id, "2");
+  EXPECT_EQ(p.tools[1].diameter, 3);
+  for (const char* head : {"(T02 - 6MM END MILL)\nG21\nG90 G0 X1. Y1. S900 M3 T2\n",
+                           "(T02 - 6MM END MILL)\nG21\nT2\nG90 G0 X1. Y1. S900 M3\n"}) {
+    const Program untold = read_text(head + tail, at_origin(Dialect::fanuc));
+    EXPECT_NE(listing(untold).find("T2 comes with an M6 only behind"), std::string::npos)
+        << listing(untold);
+  }
+}
+
 TEST(Subprograms, M30ReturnsOnSinumerik) {
   for (const char* end : {"M30", "M2", "M17", "G1 X88 M30"}) {
     SCOPED_TRACE(end);

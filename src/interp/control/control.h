@@ -21,6 +21,7 @@ struct PendingTool {
   bool active = false;
   std::string id;
   Motion at;  ///< only its place counts
+  bool beside_motion = false;
 };
 
 /// What T and M6 have done so far.
@@ -34,6 +35,7 @@ struct ToolState {
   bool direct_change = false;  ///< a mill without M6: T changes at once
   bool failed = false;
   bool came_unnamed = false;  ///< an M6 stood before any T word
+  bool assumed = false;       ///< T alone, without M6, and no other tool since
   bool below = false;         ///< a turning tool that works at X below 0, see MotionEmitter
 };
 

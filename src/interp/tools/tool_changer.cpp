@@ -108,6 +108,7 @@ bool ToolChanger::apply() {
   if (word && cancels_offset(*word)) return true;
   if (word || block_.tool_change) control_.saved_tool = tool_;
   const bool mill = is(Dialect::fanuc) && !lathe();
+  if (mill && block_.tool_change && brings_assumed()) return false;
   if (mill && block_.tool_change && !word && !tool_.pending.active && !tool_.chosen)
     tool_.came_unnamed = true;
   if (word) {
@@ -147,6 +148,21 @@ bool ToolChanger::brings_waiting(const Word& word) {
   return true;
 }
 
+// "N3 G0 X1 Y1 T2", cuts, "M6", "T3": T2 has been made ready, and comes with M6 alone. True: an
+// error was reported.
+bool ToolChanger::brings_assumed() {
+  const Word* word = peek('T');
+  if (!tool_.assumed || (word && id_of(*word) != tool_.current)) return false;
+  tool_.assumed = false;
+  reporter_.add_at(Severity::error, "tool-unknown",
+                   fmt::format("T{0} comes with an M6 only behind the first cuts: which tool is in "
+                               "the spindle before it is not told: write T and its number, with "
+                               "M6, before the first cut",
+                               tool_.current),
+                   tool_.place);
+  return true;
+}
+
 // T0101.1 of Mazak's lathes: the digits behind the point number tools of one station. False: an
 // error was reported.
 bool ToolChanger::suffix(const Word& word) {
@@ -179,13 +195,14 @@ bool ToolChanger::select(const Word& word) {
   tool_.pending.active = true;
   tool_.pending.id = id_of(word);
   tool_.pending.at = block_.motion_at(word.column);
+  tool_.pending.beside_motion = peek('X') || peek('Y') || peek('Z');
   notes_.call(tool_.pending.id);
   return true;
 }
 
 void ToolChanger::change() {
   if (tool_.chosen && tool_.current != tool_.pending.id) position_.new_tool = true;
-  if (tool_.current != tool_.pending.id) tool_.below = false;
+  if (tool_.current != tool_.pending.id) tool_.below = tool_.assumed = false;
   tool_.current = tool_.pending.id;
   tool_.place = tool_.pending.at;
   tool_.pending.active = false;
@@ -193,6 +210,13 @@ void ToolChanger::change() {
   tool_.index = -1;
   tool_.failed = false;
   notes_.change(tool_.current);
+}
+
+// "(T1 - SPOT DRILL)", "N3 G0 X1 Y1 S900 M3 T2", no M6 before: T1 is in the spindle, T2 the next.
+bool ToolChanger::next_is_pending() const {
+  const std::string named = notes_.only();
+  return is(Dialect::fanuc) && !lathe() && tool_.pending.beside_motion && !named.empty() &&
+         named != tool_.pending.id;
 }
 
 // Posts for machines without a tool changer (Grbl) name the tool in a comment alone.
@@ -219,12 +243,23 @@ void ToolChanger::require(const Word& where, bool cuts) {
                     tool_.pending.id),
         tool_.pending.at);
   }
+  if (!tool_.chosen && tool_.pending.active && cuts && next_is_pending()) {
+    const PendingTool next = tool_.pending;
+    take_commented(where);
+    tool_.pending = next;
+    reporter_.once_at(Severity::note, "tool-not-changed",
+                      fmt::format("T{} is called for the next M6: T{}, which the comment names, is "
+                                  "taken to be in the spindle before it",
+                                  next.id, tool_.current),
+                      next.at, "m6");
+  }
   if (!tool_.chosen && tool_.pending.active && cuts) {
     reporter_.once_at(
         Severity::note, "tool-not-changed",
         fmt::format("T{} is used without M6: it is taken to be in the spindle", tool_.pending.id),
         tool_.pending.at, "m6");
     change();
+    tool_.assumed = true;
     tool_.direct_change = true;  // and so are those after it, until an M6 comes
   }
   if (!tool_.chosen && cuts && !given("")) take_commented(where);

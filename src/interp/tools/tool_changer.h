@@ -48,8 +48,10 @@ class ToolChanger : public ControlPart {
   bool cancels_offset(const Word& word);
   bool select(const Word& word);
   bool brings_waiting(const Word& word);
+  bool brings_assumed();
   bool suffix(const Word& word);
   void change();
+  bool next_is_pending() const;
   void take_commented(const Word& where);
   std::string id_of(const Word& word);
   std::size_t turret_digits() const;
