@@ -219,6 +219,14 @@ bool BlockReader::ends_at_header(const Word* program) {
     return false;
   }
   if (leader && upper_case(header->text.substr(1, 4)) == "WAIT") return false;  // CNCjs: it pauses
+  const bool commented =
+      leader && header->text.find_first_not_of("% \t\r") != std::string_view::npos;
+  if (commented && is(Dialect::ngc)) {  // a line for the sender, as those of CNCjs and gSender
+    reporter_.once(Severity::note, "sender-line",
+                   "lines that begin with % and a text are for the sender of the program: read over",
+                   *header, "sender-line");
+    return false;
+  }
   if (program)
     warning("program-end-missing",
             fmt::format("the program before O{:g} has no {}: it is taken to end here",
@@ -227,7 +235,7 @@ bool BlockReader::ends_at_header(const Word* program) {
   else
     missing_return();
   if (!program && leader && !is(Dialect::sinumerik) && !is(Dialect::codesys))
-    end_of_tape(header->text.find_first_not_of("% \t\r") != std::string_view::npos);
+    end_of_tape(commented);
   end_activation(false);
   return true;
 }

@@ -71,7 +71,8 @@ ProgramOutline::ProgramOutline(const std::string& file, OutlineForm form) : name
   for (std::uint64_t offset = 0; source.next(line); offset = source.next_offset()) {
     found.clear();
     const Place start{offset, source.line_number() - 1, 0};
-    const bool tape = form == OutlineForm::owords && line.starts_with('%');
+    const bool tape = form == OutlineForm::owords && line.starts_with('%') &&
+                      line.find_first_not_of("% \t\r") == line.npos;
     if (tape && ++tape_marks == 2) break;  // nothing behind it is read
     if (form == OutlineForm::sinumerik && upper_case(line.substr(0, 4)) == "%_N_")
       begin_section(start, open);
