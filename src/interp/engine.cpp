@@ -86,7 +86,7 @@ void Engine::run() {
     reporter_.add_general(Severity::warning, "program-without-cuts",
                           "the program has no G1, G2 or G3 move: nothing is cut");
   tell_unused_options();
-  stock_.compare_units(tools_.sized_in_inches(), out_.farthest_cut());
+  stock_.compare_units(tools_.sized_in_inches(), out_.farthest_cut(), out_.slowest_turn());
   reporter_.finish();
 }
 

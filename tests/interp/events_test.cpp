@@ -44,7 +44,7 @@ TEST(Events, ASpeedWhileTheSpindleTurnsIsAnEvent) {
   EXPECT_EQ(events("S500\nM3\nG1 X1 F100\nS800 X2\nX3 M5\nS900\nM30\n", Dialect::fanuc),
             "0:spindle  cw  S 500 rev/min, 1:spindle  cw  S 800 rev/min, 3:spindle  off, "
             "3:stop  end");
-  EXPECT_EQ(events("G97 S500 M3\nG96 S200\nG1 X1 F0.1\nM30\n", Dialect::fanuc, MachineKind::lathe),
+  EXPECT_EQ(events("G97 S500 M3\nG96 S200\nG1 X10 F0.1\nM30\n", Dialect::fanuc, MachineKind::lathe),
             "0:spindle  cw  S 500 rev/min, 0:spindle  cw  S 200 m/min, 1:stop  end");
 }
 

@@ -65,6 +65,9 @@ TEST(Habits, InchesByTheTools) {
   };
   EXPECT_EQ(turned("(T1 CNMG-432)\n"), "units-unset");
   EXPECT_EQ(turned("(T1 CNMG 120408)\n"), "");
+  EXPECT_EQ(turned("G96 S1000 M3\n"), "units-unset") << "by the spindle's speed";
+  EXPECT_EQ(turned("G21 G96 S1000 M3\n"), "");
+  EXPECT_EQ(turned("G96 S120 M3\n"), "") << "19 100 rev/min, as in a lathe for watches";
 }
 
 // The places of a drilling cycle may be reached from one side.

@@ -1,6 +1,7 @@
 #include "interp/moves/motion_emitter.h"
 
 #include "core/numbers/rounding.h"
+#include "core/numbers/units.h"
 #include "core/text/text_io.h"
 #include "interp/tools/tool_changer.h"
 #include "interp/tools/tool_text.h"
@@ -115,6 +116,9 @@ void MotionEmitter::emit(Motion motion, const CornerSpec& corner) {
     farthest_cut_ = std::max(
         {farthest_cut_, std::abs(motion.end.x), std::abs(motion.end.y), std::abs(motion.end.z)});
     motion.tool = control_.tool.index;
+    if (lathe() && modal_.surface_speed)
+      slowest_turn_ =
+          std::min(slowest_turn_, modal_.cutting_speed * 1000 / (2 * kPi * std::abs(motion.end.x)));
     if (lathe()) refuse_live_tool(motion);
     if (position_.known == 7U)
       unknown_starts_ = 0;

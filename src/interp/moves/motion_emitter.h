@@ -9,6 +9,7 @@
 #include "interp/text/motion_sink.h"
 #include "interp/tools/compensation_words.h"
 
+#include <limits>
 #include <vector>
 
 namespace mrsim {
@@ -43,6 +44,9 @@ class MotionEmitter : public ControlPart {
   std::size_t cuts() const { return control_.cuts; }
   /// The largest coordinate at which one of them ends, mm.
   double farthest_cut() const { return farthest_cut_; }
+  /// The least that the spindle of a lathe turns in a cut under G96, rev/min, its limit left out;
+  /// infinite: there is none.
+  double slowest_turn() const { return slowest_turn_; }
 
  private:
   void note_zero();
@@ -65,7 +69,7 @@ class MotionEmitter : public ControlPart {
   CornerStage corners_;
   CompensationStage compensation_;
   std::vector<Motion>* captured_ = nullptr;
-  double farthest_cut_ = 0;
+  double farthest_cut_ = 0, slowest_turn_ = std::numeric_limits<double>::infinity();
   std::size_t made_ = 0;
   CornerStage captured_corners_;
   /// An event behind the first `moves` of those that were held back.

@@ -4,6 +4,7 @@
 #include "interp/text/characters.h"
 
 #include <array>
+#include <cmath>
 
 #include <fmt/format.h>
 
@@ -132,13 +133,24 @@ void CommentedStock::compare_typed_tools() {
   }
 }
 
-void CommentedStock::compare_units(bool tools_in_inches, double farthest) {
+// G96 S1000 at X2 is a speed in feet a minute and a diameter in inches.
+void CommentedStock::compare_units(bool tools_in_inches, double farthest, double slowest) {
   compare_typed_tools();
-  constexpr double kSmall = 40;  // mm; as inches it is a metre
-  if (!tools_in_inches || says_inches_ || !may_mean_inches() || farthest >= kSmall) return;
-  reporter_.add_general(Severity::warning, "units-unset",
-                        "the tools are in inches and the places small, but the program has no G20: "
-                        "it is read in mm; write G20, or G21, at its top");
+  constexpr double kSmall = 40;       // mm; as inches it is a metre
+  constexpr double kFastest = 30000;  // rev/min; lathes for watches reach them
+  if (says_inches_ || !may_mean_inches() || farthest >= kSmall) return;
+  if (tools_in_inches)
+    reporter_.add_general(
+        Severity::warning, "units-unset",
+        "the tools are in inches and the places small, but the program has no G20: "
+        "it is read in mm; write G20, or G21, at its top");
+  else if (std::isfinite(slowest) && slowest > kFastest)
+    reporter_.add_general(
+        Severity::warning, "units-unset",
+        fmt::format("the speeds of G96 and the diameters are {:.0f} rev/min and more in mm, as if "
+                    "meant in feet and inches, but the program has no G20: it is read in mm; write "
+                    "G20, or G21, at its top",
+                    slowest));
 }
 
 void CommentedStock::settle() {

@@ -25,8 +25,9 @@ class CommentedStock : public ControlPart {
   void read_comments();
   /// Behind the first cut, whose zero and unit count: sets Program::workpiece.
   void settle();
-  /// The program ends: `tools_in_inches` have cut no farther than `farthest` mm from the zero.
-  void compare_units(bool tools_in_inches, double farthest);
+  /// The program ends: `tools_in_inches` have cut no farther than `farthest` mm from the zero, on a
+  /// lathe at `slowest` rev/min and more.
+  void compare_units(bool tools_in_inches, double farthest, double slowest);
   bool is_settled() const { return settled_; }
 
  private:
