@@ -90,6 +90,13 @@ TEST(Habits, ProgramsThatNothingCallsAreToldOf) {
   EXPECT_EQ(told(two + "%\n%\nO1003\nX9.\nM30\n%\nO4\nM99\n"),
             "the program ends here: O1003 in line 10 (and 1 more) is not called, and not run");
   EXPECT_EQ(notes("O1\nG1 X1. F1\nM99\nO2\nM99\n"), "program-loops program-not-run");
+  const std::string before = "%\nO1000\nG1 X2. F1\nM99\n%\n\n%\n";
+  for (const char* call : {"M98 P1000 L1", "M98 P11000", "G65 P1000"}) {
+    const std::string text = before + "O0001 (MAIN)\nG1 X1. F1\n" + call + "\nM30\n%\n";
+    EXPECT_EQ(path_text(read_text(text, kFanuc)), "l1,0,0 l2,0,0") << call;
+    EXPECT_EQ(notes(text), "program-start");
+  }
+  EXPECT_EQ(notes(before + "O1\nM98 P1001\nM30\nO1001\nM99\n"), "program-loops program-not-run");
   EXPECT_EQ(notes("O1\nG1 X1. F1\nG65 P2\nM30\nO2\nM99\n"), "");
 }
 

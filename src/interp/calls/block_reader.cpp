@@ -1,6 +1,7 @@
 #include "interp/calls/block_reader.h"
 
 #include "core/text/text_io.h"
+#include "interp/calls/main_program.h"
 #include "interp/text/characters.h"
 #include "interp/text/sinumerik_words.h"
 
@@ -34,6 +35,16 @@ void BlockReader::open(int leader_lines) {
   stack_.back().source = std::make_unique<LineSource>(program_.files.front());
   std::string_view leader;
   for (int i = 0; i < leader_lines; ++i) stack_.back().source->next(leader);
+  if (!is(Dialect::fanuc)) return;
+  const std::optional<MainProgram> main = program_that_calls_the_first(program_.files.front());
+  if (!main) return;
+  stack_.back().source->seek(main->offset, main->line);
+  reporter_.set_place(0, main->line + 1, -1, {});
+  reporter_.add(Severity::note, "program-start",
+                fmt::format("the program begins here, with {}: it calls {}, which stands before it "
+                            "and ends with M99",
+                            main->name, main->first),
+                0, 1);
 }
 
 bool BlockReader::next() {
