@@ -91,6 +91,8 @@ TEST(PostWords, LettersForDigits) {
   for (const char* line : {"GO X5.", "GOX5.", "G1 MO3 X5."})
     EXPECT_NE(said(line).find("a letter O stands where the digit 0 is meant"), std::string::npos)
         << line;
+  EXPECT_NE(said("00001").find("the digit 0 stands where the letter O is meant"),
+            std::string::npos);
   EXPECT_NE(said("G1 X1O Y5").find("is the digit 0 meant?"), std::string::npos);
   EXPECT_NE(said("G1 X5. Y\xE2\x88\x92"
                  "3.")

@@ -245,10 +245,14 @@ void WordReader::bare_number(Block& block) {
   const std::size_t from = p_;
   while (p_ < line_.size() && (starts_number(line_[p_]))) ++p_;
   const std::string text(line_.substr(from, std::min<std::size_t>(p_ - from, 40)));
-  fault(
-      block, "number-without-address",
-      fmt::format("{} has no address; missing axis letter before {}?{}", text, text, alarm("004")),
-      from, p_);
+  const bool named = dialect_ == Dialect::fanuc && block.words.empty() && text.size() == 5 &&
+                     text[0] == '0' && text.find_first_not_of("0123456789") == text.npos;
+  fault(block, "number-without-address",
+        named
+            ? fmt::format("{}: the digit 0 stands where the letter O is meant, of a program", text)
+            : fmt::format("{} has no address; missing axis letter before {}?{}", text, text,
+                          alarm("004")),
+        from, p_);
 }
 
 void WordReader::letter_word(Block& block) {
