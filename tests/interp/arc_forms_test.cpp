@@ -368,6 +368,10 @@ TEST(ArcForms, CirclesAboutThePlaceTheToolComesFromAreInDoubt) {
   const std::string place = "G1 Z-1\nG1 X22.5\nG2 I20 J10\n";
   for (const Dialect d : {Dialect::fanuc, Dialect::iso, Dialect::ngc})
     EXPECT_EQ(told(place, d), "arc-center-place") << static_cast<int>(d);
+  const std::string level = "G0 X85.8381 Y47.6087\nG1 Z-1\nG3 X85.8381 Y47.6087 I49.2642 J";
+  EXPECT_EQ(told(level + "47.6087\n", Dialect::iso), "arc-center-place") << "level with the tool";
+  EXPECT_EQ(told(level + "0\n", Dialect::iso), "");
+  EXPECT_EQ(told("G0 X5 Y10\nG2 I0 J10\n", Dialect::iso), "") << "a round number";
   EXPECT_EQ(told("G1 X22.5\nG2 I-2.5 J0\n", Dialect::fanuc), "");
   EXPECT_EQ(told("G1 X0 Y0\nG2 I20 J10\n", Dialect::fanuc), "") << "about where it came from";
   EXPECT_EQ(told("G1 X-20 Y-10\nG2 I20 J10\n", Dialect::fanuc), "") << "across the circle";

@@ -55,6 +55,8 @@ TEST(RecogniseDialect, Posts) {
        Dialect::fanuc},
       {"$PART1.MIN%\nG15 H1\nG0 X1 Y1\nG1 Z-1 F100\nM02\n", Dialect::fanuc},
       {"\xEF\xBB\xBF%\rO0001\rG90 G0 X1. Y1.\rG98\rG81 Z-5. R1. F100.\rM30\r%\r", Dialect::fanuc},
+      {"N0; Post Processor: proLIGHT 1000\nN1; Units: Metric\nN2G05\nN3G0X1Y1\nN4G1Z-1F9; Plunge\n",
+       Dialect::iso},
       {"G21\nG98\nG1 X1 Y1 F100\nG99\nX2\n", Dialect::iso},
       {"%\nG21\n(P1=5)\nN10 G1 X(P1+2) YP1 F100\n(P1=P1-1)\n(IF (P1 GT 0) GOTO N10)\nM30\n",
        Dialect::iso},

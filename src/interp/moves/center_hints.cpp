@@ -36,22 +36,38 @@ void CenterHints::sign(const ArcBlock& arc, Vec2 center) {
 }
 
 // I and J name the place that the tool comes from: the middle of the hole that it is in. As offsets
-// they are about a point where it never was.
+// they are about a point where it never was. "X85.8381 Y47.6087 I49.2642 J47.6087" is a place, too.
 void CenterHints::absolute_center(const ArcBlock& arc, Vec2 center) {
   const Vec2 at = center - arc.start, from = in_plane(arc.basis, position_.before);
   const double radius = length(at);
-  if (!position_.has_before || length(from - at) > kAgree) return;
-  if (length(arc.start) <= kAgree) return;                         // offset and place are one
-  if (std::abs(length(from - center) - radius) <= kAgree) return;  // across the circle
+  if (length(arc.start) <= kAgree) return;  // offset and place are one
+  const bool comes_from = position_.has_before && length(from - at) <= kAgree;
+  if (comes_from && std::abs(length(from - center) - radius) <= kAgree) return;  // across
+  if (!comes_from && !repeats_the_start(arc.start, at)) return;
   const char first = "XYZ"[kFirst[modal_.plane]], second = "XYZ"[kSecond[modal_.plane]];
+  const std::string place = fmt::format("{}{:.6g} {}{:.6g}", first, at.x, second, at.y);
   reporter_.once(
       Severity::warning, "arc-center-place",
-      fmt::format("the circle is read about {0}{2:.6g} {1}{3:.6g}, radius {4:.6g}; the tool comes "
-                  "from {0}{5:.6g} {1}{6:.6g}: if that is the centre, write {7} before it (radius "
-                  "{8:.6g})",
-                  first, second, center.x, center.y, radius, at.x, at.y, absolute_mode(),
-                  length(arc.start - at)),
+      fmt::format(
+          "the circle is read about {}{:.6g} {}{:.6g}, radius {:.6g}; {}: if that is the centre, "
+          "write {} before it (radius {:.6g})",
+          first, center.x, second, center.y, radius,
+          comes_from
+              ? fmt::format("the tool comes from {}", place)
+              : fmt::format("{} and {} are {}, level with the tool", "IJK"[kFirst[modal_.plane]],
+                            "IJK"[kSecond[modal_.plane]], place),
+          absolute_mode(), length(arc.start - at)),
       *arc.where, "arc-center-place");
+}
+
+// Whether one of I and J has the number of the tool's own place, and no round one.
+bool CenterHints::repeats_the_start(Vec2 start, Vec2 at) {
+  constexpr double kSame = 1e-6, kRound = 0.1;  // mm
+  const auto repeats = [](double number, double place) {
+    const double steps = number / kRound;
+    return std::abs(number - place) <= kSame && std::abs(steps - std::round(steps)) > 0.01;
+  };
+  return repeats(at.x, start.x) != repeats(at.y, start.y);
 }
 
 const char* CenterHints::absolute_mode() const { return is(Dialect::codesys) ? "G98" : "G90.1"; }

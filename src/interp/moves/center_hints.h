@@ -19,6 +19,7 @@ class CenterHints : public ControlPart {
  private:
   void sign(const ArcBlock& arc, Vec2 center);
   void absolute_center(const ArcBlock& arc, Vec2 center);
+  static bool repeats_the_start(Vec2 start, Vec2 at);
   const char* absolute_mode() const;
 };
 

@@ -367,6 +367,7 @@ void DialectSigns::weigh_comment(const LineScan& s, int line) {
          "MARLIN",     "KIRI",    "PYCAM",     "FLATCAM",        "GCODETOOLS",     "JSCUT"});
   weigh(Dialect::fanuc, {"FANUC", "HAAS", "MAZAK", "OKUMA", "DOOSAN", "FADAL"});
   weigh(Dialect::sinumerik, {"SINUMERIK", "SIEMENS"});
+  weigh(Dialect::iso, {"PROLIGHT", "INTELITEK"});
   for (const std::string_view word : {"STOCKMIN:", "STOCK/BLOCK", "TOOL/MILL"})  // Carbide
     if (comment.find(word) != std::string::npos)
       add(Dialect::ngc, 8, fmt::format("\"{}\"", word), line);
