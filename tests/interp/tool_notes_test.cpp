@@ -390,7 +390,8 @@ TEST(ToolNotes, LinesBelowTheToolsNumber) {
   EXPECT_EQ(tool("(TOOL NO.: 1)\n(TOOL NAME: EM 10)\n(CR=0.5)"), is(ToolType::bullmill, 10, 0.5));
   EXPECT_EQ(tool("(T1 ENDMILL)\n(DIA: 10.)\n(CORNER R 0.5)"), is(ToolType::bullmill, 10, 0.5));
   EXPECT_EQ(tool("(T1 6MM ENDMILL)\n(RADIUS 20)"), is(ToolType::endmill, 6, 0)) << "of the work";
-  EXPECT_EQ(tool("(T1 6MM ENDMILL)\n(CHAMFER)"), is(ToolType::endmill, 6, 0)) << "the work";
+  for (const char* work : {"CHAMFER", "DRILL1", "TALADRO1"})
+    EXPECT_EQ(tool(fmt::format("(T1 6MM ENDMILL)\n({})", work)), is(ToolType::endmill, 6, 0));
   EXPECT_EQ(tool("(T1: SHANK D12)\n(CUTTER D10 R1)"), is(ToolType::endmill, 0, 0)) << "asks";
 }
 
