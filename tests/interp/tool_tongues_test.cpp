@@ -63,5 +63,27 @@ TEST(ToolCommentReadings, Tongues) {
   });
 }
 
+// Controls without Cyrillic letters: Russian in Latin ones.
+TEST(ToolCommentReadings, RussianInLatinLetters) {
+  expect_readings({
+      {lathe_mm, "SVERLO 1.5", "drill 1.5"},
+      {mm, "SVERLO D10.2", "drill 10.2"},
+      {mm, "T1 SVERLENIE D10.2", "drill 10.2"},
+      {mm, "CENTROVKA D3", "drill 3, point 60"},
+      {mm, "SVERLO CENTROVOCHNOE 3", "drill 3, point 60"},
+      {mm, "METCHIK M8", "endmill 8"},
+      {mm, "RAZVERTKA 10H7", "endmill 10"},
+      {mm, "ZENKOVKA D16", "chamfer 16, point 90"},
+      {mm, "FREZA D12", "endmill 12"},
+      {mm, "FREZA SFERICHESKAYA D6", "ballmill 6"},
+      {mm, "FREZA TORCEVAYA D63", "endmill 63"},
+      {lathe_mm, "T3 OTREZ 3MM", "grooving, width 3"},
+      {lathe_mm, "T3 KANAVKA B3", "grooving, width 3"},
+      {lathe_mm, "REZEC PROHODNOY R0.8", "turning, insert 35, nose 0.8"},
+      {lathe_mm, "PROHODNOY CNMG 120408", "turning, insert 80, nose 0.8"},
+      {lathe_mm, "REZEC REZBOVOY", "threading, insert 60"},
+  });
+}
+
 }  // namespace
 }  // namespace mrsim
