@@ -134,7 +134,8 @@ bool WordReader::ends_block() const {
 bool WordReader::is_directive() const {
   if (line_[p_] != '[' || (dialect_ != Dialect::fanuc && dialect_ != Dialect::iso)) return false;
   const std::string head = upper_case(line_.substr(p_ + 1, 8));
-  return head.starts_with("BILLET") || head == "EDGEMOVE" || head.starts_with("TOOLDEF");
+  return head.starts_with("BILLET") || head == "EDGEMOVE" || head.starts_with("TOOLDEF") ||
+         head == "STEP";
 }
 
 // What stands only before the words: "%", "/2", ":1234".
@@ -156,7 +157,7 @@ bool WordReader::head_of_block(Block& block) {
     word.column = static_cast<int>(from);
     word.length = 1;
     reporter_.once(Severity::note, "simulator-line",
-                   "[BILLET, [EDGEMOVE and [TOOLDEF are for Denford's simulation: left out; "
+                   "[BILLET, [EDGEMOVE, [TOOLDEF and [STEP are for Denford's simulation: left out; "
                    "--stock and --tool say the same here",
                    word, "simulator-line");
   } else if (c == '/' && block.skip_level < 0) {
