@@ -234,14 +234,14 @@ TEST(TurnCycles, ThreadsThatAreNotRead) {
 }
 
 // Controls stop at such a contour (alarm 064); G70 and G73 run it as it stands.
-TEST(TurnCycles, AContourThatEndsWithARapidHomeIsRefusedWithItsReason) {
+TEST(TurnCycles, AContourThatEndsWithARapidHomeIsCutWithoutIt) {
   const std::string contour = " P1 Q3 U0 W0 F.2\nN1 G0 X20.\nG1 Z-20.\nX40.\nN3 G0 X100. Z5.\n";
   const auto run = [&](const std::string& cycle) {
     return read_text("G0 X100. Z5.\n" + cycle + contour,
                      at_origin(Dialect::fanuc, MachineKind::lathe));
   };
   const Program p = run("G71 U2. R1.\nG71");
-  ASSERT_EQ(codes(p), "not-supported");
+  ASSERT_EQ(codes(p), "cycle-contour");
   EXPECT_NE(p.diagnostics[0].text.find("alarm 064"), std::string::npos);
   EXPECT_EQ(codes(run("G73 U2. W1. R2\nG73")), "");
 }
@@ -285,11 +285,11 @@ TEST(TurnCycles, TheWayBackOfG70IsNotCompensated) {
       "r20,0,2 r10,0,1.6 l10,0,-20.4 r20,0,2 r15,0,1.6 l15,0,-5.4 l25,0,-5");
 }
 
-// Along Z alone and outside of the material, Haas goes back so: "N20 G0 G40 Z0.1".
-TEST(TurnCycles, AContourMayGoBackOutsideOfTheMaterial) {
-  const auto run = [&](const std::string& end) {
+// Haas goes back so: "N20 G0 G40 Z0.1".
+TEST(TurnCycles, AContourMayGoBackAboveAllOfIt) {
+  const auto run = [&](const std::string& end, const char* top = "X44.\n") {
     return read_text(
-        "G0 X44. Z2.\nG71 U2. R1.\nG71 P1 Q3 U0 W0 F.2\nN1 G0 X20.\nG1 Z-20.\nX44.\n" + end,
+        "G0 X44. Z2.\nG71 U2. R1.\nG71 P1 Q3 U0 W0 F.2\nN1 G0 X20.\nG1 Z-20.\n" + (top + end),
         at_origin(Dialect::fanuc, MachineKind::lathe));
   };
   const Program p = run("N3 G0 Z2.\n"), plain = run("N3\n");
@@ -297,6 +297,9 @@ TEST(TurnCycles, AContourMayGoBackOutsideOfTheMaterial) {
   EXPECT_EQ(path_text(p).substr(0, path_text(p).find(" | ")), path_text(plain));
   EXPECT_EQ(codes(plain), "");
   EXPECT_EQ(codes(run("N3 G0 Z5.\n")), "cycle-contour") << "beyond the start";
+  EXPECT_EQ(codes(run("N3 G0 Z2.\n", "X42.\n")), "cycle-contour") << "inside of the start";
+  EXPECT_EQ(codes(run("N3 G0 X44. Z2.\n", "X42.\n")), "cycle-contour") << "and out";
+  EXPECT_EQ(codes(run("N3 G0 Z2.\n", "X42.\nZ-30.\nX30. Z-40.\n")), "not-supported") << "below";
 }
 
 }  // namespace

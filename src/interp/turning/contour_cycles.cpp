@@ -250,17 +250,18 @@ bool ContourCycles::repeat_pattern() {
   return true;
 }
 
-// "N20 G0 G40 Z0.1", from outside of the material back to where the cycle began.
+// "N20 G0 G40 Z0.1", back to where the cycle began, with nothing of the contour farther out.
 void ContourCycles::leave_out_return() {
   if (contour_.size() < 3) return;
   const Motion& last = contour_.back();
   const int u = call_.number == 72 ? 2 : 0, v = 2 - u;
   const Vec3 from = position_.physical, begin = contour_.front().end;
   const double out = component(from, u) - component(begin, u);  // away from the contour
-  const bool level = std::abs(component(last.end - last.start, u)) < kRounding;
-  const bool outside = (component(last.start, u) - component(from, u)) * out > -kRounding;
   const bool back = component(last.end - last.start, v) * component(last.start - from, v) < 0;
-  if (last.kind != kRapid || !level || !outside || !back) return;
+  const double low = std::min(component(last.start, u) * out, component(last.end, u) * out);
+  for (std::size_t i = 0; i + 1 < contour_.size(); ++i)
+    if (component(contour_[i].end, u) * out > low + kRounding) return;
+  if (last.kind != kRapid || !back) return;
   reporter_.add_at(Severity::warning, "cycle-contour",
                    "the last block of the contour goes back with a rapid: FANUC stops there (alarm "
                    "064), Haas goes on; roughing leaves it out",
