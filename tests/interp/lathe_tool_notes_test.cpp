@@ -288,5 +288,27 @@ TEST(ToolNotes, NoseAndCornerOfAnInsertInLinesOfTheirOwn) {
   EXPECT_EQ(insert("(T0101 CNMG 120408)\n(TIP RADIUS: 0.4)\n"), "tool-unknown");
 }
 
+// "(T0606 CCMT 3-2-MP3)" is for the outside, unless what it cuts is a bore.
+TEST(ToolNotes, InsertAloneInABoreIsUnknown) {
+  const auto turned = [](const std::string& notes, const std::string& cut) {
+    InterpOptions options;
+    options.dialect = Dialect::fanuc;
+    options.machine = MachineKind::lathe;
+    return read_text("O1867\n" + notes + "G21 G99\nT0606\nG96 S200 M3\nG0 X37 Z2\nG1 Z0.1 F0.2\n" +
+                         cut + "G0 Z2\nX150 Z200\nM30\n",
+                     options);
+  };
+  const std::string bore = "X33 Z-3\nZ-30\nG0 X30\n";
+  EXPECT_EQ(codes(turned("(T0606 CCMT 3-2-MP3)\n", bore), Severity::error), "tool-unknown");
+  for (const char* bar :
+       {"(T0606 CCMT 3-2-MP3)\n(T0606 - ID BORE)\n", "(T0606 - CCMT 3-2-MP3 BORING BAR)\n"}) {
+    const Program p = turned(bar, bore);
+    EXPECT_EQ(codes(p, Severity::error), "") << listing(p);
+    EXPECT_EQ(p.tools.at(0).type, ToolType::boring) << bar;
+  }
+  for (const char* cut : {"Z0\nX-1\nG0 Z2\nX30\nG1 Z-20\nG0 X38\n", "Z-0.5\nG0 X30\n"})
+    EXPECT_EQ(codes(turned("(T0606 CNMG 432 OD TURN)\n", cut), Severity::error), "") << cut;
+}
+
 }  // namespace
 }  // namespace mrsim

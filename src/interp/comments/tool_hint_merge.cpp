@@ -270,6 +270,8 @@ void merge_hint(ToolHint& into, const ToolHint& more) {
   into.left_hand |= more.left_hand;
   into.rivals |= more.rivals || (into.trade && more.trade && *into.trade != *more.trade);
   into.inside |= more.inside;
+  const bool bar = more.inside && !more.id.empty() && more.id == into.id;  // "T10 - ID BORE"
+  if (bar && into.type == ToolType::turning) into.type = ToolType::boring;
   into.bores |= more.bores;
   into.face_groove |= more.face_groove;
   if (into.orientation == 0) into.orientation = more.orientation;

@@ -257,16 +257,22 @@ void MotionEmitter::warn_unknown_start(const Motion& motion) {
                     motion, "start");
 }
 
-// The insert that tools without data are taken to have would cut another part.
+// The insert that tools without data are taken to have would cut another part; so would one for the
+// outside, "T6 CCMT 32.5", in a bore.
 void MotionEmitter::refuse_undescribed_tool(const Motion& motion) {
   const UndescribedTool::Kind kind = undescribed_.told_by(motion, program_.zero_height);
   if (kind.does.empty() || motion.tool < 0) return;
   const Tool& tool = program_.tools[static_cast<std::size_t>(motion.tool)];
-  if (!is_turning(tool.type) || !tool.origin.starts_with(kNoToolData)) return;
+  const bool bare = is_turning(tool.type) && tool.origin.starts_with(kNoToolData);
+  constexpr double kFace = 1;  // mm: faces are cut above this depth
+  const bool outside = kind.bores && motion.start.z < program_.zero_height - kFace &&
+                       tool.type == ToolType::turning && tool.origin.starts_with("comment");
+  if (!bare && !outside) return;
   reporter_.once_at(Severity::error, "tool-unknown",
-                    fmt::format("tool {0} {1}, but there are no data for it: give --tool {0}={2}, "
-                                "or say in a comment what it is (T{0} {3})",
-                                tool.id, kind.does, kind.option, kind.comment),
+                    fmt::format("tool {0} {1}, but {4}: give --tool {0}={2}, or say in a comment "
+                                "what it is (T{0} {3})",
+                                tool.id, kind.does, kind.option, kind.comment,
+                                bare ? "there are no data for it" : "its comment names no such"),
                     control_.tool.place, "drill:" + tool.id);
 }
 

@@ -21,7 +21,7 @@ UndescribedTool::Kind UndescribedTool::told_by(const Motion& motion, double face
   if (drill) return {"goes in and out along the axis, as a drill does", "drill:d=10", "BAR STOP"};
   if (bar)
     return {"leaves its cut towards the axis, as a bar that bores does", "boring:insert=CCMT,r=0.4",
-            "BORING BAR"};
+            "BORING BAR", true};
   if (blade)
     return {"plunges and goes straight back, as a blade does", "grooving:w=3", "GROOVE 3MM"};
   return {};

@@ -7,14 +7,15 @@
 
 namespace mrsim {
 
-/// Such a tool is taken to be an insert for the outside. Its motions show where it cannot be one:
-/// where it drills, bores, or plunges as a blade does.
+/// Such a tool, or an insert alone, is taken to be for the outside. Its motions show where it
+/// cannot be one: where it drills, bores, or plunges as a blade does.
 class UndescribedTool {
  public:
   struct Kind {
     std::string_view does;     ///< "plunges and goes back, as a blade does"; empty: nothing
     std::string_view option;   ///< what --tool 3= may have
     std::string_view comment;  ///< what a comment may say of it
+    bool bores = false;
   };
 
   /// The next motion, in the order of the program; `face`: Z of the program's zero.
