@@ -239,7 +239,9 @@ TEST_F(Memory, LimitsLoopsWithoutAnEnd) {
       "loop.nc --stock box:0,0,-8,20,20,0 --tool ballmill:d=6 -o part.stl --json r.json "
       "--max-memory 100M",
       1, "a program of more than");
-  if (kIsPlain) EXPECT_LT(number_after(read("r.json"), "\"peak\":"), 105e6);
+  if (kIsPlain) {
+    EXPECT_LT(number_after(read("r.json"), "\"peak\":"), 105e6);
+  }
 }
 
 // A history of many motions, whose rows are written one by one.

@@ -327,7 +327,9 @@ TEST_F(StockRepair, ManyBodiesInOnePlaceAreRefusedAtOnce) {
   const Outcome outcome = run("PRIMER_2F.MPF --stock stock.off --json r.json");
   EXPECT_EQ(outcome.code, 1);
   EXPECT_TRUE(contains(outcome.err, "100000 or more pairs of triangles")) << outcome.err;
-  if (kIsPlain) EXPECT_LT(Json::parse(read("r.json"))["memory"]["peak"], 60e6);
+  if (kIsPlain) {
+    EXPECT_LT(Json::parse(read("r.json"))["memory"]["peak"], 60e6);
+  }
 }
 
 }  // namespace

@@ -17,12 +17,12 @@ namespace {
 using testing::arc;
 using testing::line;
 
-constexpr double kBand = 0.01;  // mm
+constexpr double kListBand = 0.01;  // mm
 
 // Within the band of the surface, or everywhere, both are the same; deeper the list has what is
 // nearer to the surface in its box, on the same side.
 void expect_list_holds(const FieldSample& whole, const FieldSample& list, bool everywhere) {
-  if (everywhere || std::abs(whole.distance) <= kBand) {
+  if (everywhere || std::abs(whole.distance) <= kListBand) {
     EXPECT_EQ(whole.distance, list.distance);
     EXPECT_EQ(whole.owner, list.owner);
     return;
@@ -45,9 +45,10 @@ void expect_lists_hold(const PartField& field, const Vec3& room, std::size_t lea
     const Box3 box{center - half, center + half};
     const auto descent = field.descent(center, all);
     Candidates lists[2];
-    if (descent->enter(1, inflated(box, 0.2), kBand, true) != ExactField::Region::mixed) continue;
-    const auto region = descent->finish(2, box, kBand, lists[1]);
-    EXPECT_EQ(field.restrict_to(box, kBand, all, lists[0]), region);
+    if (descent->enter(1, inflated(box, 0.2), kListBand, true) != ExactField::Region::mixed)
+      continue;
+    const auto region = descent->finish(2, box, kListBand, lists[1]);
+    EXPECT_EQ(field.restrict_to(box, kListBand, all, lists[0]), region);
     if (region != ExactField::Region::mixed) continue;
     ++mixed;
     for (int k = 0; k < 40; ++k) {

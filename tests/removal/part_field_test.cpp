@@ -149,9 +149,10 @@ TEST(PartField, FloorsOfSlightSlopesAreFound) {
         }
         EXPECT_GT(plane.normal.z, 0.9) << is_arc << ' ' << v << ' ' << up;
         EXPECT_LT(distance(p, start), 0.11) << is_arc << ' ' << v << ' ' << up;
-        if (std::abs(v) < 0.2)
+        if (std::abs(v) < 0.2) {
           EXPECT_NEAR(field.sample(p, field.all()).distance, 0, 1e-8)
               << is_arc << ' ' << v << ' ' << up;
+        }
       }
   }
 }

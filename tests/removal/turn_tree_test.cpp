@@ -219,8 +219,9 @@ TEST(TurnTree, MeetingListsHoldWhatReachesABox) {
     const std::vector<std::uint32_t> expanded = sweeps.expanded(all, box);
     EXPECT_TRUE(std::includes(expanded.begin(), expanded.end(), meeting.begin(), meeting.end()));
     for (const std::uint32_t i : expanded)
-      if (!std::binary_search(meeting.begin(), meeting.end(), i))
+      if (!std::binary_search(meeting.begin(), meeting.end(), i)) {
         EXPECT_GT(sweeps.distance(i, p), half);
+      }
     met += meeting.size(), bounded += expanded.size();
   }
   EXPECT_GT(met, 0u);
