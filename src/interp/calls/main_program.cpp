@@ -11,6 +11,7 @@
 namespace mrsim {
 namespace {
 
+constexpr std::size_t kLongest = 20000;  // characters of a line that holds a call
 constexpr int kLines = 20000;  // behind them no subprogram ends that stands before its caller
 
 /// "M98P1000", "M98 P51000" (five times), "G65 P1000".
@@ -48,7 +49,7 @@ std::optional<MainProgram> program_that_calls_the_first(const std::string& file)
       current = {name, first, offset, source.line_number() - 1};
       calling = false;
     }
-    if (first.empty() || line.size() > kLines) continue;
+    if (first.empty() || line.size() > kLongest) continue;
     scan_line(line, scan);
     const bool ends =
         has_word(scan.code, "M30") || has_word(scan.code, "M2") || has_word(scan.code, "M02");
