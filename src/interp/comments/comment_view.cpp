@@ -51,12 +51,6 @@ std::size_t CommentView::behind(std::size_t i) const {
   return at;
 }
 
-bool CommentView::is_only_number(std::size_t i) const {
-  for (std::size_t k = 0; k < size(); ++k)
-    if (k != i && number(k)) return false;
-  return number(i);
-}
-
 std::size_t CommentView::value_behind(std::size_t i) const {
   const std::size_t at = behind(i);
   return number(at) && !tokens_[at].angle ? at : kNone;

@@ -35,8 +35,6 @@ class CommentView {
 
   /// A number that nothing has explained yet.
   bool number(std::size_t i) const { return has(i) && tokens_[i].is_number() && !taken_[i]; }
-  /// No number but this one is left.
-  bool is_only_number(std::size_t i) const;
   /// One without a point, a fraction, a unit or a degree sign.
   bool whole(std::size_t i) const;
   /// Whether the number there is that of a piece of work: "PART 7", "SIDE 2".

@@ -337,13 +337,12 @@ bool LabelReader::is_beside_its_register(std::size_t size, double length_registe
   return false;
 }
 
-// "END MILL D5", "D10R1", "MILL D. 20 HSC"; beside an H it is the number of a register, behind a
-// name in quotation marks (T="CUTTER 10" D1) that of an edge.
+// "END MILL D5", "D10R1"; beside an H it is the number of a register, behind a name in quotation
+// marks (T="CUTTER 10" D1) that of an edge.
 void LabelReader::read_letter_d() {
   const double length_register = length_register_beside();
   for (std::size_t i = 0; i + 1 < view_.size(); ++i) {
-    if (!view_.is(i, "D") || !view_.number(i + 1)) continue;
-    if (!view_.glued(i + 1) && (!facts_.kind() || !view_.is_only_number(i + 1))) continue;
+    if (!view_.is(i, "D") || !view_.number(i + 1) || !view_.glued(i + 1)) continue;
     const CommentToken& value = view_[i + 1];
     view_.take(i, i + 2);
     if (i > 0 && view_.is_one(i - 1, {"SHANK", "SHK", "SHAFT", "SCHAFT", "NECK", "HOLDER",
