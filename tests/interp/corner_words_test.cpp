@@ -45,9 +45,10 @@ TEST(CornerWords, LathesWriteThemWithoutAComma) {
   EXPECT_EQ(turned_corners("G1 X20. F.2\nA180.\nX40. Z-30. A135.\n"),
             "l10,0,0 l10,0,-20 l20,0,-30");
   // The slope alone counts: shops write A-45 for A135, and A45 for A225 in a bore.
-  EXPECT_EQ(turned_corners("G1 X20. F.2\nX40. A-45.\n"), "l10,0,0 l20,0,-10");
+  EXPECT_EQ(turned_corners("G1 X20. F.2\nX40. A-45.\n"), "l10,0,0 l20,0,-10 | angle-behind");
   EXPECT_EQ(turned_corners("G1 X40. F.2\nX20. A45. R1.\nZ-20.\n").substr(0, 15), "l20,0,0 l10.29,");
-  EXPECT_EQ(turned_corners("G1 X20. F.2\nA0\nX40. Z-30. A-45.\n"), "l10,0,0 l10,0,-20 l20,0,-30");
+  EXPECT_EQ(turned_corners("G1 X20. F.2\nA0\nX40. Z-30. A-45.\n"),
+            "l10,0,0 l10,0,-20 l20,0,-30 | angle-behind");
   EXPECT_EQ(turned_corners("G1 X20. Z0 C90. F.2\n"), " | not-supported")
       << "C beside both axes is an axis";
   EXPECT_EQ(turned_corners("G0 C0\nG1 Z-5. C45. F.2\n"), " | not-supported") << "C is an axis here";

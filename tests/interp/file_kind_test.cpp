@@ -21,7 +21,7 @@ TEST(FileKind, TextBehindTheTapeIsNamed) {
   const Program sender = read_text(
       "%\nG1 X1 F1\n% vfd enable\nM62 P0\n%( end )\no1 sub\nG1 X2\no1 endsub\no1 call\n%\nG1 X3\n",
       at_origin(Dialect::ngc));
-  EXPECT_EQ(path_text(sender), "l1,0,0 l2,0,0") << "lines for senders";
+  EXPECT_EQ(path_text(sender), "l1,0,0 l2,0,0 | sender-line") << "lines for senders";
   EXPECT_EQ(codes(sender, Severity::note), "sender-line tape-end");
   EXPECT_EQ(notes("%\nO1\nG1 X1. F1\nM30\n%\nlisting\n"), "");
   EXPECT_EQ(codes(read_text("% A\nG1 X1 F1\nSUBPROGRAM B{}\nG1 X2\nEND_SUBPROGRAM\n",

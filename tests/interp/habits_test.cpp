@@ -96,6 +96,10 @@ TEST(Habits, ProgramsThatNothingCallsAreToldOf) {
     EXPECT_EQ(path_text(read_text(text, kFanuc)), "l1,0,0 l2,0,0") << call;
     EXPECT_EQ(notes(text), "program-start");
   }
+  const std::string nameless = "%\nG1 X1. F1\nM98 P1000\nM30\nO1000\nG1 X2. F1\nM99\n";
+  EXPECT_EQ(path_text(read_text(nameless + "O2\nG1 X9. F1\nM98 P1000\nM30\n%\n", kFanuc)),
+            "l1,0,0 l2,0,0")
+      << "a main program without a name comes first";
   EXPECT_EQ(notes(before + "O1\nM98 P1001\nM30\nO1001\nM99\n"), "program-loops program-not-run");
   EXPECT_EQ(notes("O1\nG1 X1. F1\nG65 P2\nM30\nO2\nM99\n"), "");
 }

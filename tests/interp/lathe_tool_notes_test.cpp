@@ -260,7 +260,8 @@ TEST(ToolNotes, WorkAboveTheTWordOfALathe) {
   EXPECT_EQ(tools(modes + "\n(GROOVE4)\n" + cut).substr(0, 12), "tool-unknown");
   EXPECT_EQ(tools(modes + "(THREAD1)\n" + cut), type(ToolType::threading));
   EXPECT_EQ(tools(modes + "(FACE)\n(THREAD)\n" + cut), turned) << "a list";
-  EXPECT_EQ(tools("%\nO1\n(THREAD)\n" + cut), turned) << "a title";
+  for (const char* title : {"THREAD", "BORE 25 H7 BUSH", "HOLD ON BORE", "2ND OP AFTER BORING"})
+    EXPECT_EQ(tools(modes + "(" + title + ")\n" + cut), turned) << title;
 }
 
 // The nose in a line of its own was no nose: the insert was sharp.
@@ -306,6 +307,8 @@ TEST(ToolNotes, InsertAloneInABoreIsUnknown) {
     EXPECT_EQ(codes(p, Severity::error), "") << listing(p);
     EXPECT_EQ(p.tools.at(0).type, ToolType::boring) << bar;
   }
+  EXPECT_EQ(turned("(T0606 CNMG 432)\n(T0606 FACE AND ID CHAMFER)\n", "Z-3\n").tools.at(0).type,
+            ToolType::turning);
   for (const char* cut : {"Z0\nX-1\nG0 Z2\nX30\nG1 Z-20\nG0 X38\n", "Z-0.5\nG0 X30\n"})
     EXPECT_EQ(codes(turned("(T0606 CNMG 432 OD TURN)\n", cut), Severity::error), "") << cut;
 }

@@ -50,26 +50,20 @@ TEST(Tools, WithoutM6AsWithIt) {
   EXPECT_EQ(ends(same), "-20,0,0 0,3,0 20,3,0 20,20,0");
 }
 
-// The machine's habit of schools: the first tool is in the spindle, and each T word beside a motion
-// makes the next tool ready.
-TEST(Tools, TheFirstIsInTheSpindleAndTheNextIsCalledBesideAMotion) {
+// Schools leave the first tool in the spindle, and make the next one ready beside a motion; a mill
+// without a changer names its tools so, too.
+TEST(Tools, ATBesideAMotionIsInDoubtWhereTheCommentNamesAnother) {
   const std::string tail =
       "G1 Z-1. F100\nG0 Z9.\n(T02 - 3MM END MILL)\nT2\nM6\nG0 X5. T1\nG1 Z-2.\nG0 Z9.\nM30\n";
-  const Program p = read_text("(T01 - 6MM END MILL)\nG21\nG90 G0 X1. Y1. S900 M3 T2\n" + tail,
-                              at_origin(Dialect::fanuc));
-  ASSERT_EQ(codes(p), "") << listing(p);
-  EXPECT_NE(listing(p).find("T1, which the comment names"), std::string::npos) << listing(p);
-  ASSERT_EQ(p.tools.size(), 2U);
-  EXPECT_EQ(p.tools[0].id, "1");
-  EXPECT_EQ(p.tools[0].diameter, 6);
-  EXPECT_EQ(p.tools[1].id, "2");
-  EXPECT_EQ(p.tools[1].diameter, 3);
-  for (const char* head : {"(T02 - 6MM END MILL)\nG21\nG90 G0 X1. Y1. S900 M3 T2\n",
-                           "(T02 - 6MM END MILL)\nG21\nT2\nG90 G0 X1. Y1. S900 M3\n"}) {
-    const Program untold = read_text(head + tail, at_origin(Dialect::fanuc));
-    EXPECT_NE(listing(untold).find("T2 comes with an M6 only behind"), std::string::npos)
-        << listing(untold);
-  }
+  const auto told = [&](const std::string& head) {
+    return listing(read_text(head + tail, at_origin(Dialect::fanuc)));
+  };
+  const std::string first = "(T01 - 6MM END MILL)\nG21\n", second = "(T02 - 6MM END MILL)\nG21\n";
+  for (const char* call : {"G90 G0 X1. Y1. S900 M3 T2\n", "G90 G0 X1. Y1. T0202\n"})
+    EXPECT_NE(told(first + call).find("the comment names T1 alone"), std::string::npos) << call;
+  EXPECT_EQ(told(first + "G90 G0 G43 H2 X1. Y1. T2\n").find("alone"), std::string::npos);
+  for (const char* call : {"G90 G0 X1. Y1. S900 M3 T2\n", "T2\nG90 G0 X1. Y1. S900 M3\n"})
+    EXPECT_NE(told(second + call).find("T2 comes with an M6 only behind"), std::string::npos);
 }
 
 TEST(Subprograms, M30ReturnsOnSinumerik) {

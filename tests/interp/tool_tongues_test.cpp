@@ -87,7 +87,6 @@ TEST(ToolCommentReadings, RussianInLatinLetters) {
 
 TEST(ToolCommentReadings, BarsAndSpotsInShort) {
   expect_readings({
-      {lathe_mm, "3/4BB CCMT 09T304", "boring, insert 80, nose 0.4"},
       {mm, "PUNTEADO D12", "drill 12, point 90"},
   });
 }

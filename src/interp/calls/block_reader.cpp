@@ -234,7 +234,7 @@ bool BlockReader::ends_at_header(const Word* program) {
       leader && header->text.find_first_not_of("% \t\r") != std::string_view::npos;
   if (commented && is(Dialect::ngc)) {  // a line for the sender, as those of CNCjs and gSender
     reporter_.once(
-        Severity::note, "sender-line",
+        Severity::warning, "sender-line",
         "lines that begin with % and a text are for the sender of the program: read over", *header,
         "sender-line");
     return false;

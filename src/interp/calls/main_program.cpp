@@ -49,12 +49,15 @@ std::optional<MainProgram> program_that_calls_the_first(const std::string& file)
       current = {name, first, offset, source.line_number() - 1};
       calling = false;
     }
-    if (first.empty() || line.size() > kLongest) continue;
+    if (line.size() > kLongest) continue;
     scan_line(line, scan);
+    if (first.empty() && scan.code.find_first_not_of("% \t\r") != scan.code.npos) return {};
+    if (first.empty() || scan.code.starts_with('/')) continue;
     const bool ends =
         has_word(scan.code, "M30") || has_word(scan.code, "M2") || has_word(scan.code, "M02");
     if (!returns) {
-      if (ends || source.line_number() > kLines) return {};
+      const bool changes_tool = has_word(scan.code, "M6") || has_word(scan.code, "M06");
+      if (ends || changes_tool || source.line_number() > kLines) return {};
       returns = has_word(scan.code, "M99");
     } else if (current.name != first) {
       calling = calling || calls(scan.code, number);

@@ -270,7 +270,8 @@ void merge_hint(ToolHint& into, const ToolHint& more) {
   into.left_hand |= more.left_hand;
   into.rivals |= more.rivals || (into.trade && more.trade && *into.trade != *more.trade);
   into.inside |= more.inside;
-  const bool bar = more.inside && !more.id.empty() && more.id == into.id;  // "T10 - ID BORE"
+  const bool bar =
+      more.inside && more.bores && !more.id.empty() && more.id == into.id;  // "T10 - ID BORE"
   if (bar && into.type == ToolType::turning) into.type = ToolType::boring;
   into.bores |= more.bores;
   into.face_groove |= more.face_groove;

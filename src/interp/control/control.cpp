@@ -104,10 +104,11 @@ void ControlPart::note_once(const char* code, const std::string& text, const Wor
 
 bool ControlPart::angle_of_slope(const Word& angle) {
   if (!is(Dialect::fanuc)) return false;
-  note_once("angle-behind",
-            fmt::format("the line runs the other way than {} points: FANUC's angle is its slope",
-                        text_of(angle)),
-            angle, "angle of slope");
+  reporter_.once(
+      Severity::warning, "angle-behind",
+      fmt::format("the line runs the other way than {} points: FANUC's angle is its slope",
+                  text_of(angle)),
+      angle, "angle of slope");
   return true;
 }
 

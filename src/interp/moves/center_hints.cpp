@@ -67,7 +67,7 @@ bool CenterHints::repeats_the_start(Vec2 start, Vec2 at) {
     const double steps = number / kRound;
     return std::abs(number - place) <= kSame && std::abs(steps - std::round(steps)) > 0.01;
   };
-  return repeats(at.x, start.x) != repeats(at.y, start.y);
+  return at.x != 0 && at.y != 0 && repeats(at.x, start.x) != repeats(at.y, start.y);
 }
 
 const char* CenterHints::absolute_mode() const { return is(Dialect::codesys) ? "G98" : "G90.1"; }

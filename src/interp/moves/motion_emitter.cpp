@@ -118,7 +118,9 @@ void MotionEmitter::emit(Motion motion, const CornerSpec& corner) {
     motion.tool = control_.tool.index;
     if (lathe() && modal_.surface_speed)
       slowest_turn_ =
-          std::min(slowest_turn_, modal_.cutting_speed * 1000 / (2 * kPi * std::abs(motion.end.x)));
+          std::min(slowest_turn_,
+                   modal_.cutting_speed * 1000 /
+                       (2 * kPi * std::max(std::abs(motion.start.x), std::abs(motion.end.x))));
     if (lathe()) refuse_live_tool(motion);
     if (position_.known == 7U)
       unknown_starts_ = 0;

@@ -364,7 +364,7 @@ void DialectSigns::weigh_comment(const LineScan& s, int line) {
          "MACH 3",     "MACH 4",  "ESTLCAM",   "CARBIDE CREATE", "CARBIDE MOTION", "CARBIDE3D",
          "CARBIDE 3D", "VECTRIC", "VCARVE",    "SHAPEOKO",       "EASEL",          "BCNC",
          "OPENBUILDS", "MAKERA",  "PATHPILOT", "TORMACH",        "CAMOTICS",       "SNAPMAKER",
-         "MARLIN",     "KIRI",    "PYCAM",     "FLATCAM",        "GCODETOOLS",     "JSCUT"});
+         "KIRI",       "PYCAM",   "FLATCAM",   "GCODETOOLS",     "JSCUT"});
   weigh(Dialect::fanuc, {"FANUC", "HAAS", "MAZAK", "OKUMA", "DOOSAN", "FADAL"});
   weigh(Dialect::sinumerik, {"SINUMERIK", "SIEMENS"});
   weigh(Dialect::iso, {"PROLIGHT", "INTELITEK"});

@@ -212,11 +212,13 @@ void ToolChanger::change() {
   notes_.change(tool_.current);
 }
 
-// "(T1 - SPOT DRILL)", "N3 G0 X1 Y1 S900 M3 T2", no M6 before: T1 is in the spindle, T2 the next.
+// "(T1 - SPOT DRILL)", "N3 G0 X1 Y1 S900 M3 T2", no M6 before: T1 may be in the spindle, and T2 the
+// next. H2 says that T2 is.
 bool ToolChanger::next_is_pending() const {
   const std::string named = notes_.only();
+  const bool is_measured = parse_number(tool_.pending.id) == modal_.length_number;
   return is(Dialect::fanuc) && !lathe() && tool_.pending.beside_motion && !named.empty() &&
-         named != tool_.pending.id;
+         named != tool_.pending.id && !is_measured;
 }
 
 // Posts for machines without a tool changer (Grbl) name the tool in a comment alone.
@@ -244,14 +246,14 @@ void ToolChanger::require(const Word& where, bool cuts) {
         tool_.pending.at);
   }
   if (!tool_.chosen && tool_.pending.active && cuts && next_is_pending()) {
-    const PendingTool next = tool_.pending;
-    take_commented(where);
-    tool_.pending = next;
-    reporter_.once_at(Severity::note, "tool-not-changed",
-                      fmt::format("T{} is called for the next M6: T{}, which the comment names, is "
-                                  "taken to be in the spindle before it",
-                                  next.id, tool_.current),
-                      next.at, "m6");
+    tool_.failed = true;
+    return reporter_.add_at(
+        Severity::error, "tool-unknown",
+        fmt::format("T{0} is called without M6, and the comment names T{1} alone: which of them is "
+                    "in the spindle here is not told: write T and its number, with M6, before the "
+                    "first cut",
+                    tool_.pending.id, notes_.only()),
+        tool_.pending.at);
   }
   if (!tool_.chosen && tool_.pending.active && cuts) {
     reporter_.once_at(

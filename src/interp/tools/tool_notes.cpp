@@ -24,6 +24,15 @@ bool heads_list(const std::string& comment) {
 // "%", "O0001": behind them and a block of modes a lone comment is no title any more.
 constexpr std::size_t kHeaderBlocks = 2;
 
+// "GROOVE4", "PROFILE1", as Fusion numbers what is done; a title ("BORE 25 H7 BUSH") has other
+// words.
+bool is_numbered_operation(std::string_view text) {
+  const std::size_t digits = text.find_first_of("0123456789");
+  return digits != text.npos && digits > 0 &&
+         text.find_first_not_of("0123456789", digits) == text.npos &&
+         std::all_of(text.begin(), text.begin() + static_cast<std::ptrdiff_t>(digits), is_letter);
+}
+
 // Comments and lists that are kept: a program of nothing but comments fills no memory.
 constexpr std::size_t kLongestList = 1000;
 
@@ -81,7 +90,7 @@ void ToolNotes::comment(std::string_view bytes, const std::string& called, bool 
   const bool is_lone = !std::exchange(commented_, true);
   operation_.reset();
   if (lathe_ && !cuts_ && alone && is_lone && blocks_ > kHeaderBlocks && !hint && hint.id.empty() &&
-      (hint.operation || hint.bores))
+      (hint.operation || hint.bores) && is_numbered_operation(bytes))
     operation_ = hint;
   hint.at_call = !called.empty() || blocks_since_change_ <= 0;
   if (hint.only_diameter()) {

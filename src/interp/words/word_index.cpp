@@ -186,7 +186,9 @@ void WordIndex::read_okuma_corner() {
 // Fills slots_; an address twice is an error, G and M words and a few of CODESYS excepted.
 bool WordIndex::run() {
   if (const Word* cycle = dialogue_cycle()) {
-    if (!is_blank_of_dialogue(*cycle))
+    const auto codes = std::count_if(block_.words.begin(), block_.words.end(),
+                                     [](const Word& w) { return w.address == letter('G'); });
+    if (!is_blank_of_dialogue(*cycle) || codes > 1)
       return error("not-supported",
                    fmt::format("{} is a cycle of MANUAL GUIDE i, which is not supported: let the "
                                "control convert the program (NC CNV)",
