@@ -54,7 +54,8 @@ bool lost_its_slash(const ToolLength& name, double diameter) {
     for (const int whole_at : {10000, 10, 100}) {  // no whole number, or one before 1 or 2 digits
       const int upper = digits / power, fraction = upper % whole_at;
       if (fraction % 2 == 0 || fraction >= lower) continue;
-      const double inches = upper / whole_at + static_cast<double>(fraction) / lower;
+      const int whole = upper / whole_at;
+      const double inches = whole + static_cast<double>(fraction) / lower;
       if (std::abs(inches * kMmPerInch - diameter) < kSameSize) return true;
     }
   }
