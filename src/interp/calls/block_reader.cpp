@@ -233,10 +233,9 @@ bool BlockReader::ends_at_header(const Word* program) {
   const bool commented =
       leader && header->text.find_first_not_of("% \t\r") != std::string_view::npos;
   if (commented && is(Dialect::ngc)) {  // a line for the sender, as those of CNCjs and gSender
-    reporter_.once(
-        Severity::warning, "sender-line",
-        "lines that begin with % and a text are for the sender of the program: read over", *header,
-        "sender-line");
+    reporter_.once(Severity::warning, "sender-line",
+                   "lines of % and a text are for the sender of the program: read over", *header,
+                   "sender-line");
     return false;
   }
   if (program)

@@ -135,7 +135,8 @@ class ControlPart {
     return plain && !find(Address::ang) ? letter('A') : Address::ang;
   }
 
-  /// A line that runs against its angle, A-30 for A150: FANUC reads the slope alone (noted once).
+  /// A line that runs against its angle, A-30 for A150: FANUC reads the slope alone (warned of
+  /// once).
   bool angle_of_slope(const Word& angle);
 
   const Word* find(Address a) const { return block_.find(a); }

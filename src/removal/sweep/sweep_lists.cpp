@@ -255,6 +255,19 @@ void append_turned(const SweepColumns& c, std::span<const std::uint32_t> numbers
   for (const TurnMember& member : members) sweeps.push_back(member.sweep);
 }
 
+// The plain sweeps of a list and those that `append` finds in its packs, if their bounds meet the
+// box.
+template <class Append>
+std::vector<std::uint32_t> sweeps_about(const SweepColumns& c, std::span<const std::uint32_t> list,
+                                        const Box3& box, const Append& append) {
+  const auto numbers = c.numbers_of(list);
+  const auto plain = c.sweeps_of(numbers);
+  std::vector<std::uint32_t> sweeps(plain.begin(), plain.end());
+  append(numbers.turned, sweeps);
+  keep_bounded(c, box, sweeps);
+  return sweeps;
+}
+
 }  // namespace
 
 std::vector<std::uint32_t> all_numbers(const SweepColumns& c, double longest) {
@@ -287,23 +300,17 @@ std::vector<std::uint32_t> all_numbers(const SweepColumns& c, double longest) {
 
 std::vector<std::uint32_t> sweeps_bounded(const SweepColumns& c,
                                           std::span<const std::uint32_t> list, const Box3& box) {
-  const auto numbers = c.numbers_of(list);
-  const auto plain = c.sweeps_of(numbers);
-  std::vector<std::uint32_t> sweeps(plain.begin(), plain.end());
-  for (const std::uint32_t id : numbers.turned)
-    c.turn_tree.append_sweeps(id - static_cast<std::uint32_t>(c.refs.size()), sweeps);
-  keep_bounded(c, box, sweeps);
-  return sweeps;
+  return sweeps_about(c, list, box, [&](std::span<const std::uint32_t> turned, auto& sweeps) {
+    for (const std::uint32_t id : turned)
+      c.turn_tree.append_sweeps(id - static_cast<std::uint32_t>(c.refs.size()), sweeps);
+  });
 }
 
 std::vector<std::uint32_t> sweeps_meeting(const SweepColumns& c,
                                           std::span<const std::uint32_t> list, const Box3& box) {
-  const auto numbers = c.numbers_of(list);
-  const auto plain = c.sweeps_of(numbers);
-  std::vector<std::uint32_t> sweeps(plain.begin(), plain.end());
-  append_turned(c, numbers.turned, box, sweeps);
-  keep_bounded(c, box, sweeps);
-  return sweeps;
+  return sweeps_about(c, list, box, [&](std::span<const std::uint32_t> turned, auto& sweeps) {
+    append_turned(c, turned, box, sweeps);
+  });
 }
 
 SweepTable::Nearest nearest_sweep(const SweepColumns& c, std::span<const std::uint32_t> list,

@@ -51,7 +51,7 @@ constexpr double kPlainSweeps = 1.5;
 // time where the first one has too many nodes: above them it mostly has as well.
 constexpr double kMostRetried = 1.2e5, kMostRetriedCreasing = 6;
 // Share of the cuts above which helices, or upright arcs, are many.
-constexpr double kManyHelices = 0.25;
+constexpr double kManyOfCuts = 0.25;
 // Nodes of the octree, made in some five seconds of two cores, after which the grid takes its
 // place. Those about the crests of a winding helix, or cut by flat mills on upright arcs, take
 // three times as long.
@@ -153,7 +153,7 @@ bool has_many_helices(const CutList& cuts) {
   const auto cut = std::ranges::count_if(cuts.motions(), is_cut);
   const auto helices = std::ranges::count_if(
       cuts.motions(), [](const Motion& m) { return is_cut(m) && is_helix(m); });
-  return helices > kManyHelices * static_cast<double>(cut);
+  return helices > kManyOfCuts * static_cast<double>(cut);
 }
 
 bool is_upright_arc(const Motion& motion) {
@@ -171,7 +171,7 @@ bool has_many_upright_arcs(const CutList& cuts) {
     return is_cut(m) && is_upright_arc(m) && m.tool >= 0 &&
            is_ball[static_cast<std::size_t>(m.tool)] == 0;
   });
-  return arcs > kManyHelices * static_cast<double>(cut);
+  return arcs > kManyOfCuts * static_cast<double>(cut);
 }
 
 // Whether an arc is cut by a tool whose distance has no closed form there, so that each one is
