@@ -251,9 +251,9 @@ class AdaptiveMesher {
   // few: that costs less than another round.
   std::size_t split(std::vector<std::int32_t> cells) {
     const bool goes_on = report_.passes > kCarefulRounds;
-    const auto failed = static_cast<double>(cells.size()),
-               nodes = static_cast<double>(tree_.size());
-    const double later = goes_on ? 8 * (kLateSteps - 1) * nodes / detail::NodeBudget::kFew : 0;
+    const auto failed = static_cast<double>(cells.size());
+    const double few = detail::NodeBudget::few(tree_.size());
+    const double later = goes_on ? 8 * (kLateSteps - 1) * few : 0;
     detail::require_room(detail::kSplitMemory * (8 * failed + later));
     few_failed_ = is_few(cells.size());
     budget_.add_failed(cells.size());
@@ -274,8 +274,8 @@ class AdaptiveMesher {
   LabelledMesh simplified(const LabelledMesh& mesh) {
     const double voxel = tree_.lattice().voxel();
     detail::MeasuredTriangles measured;
-    detail::ApartMesh small =
-        detail::simplify_apart(mesh, voxel, options_.threads, [&](const std::vector<char>& locked) {
+    detail::ApartMesh small = detail::simplify_apart(
+        mesh, voxel / 9, options_.threads, [&](const std::vector<char>& locked) {
           return detail::simplify(field_, tree_, mesh, {tolerance_, 0.5 * voxel, border_room()},
                                   locked, measured, options_.threads);
         });

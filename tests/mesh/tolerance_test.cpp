@@ -107,6 +107,30 @@ TEST(Tolerance, RampsOfFlatMillsTakeFewCells) {
   }
 }
 
+// What no sweep reaches of a plate takes cells of half its thickness, and few triangles, however
+// small the voxel is. Of 1.6 mm, 64 voxels, they would be 100 000.
+TEST(Tolerance, SidesOfAPlateTakeFewCells) {
+  Tool vee = mill(ToolType::chamfer, 6);
+  vee.tip_angle = radians(60);
+  const std::vector<Motion> groove{line({20, 20, 9.85}, {24, 23, 9.85})};
+  const double depth = 0.15, radius = depth * std::tan(radians(30));
+  const double cone = kPi * radius * radius * depth / 3, wedge = radius * depth * 5;
+  for (const double side : {40.0, 400.0}) {
+    StockShape plate;
+    plate.box = {{0, 0, 0}, {side, 0.75 * side, 10}};
+    const PartField part{StockSolid(plate), SweepTable(groove, std::span(&vee, 1))};
+    MeshPlan options;
+    options.tolerance = 0.05;
+    MeshReport report;
+    const TriMesh mesh = mesh_part(part, 0.025, options, &report);
+    EXPECT_TRUE(check_mesh(mesh).closed) << side;
+    EXPECT_LE(report.bound, 0.05) << side;
+    EXPECT_LE(report.cells, 8000u) << side;
+    EXPECT_LE(mesh.triangles.size(), 250u) << side;
+    EXPECT_NEAR(7.5 * side * side - check_mesh(mesh).volume, wedge + cone, 0.05 * wedge) << side;
+  }
+}
+
 // The tip's groove is a crease on a helix and on an arc in an upright plane, too.
 TEST(Tolerance, CurvedGroovesTakeFewCells) {
   Tool vee = mill(ToolType::chamfer, 6);

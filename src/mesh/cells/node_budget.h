@@ -64,9 +64,14 @@ class NodeBudget {
       most_ = std::max(kRaisedShare * given_, kGrown * static_cast<double>(nodes));
   }
 
-  /// Cells are few where nodes are kFew times more.
-  static constexpr std::size_t kFew = 100;
-  static bool is_few(std::size_t cells, std::size_t nodes) { return kFew * cells < nodes; }
+  /// As many cells are no longer few: one in a hundred nodes, of a small octree 120.
+  static double few(std::size_t nodes) {
+    constexpr double kShare = 0.01, kSmall = 12000;
+    return kShare * std::max(static_cast<double>(nodes), kSmall);
+  }
+  static bool is_few(std::size_t cells, std::size_t nodes) {
+    return static_cast<double>(cells) < few(nodes);
+  }
 
  private:
   static constexpr double kSplitNodes = 8;     ///< that a failed cell adds

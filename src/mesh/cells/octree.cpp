@@ -14,7 +14,7 @@
 namespace mrsim::detail {
 namespace {
 
-constexpr int kLargestCell = 64;  ///< voxels
+constexpr int kLargestCell = 64;  ///< voxels, where sweeps can decide d
 constexpr int kMixedCell = 4;     ///< voxels: the largest cell in which faces may meet in a crease
 constexpr double kShallow = 0.125;  ///< of the tolerance: what a cell may hide
 
@@ -26,7 +26,8 @@ CellOctree::CellOctree(const ExactField& field, const Lattice& lattice, double t
       field_(field),
       tolerance_(tolerance),
       threads_(threads),
-      limits_(limits) {
+      limits_(limits),
+      is_box_(field.has_box_stock()) {
   part_.size = static_cast<std::int32_t>(lattice.size());
   part_.complete[1] = part_.owned[1] = part_.size;
   OctreeNode root;
@@ -174,7 +175,7 @@ void CellOctree::sample_corners(const std::vector<std::int32_t>& pending) {
   const std::int32_t largest = kLargestCell * lattice().per_voxel();
   for (const std::int32_t n : pending) {
     OctreeNode& a = nodes_[static_cast<std::size_t>(n)];
-    if (a.size > largest || (!(tolerance_ > 0) && a.size > lattice().per_voxel())) continue;
+    if (a.size > (tolerance_ > 0 ? largest : lattice().per_voxel()) && !shows_box(n)) continue;
     for (int k = 0; k < 8; ++k) {
       const LatticePoint p{a.origin.x + (k & 1 ? a.size : 0), a.origin.y + (k & 2 ? a.size : 0),
                            a.origin.z + (k & 4 ? a.size : 0)};
@@ -201,6 +202,19 @@ void CellOctree::sample_corners(const std::vector<std::int32_t>& pending) {
   }
 }
 
+// Only the stock's box decides d in the cell, and no two opposite sides of it pass: then the
+// corners show all of the surface, one sheet with a single vertex of three sides at most, which lie
+// where the mesh has them however large the cell is.
+bool CellOctree::shows_box(std::int32_t n) const {
+  if (!is_box_ || !candidates(n).empty()) return false;
+  const Box3 cell = inflated(box(n), kSurfaceBand), stock = field_.bounds();
+  for (int a = 0; a < 3; ++a)
+    if (mrsim::component(cell.lo, a) <= mrsim::component(stock.lo, a) &&
+        mrsim::component(cell.hi, a) >= mrsim::component(stock.hi, a))
+      return false;
+  return true;
+}
+
 // A cell larger than a voxel stays whole only where it hides nothing: each sweep that can decide d
 // in it decides it at a corner, at the centre or on an edge, or is shallow at every point of the
 // voxel lattice.
@@ -214,13 +228,16 @@ bool CellOctree::must_split(std::int32_t n) {
   for (int k = 0; k < 8; ++k) corners[k] = sample(a.corners[k]).distance;
   CellSurface surface;
   if (a.signs_differ) surface = surface_of(field_, list, b, corners);
-  const Bend bend = bend_of(field_, list, surface, b.hi.x - b.lo.x, tolerance_);
+  const bool shown = shows_box(n);
+  const Bend bend =
+      shown ? Bend::even : bend_of(field_, list, surface, b.hi.x - b.lo.x, tolerance_);
   if (bend == Bend::face && can_split(n)) return true;
 
   static thread_local Candidates seen;
   const Sight sight = look_at(n, b, surface, seen);
   a.plain = sight.one_face && sight.is_alone;
-  if (!above_voxel || (sight.one_face && sight.owners_seen && sight.stock_seen)) return false;
+  if (shown || !above_voxel || (sight.one_face && sight.owners_seen && sight.stock_seen))
+    return false;
   const bool large = a.size > kMixedCell * lattice().per_voxel();
   if (bend == Bend::crease && large) return true;
   const CellView view{a.origin,
@@ -345,8 +362,9 @@ void CellOctree::add_doubtful_inside(std::vector<MinimalEdge>& out) const {
   const std::int32_t voxel = lattice().per_voxel();
   std::vector<std::int32_t> large;
   for (std::size_t n = 0; n < size(); ++n)
-    if (const OctreeNode& a = nodes_[n];
-        a.child < 0 && a.region == ExactField::Region::mixed && a.size > voxel && !a.plain)
+    if (const OctreeNode& a = nodes_[n]; a.child < 0 && a.region == ExactField::Region::mixed &&
+                                         a.size > voxel && !a.plain &&
+                                         !shows_box(static_cast<std::int32_t>(n)))
       large.push_back(static_cast<std::int32_t>(n));
   std::vector<std::vector<VoxelEdge>> inside(large.size());
   parallel_for(

@@ -107,6 +107,7 @@ class CellOctree final : public SurfaceCells {
   void make_room(std::size_t split);
   void find_regions(const std::vector<std::int32_t>& pending);
   void sample_corners(const std::vector<std::int32_t>& pending);
+  bool shows_box(std::int32_t node) const;
   bool must_split(std::int32_t node);
   /// What the samples of a cell show of the part.
   struct Sight {
@@ -122,6 +123,7 @@ class CellOctree final : public SurfaceCells {
   double tolerance_;
   int threads_;
   OctreeLimits limits_;
+  bool is_box_ = false;    ///< the stock is
   std::size_t drawn_ = 0;  ///< nodes over which the surface was drawn
   std::vector<OctreeNode> nodes_;
   std::vector<std::int32_t> new_leaves_;

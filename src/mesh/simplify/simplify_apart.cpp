@@ -11,7 +11,7 @@
 namespace mrsim::detail {
 namespace {
 
-constexpr int kLockRounds = 5;
+constexpr int kLockRounds = 7;
 constexpr double kMarginGrowth = 3;  ///< of the margin, from round to round
 
 using Pairs = std::vector<std::pair<std::uint32_t, std::uint32_t>>;
@@ -39,13 +39,35 @@ class SortedVertices {
   std::vector<std::uint32_t> order_;
 };
 
-// Locks the vertices of the first mesh about the places where triangles of the small one meet.
+// A box about the part of a triangle that lies in the plane of another one; about all of it where
+// they lie in one plane.
+Box3 box_in_plane(const Corners3& t, const Corners3& other) {
+  const Vec3 normal = cross(other[1] - other[0], other[2] - other[0]);
+  double height[3];
+  for (std::size_t k = 0; k < 3; ++k) height[k] = dot(normal, t[k] - other[0]);
+  Box3 box;
+  for (std::size_t k = 0; k < 3; ++k) {
+    const std::size_t next = (k + 1) % 3;
+    if (height[k] == 0) extend(box, t[k]);
+    if ((height[k] < 0) != (height[next] < 0))
+      extend(box, lerp(t[k], t[next], height[k] / (height[k] - height[next])));
+  }
+  if (box.lo.x <= box.hi.x) return box;
+  for (const Vec3& p : t) extend(box, p);  // by rounding
+  return box;
+}
+
+// Locks the vertices of the first mesh about the places where triangles of the small one meet: on
+// the line in which their planes do, so that of long triangles no more is locked than there is
+// need.
 void lock_about(const LabelledMesh& small, const Pairs& pairs, double margin,
                 const SortedVertices& vertices, std::vector<char>& locked) {
+  const auto corners = [&](std::uint32_t t) {
+    const auto& [a, b, c] = small.triangles[t];
+    return Corners3{small.vertices[a], small.vertices[b], small.vertices[c]};
+  };
   for (const auto& [i, j] : pairs) {
-    Box3 a, b;
-    for (const std::uint32_t v : small.triangles[i]) extend(a, small.vertices[v]);
-    for (const std::uint32_t v : small.triangles[j]) extend(b, small.vertices[v]);
+    const Box3 a = box_in_plane(corners(i), corners(j)), b = box_in_plane(corners(j), corners(i));
     const Box3 common{max(a.lo, b.lo), min(a.hi, b.hi)};
     vertices.mark(inflated(common, margin), locked);
   }
