@@ -1,12 +1,16 @@
 // What a tile makes of a cell depends on the cell's place alone, so that tiles fit each other.
 #include "mesh/cells/tile.h"
 
+#include "core/numbers/units.h"
 #include "core/numbers/vec.h"
+#include "mesh/mesh_part.h"
 #include "mesh/solid/check.h"
 #include "mesh/surface/surface.h"
 #include "mesh/tiles/uniform.h"
 #include "removal/part/part_field.h"
 #include "support/analytic_field.h"
+#include "support/cgal_mesh.h"
+#include "support/mesh_asserts.h"
 
 #include <algorithm>
 #include <cmath>
@@ -227,6 +231,36 @@ TEST(CellTile, FlatCellsAreMergedWithoutATrace) {
       }
     }
   EXPECT_LT(after, 0.8 * before);
+}
+
+// A plate of many tiles, with slots beside which a thin wall stays: tiles that no cut reaches have
+// one square on a side, so that there are far fewer triangles than cells on the sides. The cells of
+// the wall are split, and tiles that hold them draw all cells.
+TEST(CellTile, SidesThatNoCutReachesAreOneSquareATile) {
+  Tool mill;
+  mill.diameter = 1;
+  for (const Vec3& origin : {Vec3{}, Vec3{-3.3, 100.37, -20.1}})
+    for (const double wall : {2.0, 0.07, 0.02}) {
+      std::vector<Motion> slots(2);
+      for (Motion& m : slots) m.kind = MotionKind::line, m.tool = 0;
+      for (const int k : {0, 1}) {
+        slots[k].start = origin + Vec3{23, 24 + k * (1 + wall), -1};
+        slots[k].end = slots[k].start + Vec3{3, 0, 0};
+      }
+      StockShape plate;
+      plate.box = {origin - Vec3{0, 0, 5}, origin + Vec3{60, 45, 0}};
+      const PartField field{StockSolid(plate), SweepTable(slots, {&mill, 1})};
+      const TriMesh mesh = mesh_part(field, 0.1, MeshPlan{});
+      testing::expect_closed_manifold(mesh);
+      EXPECT_EQ(testing::self_intersections(mesh), 0u) << wall;
+      const double slot = 3 + kPi / 4;
+      EXPECT_NEAR(check_mesh(mesh).volume, 60 * 45 * 5 - 2 * slot, 0.02 * slot + 4 * wall * wall)
+          << wall;
+      EXPECT_LT(mesh.triangles.size(), 2 * 2 * (2 * 60 * 45 + 2 * 105 * 5) / 0.01 / 20) << wall;
+      MeshPlan two;
+      two.threads = 2;
+      EXPECT_EQ(mesh.triangles, mesh_part(field, 0.1, two).triangles) << wall;
+    }
 }
 
 // Beyond the reach of a cell its list may lack sweeps, so nothing is concluded from samples there.

@@ -32,7 +32,7 @@ CellTile::CellTile(const ExactField& field, const Lattice& lattice, const Common
 }
 
 void CellTile::build(const LatticePoint& first, std::span<const std::uint32_t> candidates,
-                     FlatCells flat) {
+                     FlatCells flat, const BareTiles& bare) {
   first_ = first;
   for (int a = 0; a < 3; ++a) {
     for (std::int32_t i = 0; i <= kCells; ++i)
@@ -53,7 +53,7 @@ void CellTile::build(const LatticePoint& first, std::span<const std::uint32_t> c
   visit({0, 0, 0}, kCells, 1);
   add_common_lists();
   find_crossed();
-  if (is_box_ && flat == FlatCells::merged) merge_flat_cells();
+  if (is_box_ && flat == FlatCells::merged) merge_flat_cells(bare);
   crossed_.number();
 }
 

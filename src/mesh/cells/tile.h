@@ -7,6 +7,7 @@
 // share lists, so that a cell has the same list in both but for rounding (common_lists.h).
 #pragma once
 
+#include "mesh/cells/bare_tiles.h"
 #include "mesh/cells/cells.h"
 #include "mesh/cells/common_lists.h"
 #include "mesh/cells/flat_squares.h"
@@ -21,7 +22,9 @@ namespace mrsim::detail {
 struct TileSquare {
   int axis = 0;
   std::int32_t layer = 0;
-  CellSquare cells;  ///< rows and columns: the other two axes, in order
+  /// Rows and columns: the other two axes, in order. Of a square that a tile beside this one has,
+  /// they go on beyond this tile.
+  CellSquare cells;
 
   LatticePoint cell(std::int32_t row, std::int32_t column) const {
     if (axis == 0) return {layer, row, column};
@@ -44,8 +47,9 @@ class CellTile final : public SurfaceCells {
   enum class FlatCells : std::uint8_t { kept, merged };
 
   /// Moves to the cube whose first cell is `first` (in voxels, counted by the lattice).
-  /// `candidates`: what can matter in it.
-  void build(const LatticePoint& first, std::span<const std::uint32_t> candidates, FlatCells flat);
+  /// `candidates`: what can matter in it. `bare`: tiles of which a flat side is one square.
+  void build(const LatticePoint& first, std::span<const std::uint32_t> candidates, FlatCells flat,
+             const BareTiles& bare = {});
 
   std::size_t size() const override { return kCount; }
   std::int32_t size_of(std::int32_t) const override { return lattice().per_voxel(); }
@@ -65,6 +69,10 @@ class CellTile final : public SurfaceCells {
   /// Adds these edges to `out`, by their numbers.
   void append_crossed(std::vector<MinimalEdge>& out) const;
   std::span<const TileSquare> squares() const { return squares_; }
+  /// Its middle in the layer, mm; along its axis: where the layer begins.
+  Vec3 middle(const TileSquare& square) const;
+  /// One of the square's cells in this tile.
+  static std::int32_t cell_in(const TileSquare& square);
   /// Bits of the cells (x, y, z), z a bit: in a square.
   std::uint64_t merged(std::int32_t x, std::int32_t y) const {
     return merged_[static_cast<std::size_t>(x * kCells + y)];
@@ -145,7 +153,9 @@ class CellTile final : public SurfaceCells {
   template <std::int32_t kSize>
   void mark_stock_node(const LatticePoint& origin);
   void find_crossed();
-  void merge_flat_cells();
+  void merge_flat_cells(const BareTiles& bare);
+  std::vector<CellSquare> whole_squares(int axis, const BareTiles& bare) const;
+  bool spans_side(int axis, int tile) const;
   void add_square(const TileSquare& square);
   void remove_edges(int axis, std::int32_t layer, const CellRows& edges);
   template <std::int32_t kSize>

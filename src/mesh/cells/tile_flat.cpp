@@ -2,6 +2,7 @@
 // what those of all their cells would (docs/mesh.md, Tiles).
 #include "mesh/cells/tile.h"
 
+#include <algorithm>
 #include <bit>
 
 namespace mrsim::detail {
@@ -31,14 +32,23 @@ class FlatLayers {
   std::vector<Layer> layers_;
 };
 
+// The cells first .. end - 1 of a square's row or column that this tile has.
+struct Inside {
+  explicit Inside(std::int32_t begin, std::int32_t size)
+      : first(std::max(begin, 0)), end(std::min(begin + size, kTileCells)) {}
+  std::uint64_t bits() const { return ~std::uint64_t(0) >> (64 - (end - first)) << first; }
+  std::int32_t first, end;
+};
+
 // The edges between cells (row - 1 or row, column - 1 or column) that a square holds, or that lie
 // on the side which two squares share.
 CellRows edges_within(const std::vector<CellSquare>& squares) {
   // Cells that are in one square with the cell before them in the row, in the column.
   CellRows along{}, across{}, out{};
   for (const CellSquare& s : squares) {
-    const std::uint64_t columns = ((std::uint64_t(1) << s.size) - 1) << s.column;
-    for (std::int32_t i = s.row; i < s.row + s.size; ++i) {
+    const Inside rows(s.row, s.size);
+    const std::uint64_t columns = Inside(s.column, s.size).bits();
+    for (std::int32_t i = rows.first; i < rows.end; ++i) {
       along[static_cast<std::size_t>(i)] |= columns & columns << 1;
       if (i > s.row) across[static_cast<std::size_t>(i)] |= columns;
     }
@@ -51,7 +61,7 @@ CellRows edges_within(const std::vector<CellSquare>& squares) {
 }  // namespace
 
 // A box is convex: where the surface crosses four parallel edges of a cell, it is one side of it.
-void CellTile::merge_flat_cells() {
+void CellTile::merge_flat_cells(const BareTiles& bare) {
   FlatLayers flat;
   for (std::int32_t x = 1; x < kTileCells - 1; ++x)
     for (std::int32_t y = 1; y < kTileCells - 1; ++y) {
@@ -74,19 +84,84 @@ void CellTile::merge_flat_cells() {
            left != 0; left &= left - 1)
         flat.of(2, std::countr_zero(left))[row] |= std::uint64_t(1) << y;
     }
+  std::vector<CellSquare> whole[3];
+  for (int axis = 0; axis < 3; ++axis) {
+    whole[axis] = whole_squares(axis, bare);
+    if (whole[axis].empty()) continue;
+    for (std::uint64_t left =
+             (within_[axis] ^ within_[axis] >> 1) & bit_range(kFirstOwned, kTileOwned);
+         left != 0; left &= left - 1)
+      flat.of(axis, std::countr_zero(left));
+  }
   for (const FlatLayers::Layer& layer : flat.all()) {
-    // Cells of which no other tile knows a triangle.
-    const std::vector<CellSquare> squares = flat_squares(layer.cells, kFirstOwned, kEndOwned - 1);
+    std::vector<CellSquare> squares = whole[layer.axis];
+    const bool is_whole = std::any_of(squares.begin(), squares.end(), [](const CellSquare& s) {
+      return s.row == kFirstOwned && s.column == kFirstOwned;
+    });
+    if (!is_whole) {
+      // Cells of which no other tile knows a triangle.
+      const auto own = flat_squares(layer.cells, kFirstOwned, kEndOwned - 1);
+      squares.insert(squares.end(), own.begin(), own.end());
+    }
     for (const CellSquare& s : squares) add_square({layer.axis, layer.at, s});
     remove_edges(layer.axis, layer.at, edges_within(squares));
   }
 }
 
+// A tile in which the stock alone decides d, and whose cells and those next to them lie within a
+// side of the box, has all of its own in one square. Tiles about it know the same.
+std::vector<CellSquare> CellTile::whole_squares(int axis, const BareTiles& bare) const {
+  std::vector<CellSquare> out;
+  const int row_axis = axis == 0 ? 1 : 0, column_axis = axis == 2 ? 1 : 2;
+  for (int row = -1; row <= 1; ++row)
+    for (int column = -1; column <= 1; ++column) {
+      int tile[3] = {};
+      tile[row_axis] = row, tile[column_axis] = column;
+      if (bare.has(tile[0], tile[1], tile[2]) && spans_side(row_axis, row) &&
+          spans_side(column_axis, column))
+        out.push_back(
+            {kFirstOwned + row * kTileOwned, kFirstOwned + column * kTileOwned, kTileOwned});
+    }
+  return out;
+}
+
+// Whether the cells of the tile that lies so many tiles along the axis, and one more at each end,
+// lie between two sides of the stock's box.
+bool CellTile::spans_side(int axis, int tile) const {
+  const Box3 box = field_.bounds();
+  const std::int32_t first = component(first_, axis) + tile * kTileOwned;
+  for (const std::int32_t plane : {first + kFirstOwned - 1, first + kEndOwned + 1}) {
+    const double p = lattice().coordinate(axis, plane * lattice().per_voxel());
+    if (!is_inside(
+            std::max(mrsim::component(box.lo, axis) - p, p - mrsim::component(box.hi, axis))))
+      return false;
+  }
+  return true;
+}
+
+Vec3 CellTile::middle(const TileSquare& square) const {
+  const CellSquare& s = square.cells;
+  const LatticePoint p = square.cell(s.row + s.size / 2, s.column + s.size / 2);
+  const auto at = [&](int axis) {
+    return lattice().coordinate(
+        axis, (component(first_, axis) + component(p, axis)) * lattice().per_voxel());
+  };
+  return {at(0), at(1), at(2)};
+}
+
+std::int32_t CellTile::cell_in(const TileSquare& square) {
+  const CellSquare& s = square.cells;
+  const auto inside = [](std::int32_t i) { return std::clamp(i, 1, kCells - 2); };
+  const LatticePoint p = square.cell(inside(s.row + s.size / 2), inside(s.column + s.size / 2));
+  return cell_at(p.x, p.y, p.z);
+}
+
 void CellTile::add_square(const TileSquare& square) {
   squares_.push_back(square);
-  const CellSquare& s = square.cells;
-  for (std::int32_t row = s.row; row < s.row + s.size; ++row)
-    for (std::int32_t column = s.column; column < s.column + s.size; ++column) {
+  const Inside rows(square.cells.row, square.cells.size),
+      columns(square.cells.column, square.cells.size);
+  for (std::int32_t row = rows.first; row < rows.end; ++row)
+    for (std::int32_t column = columns.first; column < columns.end; ++column) {
       const LatticePoint p = square.cell(row, column);
       merged_[static_cast<std::size_t>(p.x * kTileCells + p.y)] |= std::uint64_t(1) << p.z;
     }

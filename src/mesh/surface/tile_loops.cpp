@@ -96,13 +96,13 @@ void TileLoops::find(const CellTile& tile) {
 void TileLoops::add_square(const CellTile& tile, const TileSquare& square) {
   const auto id = static_cast<std::int32_t>(loops_.size());
   const CellSquare& s = square.cells;
-  const LatticePoint middle = square.cell(s.row + s.size / 2, s.column + s.size / 2);
-  const std::int32_t cell = CellTile::cell_at(middle.x, middle.y, middle.z);
-  Loop& loop = new_loop(cell);
+  const auto is_complete = [](std::int32_t i) { return i >= 1 && i < kTileCells - 1; };
+  Loop& loop = new_loop(CellTile::cell_in(square));
   const Crossing* on = nullptr;
   for (std::int32_t row = 0; row < s.size; ++row)
     for (std::int32_t column = 0; column < s.size; ++column) {
       if (row > 0 && row < s.size - 1 && column == 1) column = s.size - 1;  // no edges inside
+      if (!is_complete(s.row + row) || !is_complete(s.column + column)) continue;
       const LatticePoint p = square.cell(s.row + row, s.column + column);
       for (const CellEdge& e : kCellEdges) {
         const std::int32_t edges = TileEdges::column(0, p.x, p.y) + e.column, z = p.z + e.d[2];
@@ -114,7 +114,7 @@ void TileLoops::add_square(const CellTile& tile, const TileSquare& square) {
     }
   MRSIM_ASSERT(on != nullptr);  // at its corners
   const int axis = square.axis;
-  loop.point.position = tile.box(cell).lo;
+  loop.point.position = tile.middle(square);
   mrsim::component(loop.point.position, axis) =
       snap(mrsim::component(on->position, axis) -
            field_.patch_distance(on->position, on->at) * mrsim::component(on->normal, axis));

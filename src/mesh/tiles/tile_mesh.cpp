@@ -6,6 +6,16 @@
 
 namespace mrsim::detail {
 
+std::uint8_t tile_marks(const Vec3& p, const Vec3& low, const Vec3& high, const Vec3& middle) {
+  if ((p.x == middle.x) + (p.y == middle.y) + (p.z == middle.z) >= 2) return TileMesh::kShared | 7u;
+  unsigned out = 0;
+  for (int a = 0; a < 3; ++a) {
+    if (mrsim::component(p, a) >= mrsim::component(high, a)) out |= TileMesh::kShared | 1u << a;
+    if (mrsim::component(p, a) <= mrsim::component(low, a)) out |= TileMesh::kShared;
+  }
+  return static_cast<std::uint8_t>(out);
+}
+
 std::vector<std::array<std::uint32_t, 2>> border_edges(const TileMesh& tile) {
   std::vector<std::array<std::uint32_t, 2>> out;
   for (const auto& t : tile.triangles)
@@ -71,11 +81,10 @@ void TileMerger::add(const LatticePoint& place, const TileMesh& tile) {
     index_[v] = fresh;
     if (tile.marks[v] != 0) {
       const std::uint32_t known = welder_.add(tile.vertices[v]);
-      if (known == shared_.size()) {
-        LatticePoint last = place;
-        for (int a = 0; a < 3; ++a) component(last, a) += tile.marks[v] >> a & 1;
-        shared_.push_back({order_.key(last), first_new_ + fresh, fresh});
-      }
+      LatticePoint last = place;
+      for (int a = 0; a < 3; ++a) component(last, a) += tile.marks[v] >> a & 1;
+      if (known == shared_.size()) shared_.push_back({0, first_new_ + fresh, fresh});
+      shared_[known].last = std::max(shared_[known].last, order_.key(last));
       index_[v] = index_of(shared_[known], tile.vertices[v]);
       number_[v] = shared_[known].number;
     }

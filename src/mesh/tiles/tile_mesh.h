@@ -42,6 +42,11 @@ struct TileMesh {
   std::vector<std::array<std::uint32_t, 2>> border;  ///< edges that other tiles have to close
 };
 
+/// The marks of a vertex in a tile. `low`, `high`: where its first and last cells begin that are
+/// its own; `middle`: of these cells. The vertex of a side that is one square lies there on two
+/// axes, and may be of all tiles about this one.
+std::uint8_t tile_marks(const Vec3& p, const Vec3& low, const Vec3& high, const Vec3& middle);
+
 /// The directed edges of triangles between marked vertices whose opposite no triangle has.
 std::vector<std::array<std::uint32_t, 2>> border_edges(const TileMesh& tile);
 

@@ -7,6 +7,7 @@
 #include "mesh/cells/thin_features.h"
 #include "mesh/cells/tile.h"
 #include "mesh/surface/surface.h"
+#include "mesh/tiles/bare_tile_set.h"
 #include "mesh/tiles/crowded_cells.h"
 #include "mesh/tiles/mesh_distance.h"
 #include "mesh/tiles/tile_mesh.h"
@@ -84,6 +85,7 @@ class UniformMesher {
   void make_all(MeshSink& sink) {
     ++report_.passes;
     show_progress(0);
+    bare_.find(set_, [&](const Tile& tile) { return !forced_in(tile).empty(); });
     const std::size_t batch = kBatch * static_cast<std::size_t>(resolve_threads(options_.threads));
     TileMerger merger(set_.order);
     std::size_t joined = 0, triangles = 0;
@@ -122,7 +124,8 @@ class UniformMesher {
   TileMesh make_tile(std::size_t i, TileMaker& maker) {
     const Tile& tile = set_.tiles[i];
     if (!forced_in(tile).empty()) return make_split(tile, notes_[i]);
-    maker.cells.build(tile.first, tile.candidates, CellTile::FlatCells::merged);
+    maker.cells.build(tile.first, tile.candidates, CellTile::FlatCells::merged,
+                      bare_.about(tile.place));
     maker.surface.find_loops(maker.cells);
     maker.surface.make_triangles();
     TileMesh mesh = collect(maker.surface, maker.cells, tile, notes_[i]);
@@ -213,6 +216,8 @@ class UniformMesher {
     const Vec3 inner_low{plane(0, kFirstOwned), plane(1, kFirstOwned), plane(2, kFirstOwned)};
     const std::int32_t last = kFirstOwned + kTileOwned - 1;
     const Vec3 inner_high{plane(0, last), plane(1, last), plane(2, last)};
+    constexpr std::int32_t kMiddle = kFirstOwned + kTileOwned / 2;
+    const Vec3 middle{plane(0, kMiddle), plane(1, kMiddle), plane(2, kMiddle)};
     std::vector<std::uint32_t> id(base.vertices.size(), ~0u);
     out.triangles.reserve(base.triangles.size());
     out.owners.reserve(base.triangles.size());
@@ -225,7 +230,7 @@ class UniformMesher {
           const Vec3& p = base.vertices[base.triangles[t][k]];
           out.vertices.push_back(
               {static_cast<float>(p.x), static_cast<float>(p.y), static_cast<float>(p.z)});
-          out.marks.push_back(marks(p, inner_low, inner_high));
+          out.marks.push_back(tile_marks(p, inner_low, inner_high, middle));
         }
         triangle[k] = v;
       }
@@ -255,15 +260,6 @@ class UniformMesher {
                 {base.vertices[x[0]], base.vertices[x[1]], base.vertices[x[2]]});
     }
     return found;
-  }
-
-  static std::uint8_t marks(const Vec3& p, const Vec3& low, const Vec3& high) {
-    unsigned out = 0;
-    for (int a = 0; a < 3; ++a) {
-      if (component(p, a) >= component(high, a)) out |= TileMesh::kShared | 1u << a;
-      if (component(p, a) <= component(low, a)) out |= TileMesh::kShared;
-    }
-    return static_cast<std::uint8_t>(out);
   }
 
   CellPlace place_of(const SurfaceCells& cells, std::int32_t cell) const {
@@ -380,6 +376,7 @@ class UniformMesher {
   std::vector<std::array<float, 3>> gaps_;          ///< between the tiles that were made last
   std::vector<std::unique_ptr<TileMaker>> makers_;  ///< those that no thread has
   std::set<CellPlace> forced_;                      ///< cells that must be split
+  BareTileSet bare_;                                ///< of the tiles that were made last
   CommonLists common_;                              ///< of cells in which tiles did not meet
 };
 

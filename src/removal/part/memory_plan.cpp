@@ -33,7 +33,7 @@ constexpr double kGridColumn = 130;
 constexpr double kCutVoxel = 10;
 // A mesh without slabs: each voxel on the stock's surface. The flat sides of a box have few
 // triangles.
-constexpr double kMeshColumn = 70, kBoxMeshColumn = 8;
+constexpr double kMeshColumn = 70, kBoxMeshColumn = 3;
 // Bytes that meshing takes. Measured are the sums; how they divide among the members is a guess.
 struct MeshCosts {
   double always;      ///< what it takes beside the rest
@@ -43,7 +43,7 @@ struct MeshCosts {
   double front_tile;  ///< each tile that is done and waits for its neighbours
   double mesh_cell;   ///< without slabs: each voxel that the cuts' surface passes (two triangles)
 };
-constexpr MeshCosts kExpected{3.5e6, 6e6, 580, 10, 0.8e6, 46};
+constexpr MeshCosts kExpected{3.5e6, 6e6, 580, 10, 0.7e6, 46};
 // What a run takes at most, for limits: less of it by its size, more by its threads, as limits are
 // tight where there is little to mesh.
 constexpr MeshCosts kMost{0, 13e6, 600, 16, 0.45e6, 48};

@@ -1,0 +1,23 @@
+// Tiles of the uniform grid that no sweep reaches: their flat sides are one square each, which the
+// tiles about them know (docs/mesh.md, Tiles).
+#pragma once
+
+#include <cstdint>
+
+namespace mrsim::detail {
+
+/// Which of the tiles about one, and itself, the stock alone decides d in.
+class BareTiles {
+ public:
+  /// The tile that lies (x, y, z) tiles, -1 to 1 each, from this one.
+  void add(int x, int y, int z) { bits_ |= bit(x, y, z); }
+  bool has(int x, int y, int z) const { return (bits_ & bit(x, y, z)) != 0; }
+
+ private:
+  static std::uint32_t bit(int x, int y, int z) {
+    return std::uint32_t(1) << (9 * (x + 1) + 3 * (y + 1) + z + 1);
+  }
+  std::uint32_t bits_ = 0;
+};
+
+}  // namespace mrsim::detail
