@@ -42,6 +42,20 @@ inline Box3 inner(const Box3& room) {
              z = inner(room.lo.z, room.hi.z);
   return {{x.first, y.first, z.first}, {x.second, y.second, z.second}};
 }
+/// Whether the line from p to q, on both sides of a face that is flat on the axis, passes clearly
+/// inside it. Always so where p and q are in the inner boxes of two cells of one size that share
+/// this face: the margin is at most half of what inner() keeps off.
+inline bool passes_inside(const Box3& face, int axis, const Vec3& p, const Vec3& q) {
+  const double plane = mrsim::component(face.lo, axis), from = mrsim::component(p, axis);
+  const Vec3 x = lerp(p, q, (plane - from) / (mrsim::component(q, axis) - from));
+  for (const int a : {(axis + 1) % 3, (axis + 2) % 3}) {
+    const double low = mrsim::component(face.lo, a), high = mrsim::component(face.hi, a);
+    const double margin = 0.5 * (coordinate_step(low) + coordinate_step(high));
+    if (!(mrsim::component(x, a) > low + margin && mrsim::component(x, a) < high - margin))
+      return false;
+  }
+  return true;
+}
 /// x rounded, and moved between two coordinates.
 inline double snap_between(double x, double low, double high) {
   const double y = snap(x), z = y < low ? low : y;

@@ -41,19 +41,7 @@ bool LoopTriangles::may_be_implicit(const Segment& s) const {
     const SurfacePoint& crease = at(creases_, s.crease).point;
     if (crease.count == 2 && !(is_on(low.point, crease) && is_on(high.point, crease))) return false;
   }
-  const Box3 box = face_box(face);
-  const Vec3 &p = low.point.position, &q = high.point.position;
-  const double plane = mrsim::component(box.lo, face.axis);
-  const double t = (plane - mrsim::component(p, face.axis)) /
-                   (mrsim::component(q, face.axis) - mrsim::component(p, face.axis));
-  const Vec3 x = lerp(p, q, t);
-  for (const int a : {(face.axis + 1) % 3, (face.axis + 2) % 3}) {
-    const double lo = mrsim::component(box.lo, a), hi = mrsim::component(box.hi, a);
-    const double margin = coordinate_step(lo) + coordinate_step(hi);
-    if (!(mrsim::component(x, a) > lo + margin && mrsim::component(x, a) < hi - margin))
-      return false;
-  }
-  return true;
+  return passes_inside(face_box(face), face.axis, low.point.position, high.point.position);
 }
 
 void LoopTriangles::choose_explicit() {
