@@ -1,6 +1,9 @@
 // What a run chooses where neither --voxel nor --tolerance is given.
 #include "run_program.h"
 
+#include <cmath>
+#include <string>
+
 #include <nlohmann/json.hpp>
 
 namespace mrsim {
@@ -34,6 +37,36 @@ TEST_F(Defaults, GrooveOfAVBitHasItsVolume) {
   const Json j = groove("chamfer:d=6,a=90");
   const double length = 21.1896201, pi = 3.14159265;
   EXPECT_NEAR(j["volume"]["removed"], 0.04 * length + pi * 0.008 / 3, 5e-4);
+}
+
+// Text on a large plate, by default: a few letters within a tolerance, many of them on a grid on
+// which their grooves, 0.17 mm wide, are still there.
+TEST_F(Defaults, EngravedTextOnALargePlateIsNotLost) {
+  const double pi = 3.14159265, radius = 0.15 * std::tan(pi / 6);
+  for (const int rows : {1, 14}) {
+    std::string text = "%\nO1\nG21 G90\nT1 M6\nS9000 M3\nG0 Z5\n";
+    double length = 0;
+    int strokes = 0;
+    for (int row = 0; row < rows; ++row)
+      for (int k = 0; k < 60; ++k, ++strokes) {
+        const double x = 10 + 4.5 * k, y = 10 + 13 * row, to = 4 + 0.05 * k;
+        const auto at = [](double px, double py) {
+          return "X" + std::to_string(px) + " Y" + std::to_string(py);
+        };
+        text += "G0 " + at(x, y) + "\nZ1\nG1 Z-.15 F300\n" + at(x + 2, y + to) + " F900\nG0 Z5\n";
+        length += std::hypot(2, to);
+      }
+    write("text.nc", text + "M30\n%\n");
+    const Outcome o =
+        run("text.nc --stock box:0,0,-10,300,200,0 --tool 1=chamfer:d=6,tip_angle=60 "
+            "-q -o part.stl --json r.json");
+    EXPECT_EQ(o.code, 0) << o.err;
+    const Json j = Json::parse(read("r.json"));
+    EXPECT_EQ(j["tolerance"]["value"].is_null(), rows > 1);
+    const double removed = 0.15 * radius * length + strokes * pi * radius * radius * 0.15 / 3;
+    EXPECT_NEAR(j["volume"]["removed"], removed, (rows > 1 ? 0.25 : 0.01) * removed);
+    EXPECT_LE(j["voxel"]["value"], 0.1);
+  }
 }
 
 // A comment tells its angle alone: the cone reaches up to the stock's top.

@@ -37,7 +37,8 @@ class NodeBudget {
   /// grown by more than kDense to draw the surface at all, creases are closer than the cells, and
   /// each node takes about three times as long: it counts as three.
   double nodes_after_first(std::size_t failed, std::size_t nodes) const {
-    constexpr double kDense = 1.1, kSlow = 3;
+    constexpr double kDense = 1.1, kSlow = 3, kSmall = 0.25;
+    if (static_cast<double>(nodes) < kSmall * given_) return split_nodes(failed, nodes, 1);
     const double growth = static_cast<double>(nodes) / first_, slow = growth > kDense ? kSlow : 1;
     return slow * growth * growth * split_nodes(failed, nodes, 1);
   }

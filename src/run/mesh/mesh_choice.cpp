@@ -8,6 +8,7 @@
 #include "removal/part/default_stock.h"
 #include "removal/part/stock.h"
 #include "removal/tool/tool.h"
+#include "run/cuts/cut_pieces.h"
 
 #include <algorithm>
 #include <cmath>
@@ -37,6 +38,12 @@ constexpr double kMostGridCells = 1e6, kFewGridCells = 4e5, kMostSearchedCells =
 // Voxels on the cut surface that a mesh within a tolerance scans for what its larger cells may
 // hide; above this number the voxel is raised.
 constexpr double kMostScanned = 1e5;
+// Cells of a grid that is coarser than the smallest radius with which a tool cuts, so that grooves
+// are lost, where the part is plain: such cells take a third of the time.
+constexpr double kMostGrooveCells = 4e6;
+// Share of a pointed tool's radius below which its grooves are narrow, and nodes of the octree for
+// a piece of such a groove that is as long as wide (text of 6 m by a V-bit took 40).
+constexpr double kNarrow = 0.5, kGrooveNodes = 40;
 // Average number of creasing sweeps in a block above which no tolerance is tried: cells would be
 // halved too often.
 constexpr double kMostCreasing = 9;
@@ -91,6 +98,23 @@ double smallest_radius(const CutList& cuts, double stock_top) {
     if (radius > 0 && (least == 0 || radius < least)) least = radius;
   }
   return least;
+}
+
+// Grooves of pointed tools, narrower than half of their diameter: their lengths, each by its width
+// at the stock's top, together. Three creases run along each of them, within that width.
+double groove_lengths(const CutList& cuts, double stock_top) {
+  std::vector<ToolShape> shapes;
+  for (const Tool& tool : cuts.tools()) shapes.push_back(make_tool_shape(tool));
+  double sum = 0;
+  for (const Motion& motion : cuts.motions()) {
+    if (!is_cut(motion) || motion.tool < 0 || !(motion.tool_axis == Vec3{0, 0, 1})) continue;
+    const ToolShape& shape = shapes[static_cast<std::size_t>(motion.tool)];
+    const double depth = stock_top - std::min(motion.start.z, motion.end.z);
+    if (shape.turning || shape.cutter.is_rounded() || !(depth > 0)) continue;
+    const double radius = shape.cutter.max_radius_below(depth);
+    if (radius > 0 && radius < kNarrow * shape.radius) sum += length_of(motion) / (2 * radius);
+  }
+  return sum;
 }
 
 // Neighbours in the series 1, 2, 2.5, 5.
@@ -224,10 +248,17 @@ void fit_voxel(const detail::SurfaceSurvey& survey, double cell, MeshChoice& cho
   const double finest = grid;
   // Several sheets of surface in one block count; less than one counts as one, since sheets that
   // lie within a cell take as long.
-  const double most =
-      (choice.searches_arc ? kMostSearchedCells : kMostGridCells) / std::max(survey.sheets, 1.0);
-  while (survey.cells(grid) > most) grid = coarser_grid(grid);
-  if (!choice.is_default || may_suit_tolerance(survey, choice.searches_arc)) {
+  const auto most = [&](double voxel) {
+    const bool is_groove = voxel > choice.radius && is_plain(survey);
+    const double cells = choice.searches_arc ? kMostSearchedCells
+                         : is_groove         ? kMostGrooveCells
+                                             : kMostGridCells;
+    return cells / std::max(survey.sheets, 1.0);
+  };
+  while (survey.cells(grid) > most(grid)) grid = coarser_grid(grid);
+  const double nodes = kGrooveNodes * choice.groove_lengths;
+  const bool fits = nodes <= static_cast<double>(choice.most_nodes);
+  if (!choice.is_default || (fits && may_suit_tolerance(survey, choice.searches_arc))) {
     const double given = choice.voxel;
     while (survey.cells(choice.voxel) > kMostScanned && next_voxel(choice.voxel) <= choice.radius)
       choice.voxel = next_voxel(choice.voxel);
@@ -236,7 +267,9 @@ void fit_voxel(const detail::SurfaceSurvey& survey, double cell, MeshChoice& cho
                                         given, choice.voxel_reason);
     return;
   }
-  take_grid(choice, needs_text(survey, cell, choice.searches_arc));
+  take_grid(choice, fits ? needs_text(survey, cell, choice.searches_arc)
+                         : fmt::format("would take more than {} cells along narrow grooves",
+                                       count_text(nodes)));
   choice.voxel_reason =
       choice.voxel > finest
           ? fmt::format("{:.6g} mm would take about {} cells", finest,
@@ -256,6 +289,7 @@ MeshChoice choose_mesh(const Job& job, const StockShape& stock, const CutList& c
   if (choice.voxel != 0) return choice;
   choice.fits_voxel = true;
   choice.radius = smallest_radius(cuts, stock.box.hi.z);
+  choice.groove_lengths = groove_lengths(cuts, stock.box.hi.z);
   choice.searches_arc = has_searched_arc(cuts);
   choice.has_many_helices = has_many_helices(cuts);
   choice.has_winding_helix = has_winding_helix(cuts);

@@ -18,6 +18,7 @@ struct MeshChoice {
   double tolerance = 0;  ///< mm, 0 = the grid of the voxels
   std::string tolerance_reason;
   double radius = 0;              ///< mm: the smallest with which a tool cuts, 0 = none has one
+  double groove_lengths = 0;      ///< of narrow grooves, by their widths
   bool searches_arc = false;      ///< a cut is a helix or upright arc that costs a search for each
                                   ///< point
   bool has_many_helices = false;  ///< more than a quarter of the cuts
