@@ -125,6 +125,39 @@ TEST(DefaultStock, HolesEndAtZeroOrWhereTheFeedBegins) {
   EXPECT_EQ(StockPath().rapid({0, 0, -3}).cut({0, 0, -12}).rapid({0, 0, 2}).top(), -3);
 }
 
+// G83 R5. Q2. Z-7.: strokes from R end above the stock, whose top was at R for them.
+TEST(DefaultStock, HolesInStrokesEndAtZeroToo) {
+  StockPath top;
+  top.rapid({0, 0, 5}).cut({0, 0, 3}).rapid({0, 0, 5}).rapid({0, 0, 3.25}).cut({0, 0, 1});
+  top.rapid({0, 0, 5}).rapid({0, 0, 1.25}).cut({0, 0, -7}).rapid({0, 0, 5}).rapid({30, 0, 5});
+  EXPECT_EQ(top.top(), 0);
+  StockPath table;  // most strokes end above Z0
+  table.rapid({0, 0, 22}).cut({0, 0, 14}).rapid({0, 0, 22}).rapid({0, 0, 15}).cut({0, 0, 6});
+  EXPECT_EQ(table.rapid({0, 0, 22}).rapid({0, 0, 7}).cut({0, 0, -1}).rapid({0, 0, 22}).top(), 22);
+}
+
+// Posts that write G1 for rapids: their ways at the clearance were cuts, and the stock that high.
+TEST(DefaultStock, FeedsAsideInTheAirAreNoCuts) {
+  StockPath feeds;
+  feeds.rapid({0, 0, 15}).cut({0, 0, 5}).cut({0, 0, 1}).cut({0, 0, -2}).cut({20, 0, -2});
+  feeds.cut({20, 0, 5}).cut({20, 10, 5}).cut({20, 10, 1}).cut({20, 10, -2}).cut({0, 10, -2});
+  EXPECT_EQ(StockPath(feeds).cut({0, 10, 15}).cut({0, 0, 15}).top(), 0);
+  EXPECT_EQ(StockPath(feeds).cut({0, 10, 5}).cut({0, 20, 5}).cut({9, 20, -2}).top(), 0) << "ramp";
+  StockPath holes;
+  holes.rapid({0, 0, 15}).cut({0, 0, 5}).cut({0, 0, -10}).cut({0, 0, 5}).cut({20, 0, 5});
+  EXPECT_EQ(holes.cut({20, 0, -10}).cut({20, 0, 5}).cut({20, 0, 15}).top(), 0);
+  StockPath table;  // cuts from 8 down through the table
+  table.rapid({0, 0, 30}).cut({0, 0, 8}).cut({20, 0, 8}).cut({20, 0, 12}).cut({0, 0, 12});
+  EXPECT_EQ(table.cut({0, 0, 4}).cut({20, 0, 4}).cut({20, 0, -0.2}).cut({0, 0, -0.2}).top(), 8);
+}
+
+// Rows of a slope that the zero passes, each with a rapid behind it.
+TEST(DefaultStock, EndsOfSlopesAreCuts) {
+  StockPath rows;
+  rows.rapid({0, 0, 15}).cut({0, 0, -3}).cut({10, 0, 3}).rapid({10, 0, 15});
+  EXPECT_EQ(rows.rapid({0, 2, 15}).cut({0, 2, -3}).cut({10, 2, 3}).rapid({10, 2, 15}).top(), 3);
+}
+
 // What an upright arc cuts lies between its ends, not at them.
 TEST(DefaultStock, KnowsHowFarUprightArcsReach) {
   const Box3 trough = StockPath()

@@ -23,7 +23,7 @@ struct Heights {
   double lowest = -kNoHeight;     // and the lowest
   double entered = kNoHeight;     // highest of them but for ways into the material and out
   double hole_mouth = kNoHeight;  // highest beginning of a plunge
-  double hole_end = kNoHeight;    // highest end of one
+  double hole_end = kNoHeight;    // highest bottom of a hole
   double deepest = -kNoHeight;    // lowest end of any cut
 
   // Whether no cut lies above z and one below.
@@ -39,12 +39,14 @@ class HeightsReader {
 
   Heights read(std::span<const Motion> motions) {
     for (const Motion& motion : motions) {
+      if (motion.start.x != motion.end.x || motion.start.y != motion.end.y) end_hole();
       if (is_cut(motion))
         add_cut(motion);
       else
         end_entry();
     }
     end_entry();
+    end_hole();
     return heights_;
   }
 
@@ -56,11 +58,12 @@ class HeightsReader {
     }
     const Box3 path = path_bounds(localized(m, nullptr));
     heights_.deepest = std::min(heights_.deepest, path.lo.z);
-    if (waits_above(m, path)) return;
-    if (m.kind != MotionKind::arc && m.start.x == m.end.x && m.start.y == m.end.y) {
+    if (links(m, path) || waits_above(m, path)) return;
+    if (is_upright(m)) {
       if (m.end.z > m.start.z) return;  // a tap or a reamer on its way back
       heights_.hole_mouth = std::max(heights_.hole_mouth, m.start.z);
-      heights_.hole_end = std::max(heights_.hole_end, m.end.z);
+      if (hole_low_ == -kNoHeight) first_stroke_ = m.end.z;
+      hole_low_ = std::min(hole_low_, m.end.z);
       return;
     }
     is_entry_ = is_entry_ && m.end.z < m.start.z - kSameHeight;
@@ -74,6 +77,36 @@ class HeightsReader {
     if (path.hi.z <= std::max(m.start.z, m.end.z) + kSameHeight) return;
     heights_.lateral = std::max(heights_.lateral, path.hi.z);  // over the top of an arch
     heights_.entered = std::max(heights_.entered, path.hi.z);
+  }
+
+  static bool is_upright(const Motion& m) {
+    return m.kind != MotionKind::arc && m.start.x == m.end.x && m.start.y == m.end.y;
+  }
+
+  // A feed aside above the zero, straight up before and down behind it, is a rapid in the place of
+  // which a post has written G1: "G1 Z5", "X20", "Z-2".
+  bool links(const Motion& m, const Box3& path) {
+    const bool came_up = std::exchange(came_up_, is_upright(m) && m.end.z > m.start.z);
+    if (is_upright(m)) {
+      if (link_ != kNoHeight) end_link();
+      return false;
+    }
+    if (path.hi.z - path.lo.z <= kSameHeight && path.lo.z > zero_ + kSameHeight &&
+        (came_up || link_ != kNoHeight)) {
+      link_ = path.lo.z;
+      return true;
+    }
+    if (link_ == kNoHeight) return false;
+    if (m.end.z > m.start.z) add_height(link_, heights_.entered);
+    end_link();
+    return false;
+  }
+
+  // What goes down from there is a way in; a ramp that nothing followed has cut to its end.
+  void end_link() {
+    if (is_entry_) heights_.entered = std::max(heights_.entered, entry_end_);
+    link_ = entry_end_ = way_out_ = kNoHeight;
+    is_entry_ = true;
   }
 
   // A feed to the place above which a way down through the zero begins: "G0 Z2", "G1 X10", "G1
@@ -106,19 +139,29 @@ class HeightsReader {
     if (!is_entry_) entered = std::max(entered, z);
   }
 
-  // A ramp that nothing follows has cut to its end.
+  // The first strokes of a drill that pecks may end above the stock; not where most of them do.
+  void end_hole() {
+    if (hole_low_ == -kNoHeight) return;
+    const bool is_below = zero_ - hole_low_ > first_stroke_ - zero_;
+    heights_.hole_end = std::max(heights_.hole_end, is_below ? hole_low_ : first_stroke_);
+    hole_low_ = -kNoHeight;
+  }
+
   void end_entry() {
     if (waiting_ != kNoHeight) count_waiting();
-    if (is_entry_) heights_.entered = std::max(heights_.entered, entry_end_);
-    is_entry_ = true;
-    entry_end_ = way_out_ = kNoHeight;
+    end_link();
+    came_up_ = false;
   }
 
   double zero_;
   Heights heights_;
   double waiting_ = kNoHeight;  // height of a feed aside before the way down
   double approach_ = kNoHeight, entry_end_ = kNoHeight;
-  double way_out_ = kNoHeight;  // end of an upright arc, if a rapid follows it
+  double way_out_ = kNoHeight;    // end of an upright arc, if a rapid follows it
+  double link_ = kNoHeight;       // height of a feed aside that came from straight below
+  bool came_up_ = false;          // the last motion was straight up
+  double first_stroke_ = 0;       // end of the first plunge at the place where the tool is
+  double hole_low_ = -kNoHeight;  // and the lowest one of all there
   bool is_entry_ = true;
 };
 
