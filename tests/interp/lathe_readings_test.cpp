@@ -218,5 +218,37 @@ TEST(LatheToolReadings, Inside) {
   });
 }
 
+// The style of a holder is its lead: SVVCN stands upright, where 93 degrees left no flank behind.
+TEST(LatheToolReadings, LeadsOfHolders) {
+  const auto lead = [](const char* comment) {
+    Tool tool;
+    std::string why;
+    return fill_tool(read_tool_comment(comment), 1, true, tool, why) ? degrees(tool.lead_angle) : 0;
+  };
+  EXPECT_NEAR(lead("SVVCN 2525 VCMT160404"), 72.5, 1e-9);
+  EXPECT_NEAR(lead("VCMT160404 SVVCN2525"), 72.5, 1e-9);
+  EXPECT_NEAR(lead("SDNCN 2020 K11"), 62.5, 1e-9);
+  EXPECT_NEAR(lead("PSSNR 2525 M12 SNMG120408"), 45, 1e-9);
+  EXPECT_NEAR(lead("PCBNR 2525 CNMG120408"), 75, 1e-9);
+  EXPECT_NEAR(lead("PCLNR 2525 CNMG120408"), 95, 1e-9);
+  EXPECT_NEAR(lead("S16Q-SDQCR07"), 107.5, 1e-9);
+  EXPECT_NEAR(lead("SVVCN 2525 CNMG120408"), 95, 1e-9) << "another insert's";
+}
+
+// Told of the tool by its number, without a word for what it is.
+TEST(LatheToolReadings, NosesOfNumberedTools) {
+  expect_readings({
+      {lathe_mm, "R4 BUTTON", "turning, nose 4"},
+      {lathe_mm, "BUTTON R4", "turning, nose 4"},
+      {lathe_mm, "T0101 FORMSTAHL", "? names a kind of tool that needs more data"},
+      {lathe_mm, "T0101 R3", "? names no kind of tool"},
+  });
+  for (const char* numbered : {"T0101 R0.8", "T0101 TNR .8 TIP 3", "TOOL 1 R0.8"}) {
+    const ToolHint hint = read_tool_comment(numbered);
+    EXPECT_EQ(hint.operation, ToolType::turning) << numbered;
+    EXPECT_DOUBLE_EQ(hint.nose_radius, 0.8) << numbered;
+  }
+}
+
 }  // namespace
 }  // namespace mrsim

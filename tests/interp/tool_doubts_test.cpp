@@ -12,6 +12,9 @@ TEST(ToolCommentDoubts, RegistersBesideADiameter) {
       {mm, "T01 H1 D1 FRAISE D10", "endmill 10"},
       {mm, "T10 FRAISE D10 H10", "? gives no diameter"},
       {mm, "T10 FRAISE D12 D10 H7", "? gives no diameter"},
+      {mm, "T3 ALESATORE D10 H7", "endmill 10"},
+      {mm, "T3 REIBAHLE D10 H7", "endmill 10"},
+      {mm, "T3 REAMER H7 D7", "? gives no diameter"},
   });
 }
 
@@ -130,6 +133,7 @@ TEST(ToolCommentDoubts, PaddedRadii) {
   expect_readings({
       {mm, "EM 12 R05", "? can be read as radius 5 or 0.5"},
       {mm, "EM 12 R0.5", "bullmill 12, corner 0.5"},
+      {inch, ".03R 1/2 EM", "bullmill 12.7, corner 0.762"},
       {mm, "ENDMILL D06 R00", "endmill 6"},
       {lathe_mm, "CNMG R08", "turning, insert 80, nose 0.8"},
       {lathe_mm, "OD_35_R0.4", "turning, insert 35, nose 0.4"},
@@ -180,6 +184,44 @@ TEST(ToolCommentDoubts, ShapesWithoutAKind) {
       {mm, "T1 6MM ENDMILL TAPER SHANK", "? names a tapered mill, whose shape it does not tell"},
       {mm, "CONE 20MM", "-"},
       {mm, "UNDERCUT D20", "-"},
+  });
+}
+
+// Words that no table has, beside a diameter: an end mill was taken to stand there.
+TEST(ToolCommentDoubts, UnknownWordsBesideADiameter) {
+  constexpr const char* kUnknown = "? names no kind of tool that is known";
+  for (const char* unknown :
+       {"T1 KREISTASCHE D30", "T1 BOHRUNG D30 FRAESEN", "T1 FORO D30", "T1 CAJERA CIRCULAR D30",
+        "T1 ALESAGE D30", "T1 OTWOR FI 30", "T1 HELICAL BORE D30", "T1 POCKET D30", "T1 ZAPFEN D30",
+        "T1 REIBEN D10", "T1 ENTGRATEN D6", "T1 SENKUNG D20"})
+    EXPECT_EQ(told(unknown, 1, false), kUnknown) << unknown;
+  expect_readings({
+      {mm, "T1 D10", "endmill 10"},
+      {mm, "T1 D=10. CR=0. ZMIN=-5.", "endmill 10"},
+      {mm, "T1 SCHRUPPEN D16", "endmill 16"},
+      {mm, "T1 PLANEN D63 Z5", "endmill 63"},
+      {mm, "T1 D12 FINISH WALLS", "endmill 12"},
+      {mm, "T1 D12 - KONTUR AUSSEN", "endmill 12"},
+      {mm, "T1 BOHREN D8.5", kUnknown},
+      {mm, "T1 PERCAGE D8", kUnknown},
+      {mm, "T1 BURGHIU D8", "drill 8"},
+  });
+}
+
+// What mills cut round has a diameter of its own.
+TEST(ToolCommentDoubts, DiametersOfRoundWork) {
+  constexpr const char* kEither = "? can be read as the diameter of the tool or of what it mills";
+  expect_readings({
+      {inch, "CIRCLE MILL 2.5 DIA", kEither},
+      {mm, "T1 HELICAL MILL 30 DIA", kEither},
+      {mm, "T1 MILL 30 DIA HOLE", "? gives no diameter"},
+      {mm, "T1 MILL HOLE DIA 30", "? gives no diameter"},
+      {mm, "T1 ENDMILL 30 DIA BORE", "? gives no diameter"},
+      {mm, "T1 10MM ENDMILL 30 DIA BORE", "endmill 10"},
+      {mm, "T1 DRILL 8 DIA HOLE", "drill 8"},
+      {mm, "T1 DRILL HOLE DIA 8", "drill 8"},
+      {mm, "T1 MILL DIA 30", "endmill 30"},
+      {inch, "T1 .5 DIA ENDMILL, BORE POCKET", "endmill 12.7"},
   });
 }
 

@@ -226,5 +226,20 @@ TEST(ToolLines, SettingsOfFEngrave) {
             std::string::npos);
 }
 
+// Beside a change they tell of the tool before or after it.
+TEST(ToolLines, LinesAboutAnotherTool) {
+  const std::string cut = kCut;
+  const std::string mill = tool_like(ToolType::endmill, 10, 0, 0);
+  for (const char* line : {"NEXT TOOL - 6MM DRILL", "NEXT: 6MM DRILL", "LAST TOOL WAS 6MM DRILL",
+                           "NAECHSTES WERKZEUG BOHRER D6"}) {
+    const std::string other = fmt::format("({})\n", line);
+    EXPECT_TRUE(first_tool("T1 M6\n" + other + cut).find("there are no data") != std::string::npos)
+        << line;
+    EXPECT_EQ(first_tool("T1 M6 (10MM ENDMILL)\n" + other + cut), mill) << line;
+  }
+  EXPECT_EQ(first_tool("(LAST TOOL WAS 6MM DRILL)\nT1 M6 (10MM ENDMILL)\n" + cut), mill);
+  EXPECT_EQ(first_tool("(NEXT TOOL IS A 10MM ENDMILL)\nT1 M6\n" + cut), mill);
+}
+
 }  // namespace
 }  // namespace mrsim

@@ -139,6 +139,39 @@ bool read_half_size(std::string_view text, const Shape& shape, InsertCode& code)
 
 bool is_any_of(char c, std::string_view letters) { return letters.find(c) != letters.npos; }
 
+// Lead angles by the letter of a holder's style, ISO 5608; of others, whose edge stands across the
+// holder, the insert's shape tells it. N and V stand upright: "SVVCN", "SDNCN".
+double lead_of_style(char style, double usual) {
+  switch (style) {
+    case 'A':
+      return 90;
+    case 'B':
+    case 'R':
+      return 75;
+    case 'D':
+    case 'S':
+      return 45;
+    case 'E':
+    case 'T':
+      return 60;
+    case 'G':
+      return 91;
+    case 'H':
+    case 'Q':
+      return 107.5;
+    case 'J':
+      return 93;
+    case 'L':
+      return 95;
+    case 'N':
+      return 62.5;
+    case 'V':
+      return 72.5;
+    default:
+      return usual;
+  }
+}
+
 // "PCLNR 2525 M12", "SDJCL-1212": clamp, shape, style, clearance, hand. The hand does not say
 // which way the tool cuts: that depends on how it stands in its turret.
 std::optional<InsertCode> find_holder_code(const std::vector<CommentToken>& tokens) {
@@ -156,7 +189,7 @@ std::optional<InsertCode> find_holder_code(const std::vector<CommentToken>& toke
         InsertCode code;
         code.shape = std::string(1, shape.letter);
         code.angle = shape.angle;
-        code.lead_angle = shape.lead;
+        code.lead_angle = shape.angle > 0 ? lead_of_style(text[2], shape.lead) : shape.lead;
         code.first = i;
         code.end = number + 1;
         return code;
@@ -206,7 +239,10 @@ std::optional<InsertCode> find_insert_code(const std::vector<CommentToken>& toke
     if (code->angle != first->angle || (sizes && code->nose_radius != first->nose_radius))
       first->other = code->shape;
   }
-  return first ? first : find_holder_code(tokens);
+  const std::optional<InsertCode> holder = find_holder_code(tokens);
+  if (!first) return holder;
+  if (holder && holder->shape[0] == first->shape[0]) first->lead_angle = holder->lead_angle;
+  return first;
 }
 
 double usual_nose_unit(double value) {

@@ -71,11 +71,16 @@ struct ToolHint {
   bool settings = false;       ///< of the program that wrote it all
   bool tool_radius = false;    ///< such a line, "TOOL RADIUS 5": perhaps half the diameter
   bool own_angle = false;      ///< a line with the tool's angle: "TIP ANGLE 140", "ANGLE: 60"
+  bool next_tool = false;      ///< "NEXT TOOL - 6MM DRILL"
+  bool last_tool = false;      ///< "LAST TOOL WAS 6MM DRILL"
+  bool strange = false;        ///< has words that may name a kind, where none is known
   bool at_call = false;        ///< in the block of the change or right behind it
   std::string work;            ///< lines beside it that are about the work: 'ROUGH T-SLOT'
   bool rounds_edges = false;   ///< such a line: "ROUND OVER EDGES"
   std::string doubt;  ///< why no tool can be made of it, after "the comment ... "; empty: it can
   std::string text;   ///< the comment, UTF-8, for the report
+  /// It is not about the tool at hand.
+  bool of_other_tool() const { return id.empty() && (last_tool || (next_tool && at_call)); }
   explicit operator bool() const { return type || diameter > 0 || !doubt.empty(); }
   /// A thread mill, of which nothing but a cylinder is known.
   bool plain_teeth() const { return trade == ToolTrade::thread_mill; }

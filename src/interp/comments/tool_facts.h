@@ -77,6 +77,10 @@ struct ToolFacts {
   bool padded_radius = false;    ///< "R05"
   bool alternatives = false;     ///< "12MM OR 1/2 ENDMILL"
   bool shaped = false;           ///< "TAPER", "UNDERCUT": no end mill, if nothing else names a kind
+  bool strange = false;          ///< has words that may name a kind, "KREISTASCHE D30"
+  bool next_tool = false;        ///< "NEXT TOOL - 6MM DRILL"
+  bool last_tool = false;        ///< "LAST TOOL WAS 6MM DRILL"
+  bool round_work = false;       ///< "CIRCLE MILL 30 DIA"
   bool round_insert = false;     ///< "BUTTON TOOL", "ROUND INSERT"
   std::vector<ToolLength> bare;  ///< numbers with a point that nothing names: "CNMG .8"
   bool holes = false;            ///< "4 DRILL HOLES"

@@ -360,7 +360,11 @@ bool fill_tool(const ToolHint& hint, double unit, bool lathe, Tool& out, std::st
                                                                                      : "turning");
     return false;
   }
-  if (!is_turning(out.type)) return fill_mill(hint, unit, out, why);
+  if (!is_turning(out.type)) {
+    if (!fill_mill(hint, unit, out, why)) return false;
+    if (!hint.type && hint.strange) why = "names no kind of tool that is known";
+    return why.empty();
+  }
   fill_turning(hint, unit, out);
   why = doubt_of_turning(hint, unit, out);
   return why.empty();

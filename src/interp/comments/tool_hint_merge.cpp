@@ -275,6 +275,7 @@ void merge_hint(ToolHint& into, const ToolHint& more) {
   if (bar && into.type == ToolType::turning) into.type = ToolType::boring;
   into.bores |= more.bores;
   into.face_groove |= more.face_groove;
+  into.strange |= more.strange;
   if (into.orientation == 0) into.orientation = more.orientation;
   if (into.blade_point == BladePoint::untold) into.blade_point = more.blade_point;
   if (!into.trade) into.trade = more.trade;

@@ -2,6 +2,7 @@
 
 #include "interp/comments/comment_words.h"
 #include "interp/comments/tool_sizes.h"
+#include "interp/comments/work_words.h"
 
 #include <algorithm>
 #include <utility>
@@ -60,6 +61,9 @@ class LabelReader {
   bool claimed(std::size_t number) const;
   bool begins_nose(std::size_t i) const;
   bool is_of_kind(std::size_t number) const;
+  bool ends_size(std::size_t i) const {  // ".03R 1/2 EM"
+    return i > 0 && view_.glued(i) && view_.number(i - 1) && !view_.whole(i - 1);
+  }
   std::size_t number_behind(const Label& label) const;
   std::size_t number_before(const Label& label) const;
   bool has_flat_tip() const;
@@ -100,7 +104,8 @@ Label LabelReader::label_at(std::size_t i) const {
   if (word.role == WordRole::adjective) return {};
   Label label{word.role, word.side, i, i + 1};
   while (label.role != WordRole::none && view_.word(label.end)) {
-    const WordRole both = joined(label.role, role(label.end));
+    const bool of_work = is_diameter_of_work(view_, facts_.kind(), label.first, label.end);
+    const WordRole both = of_work ? WordRole::work : joined(label.role, role(label.end));
     if (both == WordRole::none || begins_nose(label.end)) break;
     label.role = both;
     label.side = NumberSide::either;
@@ -159,8 +164,8 @@ std::size_t LabelReader::number_behind(const Label& label) const {
   const bool width = label.role == WordRole::width && number_before(label) == kNone;
   if (label.side == NumberSide::before && !width) return kNone;  // "THK 2" has it behind
   const bool letter = label.end == label.first + 1 && view_[label.first].text.size() == 1;
-  const bool corner = label.role == WordRole::radius_letter && has_corner();  // "BALL R 3"
-  if (letter && !view_.glued(label.end) && !corner) return kNone;
+  const bool radius = label.role == WordRole::radius_letter && !ends_size(label.first);
+  if (letter && !view_.glued(label.end) && !(radius && has_corner())) return kNone;  // "BALL R 3"
   std::size_t number = view_.behind(label.end - 1);
   const bool sign_of_size = view_.is(number, "D") || view_.is(number, "~");
   if (label.role == WordRole::tip && sign_of_size) number = view_.behind(number);  // "TIP D2"
@@ -182,7 +187,8 @@ std::size_t LabelReader::number_before(const Label& label) const {
                              view_[number].text.starts_with('.');  // "FIN.015R"
     if ((!view_.is_size(number) && !behind_word) || (view_.whole(number) && !may_be_round()))
       return kNone;
-    return !view_.glued(label.end) && !view_.number(label.end) ? number : kNone;
+    const bool ends = ends_size(label.first) || !view_.number(label.end);
+    return !view_.glued(label.end) && ends ? number : kNone;
   }
   return view_.is_size(number) ? number : kNone;
 }
@@ -318,11 +324,11 @@ void LabelReader::read_signs() {
   }
 }
 
-// The number of an H; -1: there is none. "D10H7" is a fit.
+// The number of an H; -1: there is none. "D10H7" is a fit, and so is "REAMER D10 H7".
 double LabelReader::length_register_beside() const {
   for (std::size_t i = 0; i + 1 < view_.size(); ++i)
-    if (view_.is(i, "H") && view_[i + 1].is_number() && view_.glued(i + 1) &&
-        !(i > 0 && view_.glued(i)))
+    if (view_.is(i, "H") && view_[i + 1].is_number() && view_.glued(i + 1) && !view_.glued(i) &&
+        !(facts_.trade_is(ToolTrade::hole) && i > 1 && view_.is(i - 2, "D")))
       return view_[i + 1].value;
   return -1;
 }

@@ -38,6 +38,9 @@ class Settler {
     hint_.plain_radius = facts_.plain_radius;
     hint_.tool_radius = facts_.tool_radius;
     hint_.own_angle = facts_.own_angle;
+    hint_.strange = facts_.strange;
+    hint_.next_tool = facts_.next_tool;
+    hint_.last_tool = facts_.last_tool;
     if (hint_.angle_line) return;
     if (facts_.several_ids) doubt("names several tools");
     if (!facts_.split_size.empty()) doubt(fmt::format("can be read as size {}", facts_.split_size));
@@ -116,6 +119,8 @@ void Settler::settle_type() {
     if (threaded && facts_.enlarged_thread)
       doubt("names a thread for wire inserts, whose tap is larger");
     settle_rivals();
+    if (facts_.round_work && !facts_.named.empty())
+      doubt("can be read as the diameter of the tool or of what it mills");
   } else if (!k && facts_.pair && !hint_.diameters.empty() && !facts_.insert) {
     hint_.type = ToolType::endmill;  // "D12R2"
   }
@@ -137,7 +142,8 @@ void Settler::settle_type() {
     doubt("names a shape, and no kind of tool");
   if (k && !hint_.type && is_turning(k->type)) settle_work(*k);
   if (facts_.round_insert) settle_round_insert();
-  if (!hint_.type && (facts_.turned_side || facts_.bores)) take_nose_of_work();
+  const bool radius_of_tool = hint_.names_tool && hint_.diameters.empty();  // "T0101 R0.8"
+  if (!hint_.type && (facts_.turned_side || facts_.bores || radius_of_tool)) take_nose_of_work();
   if (facts_.insert || (hint_.type && is_turning(*hint_.type))) settle_turning();
 }
 

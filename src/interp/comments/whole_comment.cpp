@@ -2,6 +2,7 @@
 
 #include "interp/comments/comment_words.h"
 #include "interp/comments/tool_id.h"
+#include "interp/comments/work_words.h"
 
 namespace mrsim {
 namespace {
@@ -121,7 +122,8 @@ bool is_word_of_id(const CommentView& view, std::size_t i) {
 
 bool names_round_insert(const CommentView& view, std::size_t i) {
   const bool button = view.is_one(i + 1, {"TOOL", "INSERT"}) ||
-                      (i < 2 && view.has(i + 1) && view[i + 1].is_number()) || view.is(i + 1, "R");
+                      (i < 2 && view.has(i + 1) && view[i + 1].is_number()) ||
+                      view.is(i + 1, "R") || (i > 1 && view.is(i - 2, "R"));  // "R4 BUTTON"
   return (view.is(i, "BUTTON") && button) || (view.is(i, "ROUND") && view.is(i + 1, "INSERT")) ||
          view.is_one(i, {"RUNDPLATTE", "PILZ", "PILZSTAHL", "PILZWERKZEUG"});
 }
@@ -149,6 +151,9 @@ void read_whole_comment(const CommentView& view, ToolFacts& facts) {
   facts.own_angle = facts.angle_line && is_own_angle(view);
   facts.bare_id = !facts.id.empty();
   facts.bare_kind = facts.kind() != nullptr;
+  facts.next_tool = names_next_tool(view);
+  facts.last_tool = names_last_tool(view);
+  facts.round_work = facts.kind() && mills_round_work(view, *facts.kind());
   for (std::size_t i = 0; i < view.size(); ++i) {
     const bool word = view.word(i);
     if (view[i].is_number()) facts.bare_id &= view.taken(i);
@@ -159,6 +164,7 @@ void read_whole_comment(const CommentView& view, ToolFacts& facts) {
                           view[i - 1].is_number() && view.has(i + 1) && view[i + 1].is_number();
     facts.round_insert |= names_round_insert(view, i);
     facts.shaped |= tells_shape(view, i);
+    facts.strange |= is_strange_word(view, i);
     if (view.number(i) && view[i].decimals && !view[i].angle) facts.bare.push_back(view.length(i));
   }
 }

@@ -93,6 +93,7 @@ void ToolNotes::comment(std::string_view bytes, const std::string& called, bool 
       (hint.operation || hint.bores) && is_numbered_operation(bytes))
     operation_ = hint;
   hint.at_call = !called.empty() || blocks_since_change_ <= 0;
+  if (hint.of_other_tool()) return;
   if (hint.only_diameter()) {
     if (!called.empty()) not_understood_.try_emplace(called, hint.text);
     const bool added = called.empty() && alone && add_size(hint);
