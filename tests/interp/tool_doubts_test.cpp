@@ -208,6 +208,26 @@ TEST(ToolCommentDoubts, UnknownWordsBesideADiameter) {
   });
 }
 
+// The size of a tool that was ground anew, or of another in its place.
+TEST(ToolCommentDoubts, SizesThatHaveChanged) {
+  for (const char* changed :
+       {"T1 WAS 10MM ENDMILL NOW 12MM", "T1 12MM ENDMILL WAS 10MM", "T1 ENDMILL 10MM REGROUND 9.8",
+        "T1 ENDMILL 10MM REGROUND TO 9.8", "T1 10MM ENDMILL 0.2 UNDERSIZE"})
+    EXPECT_EQ(told(changed, 1, false), "? names two sizes") << changed;
+  EXPECT_EQ(told("T1 10MM ENDMILL NOW IN T5 HOLDER", 1, false), "? names several tools");
+  EXPECT_EQ(told("T1 FASFRAESER 90 GRAD D8", 1, false), "chamfer 8, point 90");
+}
+
+// Estlcam numbers what is done.
+TEST(ToolCommentDoubts, NumbersOfWork) {
+  expect_readings({
+      {mm, "No. 1 Engraving 1", "-"},
+      {mm, "ENGRAVING 2", "-"},
+      {mm, "ENGRAVING 60", told("ENGRAVING 60 DEG", 1, false).c_str()},
+      {inch, "1/4 SCREW MACH DRILL", "drill 6.35"},
+  });
+}
+
 // What mills cut round has a diameter of its own.
 TEST(ToolCommentDoubts, DiametersOfRoundWork) {
   constexpr const char* kEither = "? can be read as the diameter of the tool or of what it mills";

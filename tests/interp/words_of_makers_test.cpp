@@ -350,6 +350,8 @@ TEST(WordsOfMakers, AToolWithoutANumber) {
     return codes(p) + (p.tools.empty() ? "" : fmt::format("{:g}", p.tools[0].diameter));
   };
   EXPECT_EQ(tool("(Required tools:)\n(Endmill 3mm)\nG90\n(No. 1: Pocket 1)\n"), "3");
+  EXPECT_EQ(tool("(Required tools:)\n(Endmill 3mm)\nG90\n(No. 1 Engraving 1)\n"), "3");
+  EXPECT_EQ(tool("(Required tools:)\n(V-Bit 60 deg)\nG90\n(No. 1 Engraving 1)\n"), "0");
   EXPECT_EQ(tool("(tool 3.175mm)\n"), "3.175");
   EXPECT_EQ(tool("(Cutter: Ballnose diameter 6 mm)\n"), "6");
   EXPECT_EQ(tool("(Required tools:)\n(Endmill 3mm)\n(Endmill 6mm)\n"), "tool-unknown");

@@ -8,6 +8,7 @@
 #include "interp/comments/tool_id.h"
 #include "interp/comments/tool_labels.h"
 #include "interp/comments/tool_sides.h"
+#include "interp/comments/tool_sizes.h"
 #include "interp/comments/whole_comment.h"
 
 #include <algorithm>
@@ -286,6 +287,8 @@ void FactReader::read_behind(const ToolKind& kind) {
   group->used = true;
   if (view_.is(group->end, "OF") && view_.number(group->end + 1)) return;  // "DRILL 1 OF 2"
   if (view_.is(group->end, "LONG")) return;                                // "ENDMILL 40MM LONG"
+  const bool numbered = !kind.firm && kind.trade == ToolTrade::vee && view_.whole(group->first);
+  if (numbered && !is_usual_angle(kind.trade, view_[group->first].value)) return;  // "ENGRAVING 1"
   facts_.behind_ends = ends(group->end);
   facts_.behind_kind = sizes(*group);
 }

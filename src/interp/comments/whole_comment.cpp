@@ -139,6 +139,16 @@ bool tells_shape(const CommentView& view, std::size_t i) {
          (view.is(i, "ROUND") && view.is(i + 1, "NOSE"));
 }
 
+// "WAS 10MM, NOW 12MM", "10MM REGROUND 9.8", "10MM, 0.2 UNDERSIZE": the number beside is another
+// size than the one that is named.
+bool tells_other_size(const CommentView& view, std::size_t i) {
+  const auto number = [&](std::size_t at) { return view.has(at) && view[at].is_number(); };
+  const std::size_t behind = view.is(i + 1, "TO") ? i + 2 : view.behind(i);
+  return view.is_one(i, {"WAS", "NOW", "REGROUND", "RESHARPENED", "UNDERSIZE", "UNDERSIZED",
+                         "OVERSIZE", "NACHGESCHLIFFEN"}) &&
+         (number(behind) || (i > 0 && number(i - 1)));
+}
+
 }  // namespace
 
 void read_whole_comment(const CommentView& view, ToolFacts& facts) {
@@ -162,6 +172,7 @@ void read_whole_comment(const CommentView& view, ToolFacts& facts) {
       facts.bare_kind &= comment_word(view[i].text).role != WordRole::none;
     facts.alternatives |= view.is_one(i, {"OR", "ODER", "OU"}) && i > 0 &&
                           view[i - 1].is_number() && view.has(i + 1) && view[i + 1].is_number();
+    facts.alternatives |= tells_other_size(view, i);
     facts.round_insert |= names_round_insert(view, i);
     facts.shaped |= tells_shape(view, i);
     facts.strange |= is_strange_word(view, i);

@@ -61,6 +61,11 @@ bool is_tool_with_size(const ToolHint& hint) {
   return hint.diameters.front().unit > 0 || hint.diameters.front().fraction;
 }
 
+// "V-Bit 60 deg": its cone ends where the cuts do.
+bool is_open_cone(const ToolHint& hint) {
+  return hint.trade == ToolTrade::vee && hint.firm && hint.tip_angle + hint.taper_angle > 0;
+}
+
 // Where their number doubles.
 void require_notes(std::size_t count) {
   constexpr std::size_t kFew = 1024;
@@ -137,7 +142,8 @@ void ToolNotes::stands_alone(ToolHint hint, bool heads) {
     comments_.pop_back();
   }
   const bool is_tool = hint.names_tool || (hint.type && lists_) || is_tool_with_size(hint);
-  if (hint.id.empty() && is_tool && (hint.diameter > 0 || hint.settings)) add_nameless(hint);
+  const bool has_data = hint.diameter > 0 || hint.settings || is_open_cone(hint);
+  if (hint.id.empty() && is_tool && has_data) add_nameless(hint);
   if (hint.id.empty() && blocks_since_change_ == 0 &&
       (find(current_) == nullptr || tells_more(current_, hint)))
     return add(current_, hint);
@@ -243,7 +249,7 @@ bool ToolNotes::add_size(const ToolHint& hint) {
 // "(Endmill 3mm)" in a program without T words.
 void ToolNotes::add_nameless(const ToolHint& hint) {
   if (cuts_) {
-    const bool same = !nameless_.diameters.empty() &&
+    const bool same = !nameless_.diameters.empty() && !hint.diameters.empty() &&
                       nameless_.diameters.front().value == hint.diameters.front().value &&
                       nameless_.diameters.front().unit == hint.diameters.front().unit;
     if (adopted_ && !same) other_ = hint.text;
