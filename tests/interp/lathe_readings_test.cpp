@@ -238,8 +238,6 @@ TEST(LatheToolReadings, LeadsOfHolders) {
 // Told of the tool by its number, without a word for what it is.
 TEST(LatheToolReadings, NosesOfNumberedTools) {
   expect_readings({
-      {lathe_mm, "R4 BUTTON", "turning, nose 4"},
-      {lathe_mm, "BUTTON R4", "turning, nose 4"},
       {lathe_mm, "T0101 FORMSTAHL", "? names a kind of tool that needs more data"},
       {lathe_mm, "T0101 R3", "? names no kind of tool"},
   });

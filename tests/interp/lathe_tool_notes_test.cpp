@@ -252,6 +252,9 @@ TEST(ToolNotes, WorkAboveTheTWordOfALathe) {
   const std::string turned = type(ToolType::turning);
   EXPECT_EQ(tools(first + "N3 (CUT OFF 4MM)\n" + cut), turned + type(ToolType::grooving));
   EXPECT_EQ(tools(first + "(OD THREAD)\n" + cut), turned + type(ToolType::threading));
+  for (const char* before :
+       {"TURN FOR THREAD M36", "TURN THREAD DIA", "THREAD RELIEF", "GEWINDE VORDREHEN"})
+    EXPECT_EQ(tools(first + "(" + before + ")\n" + cut), turned + turned) << before;
   EXPECT_EQ(tools(first + "(FINISH BORE)\n" + cut), turned + type(ToolType::boring));
   EXPECT_EQ(tools("(1. FACE)\n(2. CUT OFF)\n" + first + cut), turned + turned);
   EXPECT_EQ(tools(first + "(GROOVE)\n" + cut).substr(0, 12), "tool-unknown")

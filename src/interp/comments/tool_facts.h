@@ -54,17 +54,18 @@ struct ToolFacts {
   double bare_point = 0;    ///< "90" beside a drill, "45" beside a face mill, degrees
   bool bare_angle = false;  ///< a "90" that nothing explains, beside a tool's number
   bool left_hand = false;
-  bool fusion = false;       ///< "CR=", which posts of Fusion write of every tool
-  bool fusion_slot = false;  ///< its "slot mill", the disc on a neck of its lists
-  bool slot_mill = false;    ///< a "slot mill" or of keyways: with a width a disc, too
-  bool inside = false;       ///< "ID", "INTERNAL", "BORE", and nothing of the outside
-  bool flat_thread = false;  ///< "TR20X4", "ACME": the end of the tooth is no point
-  bool whitworth = false;    ///< "WHITWORTH", "BSP": teeth of 55 degrees
-  bool back_turn = false;    ///< "BACK TURN", and no hand
-  bool turned_side = false;  ///< "OD", "ID", "TURN": a lathe's words
-  bool bores = false;        ///< "BORE", "BORING" alone
-  bool full_radius = false;  ///< "FULL RADIUS": the end of a blade is half a circle
-  bool face_groove = false;  ///< "FACE GROOVE": the blade stands along Z
+  bool fusion = false;        ///< "CR=", which posts of Fusion write of every tool
+  bool fusion_slot = false;   ///< its "slot mill", the disc on a neck of its lists
+  bool slot_mill = false;     ///< a "slot mill" or of keyways: with a width a disc, too
+  bool inside = false;        ///< "ID", "INTERNAL", "BORE", and nothing of the outside
+  bool flat_thread = false;   ///< "TR20X4", "ACME": the end of the tooth is no point
+  bool whitworth = false;     ///< "WHITWORTH", "BSP": teeth of 55 degrees
+  bool back_turn = false;     ///< "BACK TURN", and no hand
+  bool turned_side = false;   ///< "OD", "ID", "TURN": a lathe's words
+  bool turns_before = false;  ///< "TURN FOR THREAD": not the thread itself
+  bool bores = false;         ///< "BORE", "BORING" alone
+  bool full_radius = false;   ///< "FULL RADIUS": the end of a blade is half a circle
+  bool face_groove = false;   ///< "FACE GROOVE": the blade stands along Z
   BladePoint blade_point = BladePoint::untold;
   int orientation = 0;           ///< "TIP 3", "TIP DIRECTION 2"; 0: not given
   bool corner_line = false;      ///< "TIP RADIUS: 1.0" and nothing else

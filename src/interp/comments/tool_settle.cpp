@@ -200,6 +200,7 @@ void Settler::settle_work(const ToolKind& k) {
     hint_.trade = k.trade;
     return;
   }
+  if (k.type == ToolType::threading && facts_.turns_before) return;
   hint_.operation = k.type;
   if (hint_.width || hint_.diameters.empty()) return;
   const bool before = !facts_.before_kind.empty() && facts_.before_kind.front().sizes[0].decimals;

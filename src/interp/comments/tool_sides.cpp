@@ -22,6 +22,10 @@ constexpr std::string_view kTurns =
     "TURN TURNING FACE FACING PROFILE PROFILING DREHEN PLANEN CHARIOTAGE DRESSAGE TORNEADO "
     "CILINDRAR "
     "CILINDRADO REFRENTADO FACEAR TORNITURA SFACCIATURA";
+// Beside the word for a thread they are the turning before it.
+constexpr std::string_view kTurnsBefore =
+    "TURN TURNED RELIEF DREHEN VORDREHEN FREISTICH CHARIOTAGE TORNEADO CILINDRAR CILINDRADO "
+    "TORNITURA TOCZENIE";
 constexpr std::string_view kRough =
     "ROUGH ROUGHING FINISH FINISHING RGH FIN SCHRUPPEN SCHLICHTEN EBAUCHE FINITION DESBASTE DESB "
     "ACABADO ACABAMENTO SGROSSATURA FINITURA";
@@ -136,6 +140,7 @@ void read_side_words(const CommentView& view, ToolFacts& facts) {
     facts.inside |= begins_bar_code(view, i) || is_turkish(view, i, {"IC", "I~", "~~", "~C"});
     turns |= is_word_of(view, i, kTurns);
     rough |= is_word_of(view, i, kRough);
+    facts.turns_before |= is_word_of(view, i, kTurnsBefore);
     facts.inside |= is_word_of(view, i, kInside) && !view.is_one(i + 1, {":", "="});
     facts.face_groove |= is_word_of(view, i, kFaceGrooves);
     facts.face_groove |=

@@ -122,8 +122,7 @@ bool is_word_of_id(const CommentView& view, std::size_t i) {
 
 bool names_round_insert(const CommentView& view, std::size_t i) {
   const bool button = view.is_one(i + 1, {"TOOL", "INSERT"}) ||
-                      (i < 2 && view.has(i + 1) && view[i + 1].is_number()) ||
-                      view.is(i + 1, "R") || (i > 1 && view.is(i - 2, "R"));  // "R4 BUTTON"
+                      (i < 2 && view.has(i + 1) && view[i + 1].is_number()) || view.is(i + 1, "R");
   return (view.is(i, "BUTTON") && button) || (view.is(i, "ROUND") && view.is(i + 1, "INSERT")) ||
          view.is_one(i, {"RUNDPLATTE", "PILZ", "PILZSTAHL", "PILZWERKZEUG"});
 }
