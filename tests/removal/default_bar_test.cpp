@@ -42,6 +42,16 @@ TEST(DefaultBar, EndsBelowWhereLevelsBegin) {
               62.2, 1e-9);
 }
 
+// As Fusion faces: a feed in front of the bar, to the slope that leads in.
+TEST(DefaultBar, EndsWhereSlopesLeadIn) {
+  StockPath face;
+  face.rapid({30, 0, 1.4}).cut({26.4, 0, 1.4}).cut({25, 0, 0}).cut({-0.8, 0, 0});
+  EXPECT_NEAR(face.rapid({-0.8, 0, 1.4}).bar().outer_radius, 26.4, 1e-9);
+  StockPath hollow;  // a cut across at zero is none
+  hollow.rapid({30, 0, 0}).cut({20, 0, 0}).cut({15, 0, -2}).cut({-0.8, 0, -2});
+  EXPECT_EQ(hollow.rapid({-0.8, 0, 1.4}).bar().outer_radius, 30);
+}
+
 // Zero in the chuck: what is turned lies above it, whatever is parted off below.
 TEST(DefaultBar, EndsWhereCutsBeginWithZeroInTheChuck) {
   const StockShape bar = StockPath()

@@ -32,7 +32,14 @@ bool goes_on_inwards(std::span<const Motion> motions, std::size_t i) {
          is_cut(motions[i + 1]) && motions[i + 1].end.z < motions[i].end.z - kSameHeight;
 }
 
-TurnedCuts turned_cuts(std::span<const Motion> motions, std::span<const Tool> tools) {
+// A feed across before the face to where a slope leads into the cut, "G1 X52.8", "X50. Z0": it
+// comes through the air.
+bool leads_to_slope(std::span<const Motion> motions, std::size_t i, double zero) {
+  return goes_on_inwards(motions, i) && motions[i].end.z > zero + kSameHeight &&
+         std::fabs(motions[i + 1].end.x) < std::fabs(motions[i].end.x) - kSameHeight;
+}
+
+TurnedCuts turned_cuts(std::span<const Motion> motions, std::span<const Tool> tools, double zero) {
   const std::vector<double> radii = radii_of(motions, tools);
   TurnedCuts cuts;
   for (std::size_t i = 0; i < motions.size(); ++i) {
@@ -53,7 +60,7 @@ TurnedCuts turned_cuts(std::span<const Motion> motions, std::span<const Tool> to
       cuts.inside = std::max(cuts.inside, radii[tool]);
       continue;
     }
-    cuts.widest = std::max(cuts.widest, wide);
+    cuts.widest = std::max(cuts.widest, leads_to_slope(motions, i, zero) ? to : wide);
     if (m.lead != 0) continue;
     cuts.narrowest = std::min(cuts.narrowest, to);
     if (inwards) cuts.along = std::max(cuts.along, wide);
@@ -192,7 +199,7 @@ double front_of(const TurnedCuts& cuts, double clearance, double zero) {
 }  // namespace
 
 StockShape default_bar(std::span<const Motion> motions, std::span<const Tool> tools, double zero) {
-  TurnedCuts cuts = turned_cuts(motions, tools);
+  TurnedCuts cuts = turned_cuts(motions, tools, zero);
   if (std::max(cuts.widest, cuts.inside) == 0) cuts.inside = cuts.across;  // G72 in a bore alone
   const double wide = std::max(cuts.widest, cuts.inside);
   const double margin = margin_of({{-wide, -wide, cuts.lowest}, {wide, wide, cuts.highest}});
