@@ -40,6 +40,9 @@ TEST(OperatorStops, IsAWarningAtTheFirstCutOfTheOtherSide) {
   EXPECT_EQ(warned("(FLIP PART)\nG0 Z50\nM0\n"), "part-turned");
   EXPECT_EQ(warned("M01\n(TURN PART OVER)\n"), "part-turned");
   EXPECT_EQ(warned("M0 (SECOND SIDE)\n"), "part-turned");
+  EXPECT_EQ(warned("M0 (SHIFT PART IN VISE)\n"), "part-turned");
+  EXPECT_EQ(warned("M0 (STAND UP PART ON END)\n"), "part-turned");
+  EXPECT_EQ(warned("M0 (ROTATE VISE 90 DEG)\n"), "part-turned");
   EXPECT_EQ(warned("MSG(\"BAUTEIL WENDEN\")\nM0\n", Dialect::sinumerik), "part-turned");
   EXPECT_EQ(warned("(MSG, flip the part)\nM0\n", Dialect::ngc), "part-turned");
 }

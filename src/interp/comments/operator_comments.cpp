@@ -44,7 +44,7 @@ bool flips_something_else(const CommentView& view, std::size_t i) {
 bool turns_at(const CommentView& view, std::size_t i, bool lathe) {
   if (view.is_one(i, {"FLIP", "FLIPPED"})) return !flips_something_else(view, i);
   if (view.is_one(i, {"TURN", "ROTATE", "TURNED", "ROTATED"})) {
-    if (is_near(view, i, {"OVER", "AROUND", "UPSIDE"})) return true;
+    if (is_near(view, i, {"OVER", "AROUND", "UPSIDE", "VISE", "VICE", "FIXTURE"})) return true;
     return !(lathe && view.is(i, "TURN")) && names_part(view, i);
   }
   if (view.is_one(i, {"REVERSE", "INVERT", "SWAP"})) return names_part(view, i);
@@ -53,6 +53,12 @@ bool turns_at(const CommentView& view, std::size_t i, bool lathe) {
   return view.word(i) &&
          starts_with_one(view[i].text, {"UMSPANN", "WENDEN", "UMDREH", "RETOURN", "VOLTEA",
                                         "CAPOVOLG", "GIRARE", "OBRNI", "OBROC", "OTOCIT"});
+}
+
+// "SHIFT PART IN VISE", "STAND UP PART ON END".
+bool moves_at(const CommentView& view, std::size_t i) {
+  return view.is_one(i, {"SHIFT", "SLIDE", "MOVE", "REPOSITION", "RELOCATE", "STAND"}) &&
+         names_part(view, i);
 }
 
 // "OTHER SIDE", "2ND SIDE", "SIDE 2", "ZWEITE SEITE", "2. SEITE".
@@ -99,7 +105,7 @@ PartTurned says_part_is_turned(std::string_view bytes, bool lathe) {
   PartTurned said = PartTurned::no;
   for (std::size_t i = 0; i < view.size(); ++i) {
     if (turns_at(view, i, lathe)) return PartTurned::yes;
-    if (names_other_side(view, i)) said = PartTurned::perhaps;
+    if (names_other_side(view, i) || moves_at(view, i)) said = PartTurned::perhaps;
   }
   return said;
 }

@@ -9,7 +9,7 @@ namespace mrsim {
 
 enum class PartTurned : std::uint8_t {
   no,
-  perhaps,  ///< "OTHER SIDE", which may be a place of the work: counts beside M0 alone
+  perhaps,  ///< "OTHER SIDE", "MOVE PART", perhaps about the work: counts beside M0 alone
   yes
 };
 

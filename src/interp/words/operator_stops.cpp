@@ -78,9 +78,10 @@ bool OperatorStops::names_another_tool(std::string_view text) const {
 void OperatorStops::tell_turn(const Text& text) const {
   reporter_.once(
       Severity::warning, "part-turned",
-      fmt::format("line {0} says that the part is turned (\"{1}\"): what follows is cut from the "
-                  "side of the first cuts, too; --until {0} ends the run before it",
-                  text.line, to_utf8(text.bytes)),
+      fmt::format(
+          "line {0} says that the part is turned or moved (\"{1}\"): what follows is cut as "
+          "if it lay as before; --until {0} ends the run before it",
+          text.line, to_utf8(text.bytes)),
       block_.words.front(), "part-turned");
 }
 
