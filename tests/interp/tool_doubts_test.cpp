@@ -201,6 +201,8 @@ TEST(ToolCommentDoubts, UnknownWordsBesideADiameter) {
       {mm, "T1 SCHRUPPEN D16", "endmill 16"},
       {mm, "T1 PLANEN D63 Z5", "endmill 63"},
       {mm, "T1 D12 FINISH WALLS", "endmill 12"},
+      {mm, "TOOL NUMBER 1 D12 STOCK 0.2", "endmill 12"},
+      {mm, "T1 D12 COLLET ER32", "endmill 12"},
       {mm, "T1 D12 - KONTUR AUSSEN", "endmill 12"},
       {mm, "T1 BOHREN D8.5", kUnknown},
       {mm, "T1 PERCAGE D8", kUnknown},

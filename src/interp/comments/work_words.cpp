@@ -12,49 +12,26 @@ namespace {
 
 // Work that mills do, at whatever diameter, what they are for, and where: "SCHRUPPEN D16", "CONTOUR
 // D12", "D12 FINISH WALLS".
-constexpr std::string_view kMilling[] = {"MILLING",      "CUT",
-                                         "CUTTING",      "SEMI",
-                                         "CONTOUR",      "CONTOURING",
-                                         "PROFILING",    "FACE",
-                                         "FACING",       "OUTSIDE",
-                                         "OUTER",        "AND",
-                                         "USE",          "WITH",
-                                         "NAME",         "DESC",
-                                         "DESCRIPTION",  "ZMIN",
-                                         "ZMAX",         "FRAESEN",
-                                         "FR~SEN",       "SCHRUPPEN",
-                                         "SCHLICHTEN",   "SCHRUPP",
-                                         "SCHLICHT",     "VORSCHLICHTEN",
-                                         "VORSCHRUPPEN", "PLANEN",
-                                         "PLANFRAESEN",  "PLANFR~SEN",
-                                         "KONTUR",       "AUSSENKONTUR",
-                                         "FRESATURA",    "SPIANATURA",
-                                         "CONTORNO",     "CONTORNATURA",
-                                         "SGROSSATURA",  "SGROSSARE",
-                                         "FINITURA",     "FRESADO",
-                                         "PLANEADO",     "CONTORNEADO",
-                                         "PERFILADO",    "FRAISAGE",
-                                         "SURFACAGE",    "CONTOURNAGE",
-                                         "DETOURAGE",    "D~TOURAGE",
-                                         "~BAUCHE",      "FREZOWANIE",
-                                         "PLANOWANIE",   "ZGRUBNE",
-                                         "ZGRUBNIE",     "WYKANCZAJACE",
-                                         "FREZOVANI",    "FREZANJE",
-                                         "FREZEROVANIE", "FRESAMENTO",
-                                         "FACEAMENTO",   "CONTORNOS",
-                                         "KEYWAY",       "SIDE",
-                                         "SIDES",        "WALL",
-                                         "WALLS",        "FLOOR",
-                                         "FLOORS",       "TOP",
-                                         "BOTTOM",       "EDGE",
-                                         "EDGES",        "SEITE",
-                                         "SEITEN",       "WAND",
-                                         "BODEN",        "AUSSEN",
-                                         "INNEN",        "ALU",
-                                         "ALUMINIUM",    "ALUMINUM",
-                                         "STEEL",        "STAHL",
-                                         "HPC",          "HSC",
-                                         "NEW",          "NEU"};
+constexpr std::string_view kMilling[] = {
+    "MILLING",     "CUT",           "CUTTING",      "SEMI",        "CONTOUR",     "CONTOURING",
+    "PROFILING",   "FACE",          "FACING",       "OUTSIDE",     "OUTER",       "AND",
+    "USE",         "WITH",          "NAME",         "DESC",        "DESCRIPTION", "ZMIN",
+    "ZMAX",        "FRAESEN",       "FR~SEN",       "SCHRUPPEN",   "SCHLICHTEN",  "SCHRUPP",
+    "SCHLICHT",    "VORSCHLICHTEN", "VORSCHRUPPEN", "PLANEN",      "PLANFRAESEN", "PLANFR~SEN",
+    "KONTUR",      "AUSSENKONTUR",  "FRESATURA",    "SPIANATURA",  "CONTORNO",    "CONTORNATURA",
+    "SGROSSATURA", "SGROSSARE",     "FINITURA",     "FRESADO",     "PLANEADO",    "CONTORNEADO",
+    "PERFILADO",   "FRAISAGE",      "SURFACAGE",    "CONTOURNAGE", "DETOURAGE",   "D~TOURAGE",
+    "~BAUCHE",     "FREZOWANIE",    "PLANOWANIE",   "ZGRUBNE",     "ZGRUBNIE",    "WYKANCZAJACE",
+    "FREZOVANI",   "FREZANJE",      "FREZEROVANIE", "FRESAMENTO",  "FACEAMENTO",  "CONTORNOS",
+    "KEYWAY",      "SIDE",          "SIDES",        "FLOORS",      "SEITE",       "SEITEN",
+    "WAND",        "BODEN",         "AUSSEN",       "INNEN",       "ALU",         "ALUMINIUM",
+    "ALUMINUM",    "STEEL",         "STAHL",        "HPC",         "HSC",         "NEW",
+    "NEU",         "NUMBER",        "NUMMER",       "NUMERO"};
+
+// Of words about the work those that have a width or a diameter: "POCKET D30".
+constexpr std::string_view kSized[] = {"POCKET",  "SLOT",      "TASCHE",   "NUT",  "POCHE",
+                                       "RAINURE", "CAJERA",    "BOSS",     "BOLT", "PCD",
+                                       "BCD",     "LOCHKREIS", "TEILKREIS"};
 
 bool is_round_work(const CommentView& view, std::size_t i) {
   return view.word(i) && !view.taken(i) &&
@@ -74,7 +51,8 @@ bool is_strange_word(const CommentView& view, std::size_t i) {
   const std::string_view word = view[i].text;
   if (word.size() < 3 || std::ranges::find(kMilling, word) != std::end(kMilling)) return false;
   const WordRole role = comment_word(word).role;
-  return role == WordRole::none || role == WordRole::work || role == WordRole::count;
+  if (role == WordRole::work) return std::ranges::find(kSized, word) != std::end(kSized);
+  return role == WordRole::none || role == WordRole::count;
 }
 
 bool mills_round_work(const CommentView& view, const ToolKind& mill) {
