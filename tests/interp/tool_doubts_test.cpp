@@ -187,8 +187,9 @@ TEST(ToolCommentDoubts, ShapesWithoutAKind) {
   });
 }
 
-// Words that no table has, beside a diameter: an end mill was taken to stand there.
-TEST(ToolCommentDoubts, UnknownWordsBesideADiameter) {
+// Work that has a diameter of its own, or that other tools do: an end mill was taken to stand
+// there. Words that no table has leave it the end mill, with a warning.
+TEST(ToolCommentDoubts, OtherWorkBesideADiameter) {
   constexpr const char* kUnknown = "? names no kind of tool that is known";
   for (const char* unknown :
        {"T1 KREISTASCHE D30", "T1 BOHRUNG D30 FRAESEN", "T1 FORO D30", "T1 CAJERA CIRCULAR D30",
@@ -204,6 +205,9 @@ TEST(ToolCommentDoubts, UnknownWordsBesideADiameter) {
       {mm, "TOOL NUMBER 1 D12 STOCK 0.2", "endmill 12"},
       {mm, "T1 D12 COLLET ER32", "endmill 12"},
       {mm, "T1 D12 - KONTUR AUSSEN", "endmill 12"},
+      {mm, "T1 D6 ADAPTIVE", "endmill 6"},
+      {mm, "T1 D6 ROUGHING PASS", "endmill 6"},
+      {mm, "T01 D=10 GUEHRING", "endmill 10"},
       {mm, "T1 BOHREN D8.5", kUnknown},
       {mm, "T1 PERCAGE D8", kUnknown},
       {mm, "T1 BURGHIU D8", "drill 8"},

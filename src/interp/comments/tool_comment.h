@@ -73,7 +73,8 @@ struct ToolHint {
   bool own_angle = false;      ///< a line with the tool's angle: "TIP ANGLE 140", "ANGLE: 60"
   bool next_tool = false;      ///< "NEXT TOOL - 6MM DRILL"
   bool last_tool = false;      ///< "LAST TOOL WAS 6MM DRILL"
-  bool strange = false;        ///< has words that may name a kind, where none is known
+  bool other_work = false;     ///< "KREISTASCHE D30", "BOHREN D8": of the work, or no mill's
+  bool unknown_word = false;   ///< a word that may name a kind of tool, "D8 XYZW"
   bool at_call = false;        ///< in the block of the change or right behind it
   std::string work;            ///< lines beside it that are about the work: 'ROUGH T-SLOT'
   bool rounds_edges = false;   ///< such a line: "ROUND OVER EDGES"
@@ -84,6 +85,8 @@ struct ToolHint {
   explicit operator bool() const { return type || diameter > 0 || !doubt.empty(); }
   /// A thread mill, of which nothing but a cylinder is known.
   bool plain_teeth() const { return trade == ToolTrade::thread_mill; }
+  /// It may be another kind of tool than the end mill that it is taken to be.
+  bool may_be_another() const { return !type && unknown_word; }
   /// It adds a corner radius to what other comments say of the tool.
   bool only_corner() const { return !type && diameter == 0 && id.empty() && corner; }
   /// It adds a diameter to them.

@@ -78,7 +78,8 @@ struct ToolFacts {
   bool padded_radius = false;    ///< "R05"
   bool alternatives = false;     ///< "12MM OR 1/2 ENDMILL"
   bool shaped = false;           ///< "TAPER", "UNDERCUT": no end mill, if nothing else names a kind
-  bool strange = false;          ///< has words that may name a kind, "KREISTASCHE D30"
+  bool other_work = false;       ///< "KREISTASCHE D30", "BOHREN D8"
+  bool unknown_word = false;     ///< has words that no table has
   bool next_tool = false;        ///< "NEXT TOOL - 6MM DRILL"
   bool last_tool = false;        ///< "LAST TOOL WAS 6MM DRILL"
   bool round_work = false;       ///< "CIRCLE MILL 30 DIA"

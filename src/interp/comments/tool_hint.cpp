@@ -362,7 +362,7 @@ bool fill_tool(const ToolHint& hint, double unit, bool lathe, Tool& out, std::st
   }
   if (!is_turning(out.type)) {
     if (!fill_mill(hint, unit, out, why)) return false;
-    if (!hint.type && hint.strange) why = "names no kind of tool that is known";
+    if (!hint.type && hint.other_work) why = "names no kind of tool that is known";
     return why.empty();
   }
   fill_turning(hint, unit, out);

@@ -275,7 +275,8 @@ void merge_hint(ToolHint& into, const ToolHint& more) {
   if (bar && into.type == ToolType::turning) into.type = ToolType::boring;
   into.bores |= more.bores;
   into.face_groove |= more.face_groove;
-  into.strange |= more.strange;
+  into.other_work |= more.other_work;
+  into.unknown_word |= more.unknown_word;
   if (into.orientation == 0) into.orientation = more.orientation;
   if (into.blade_point == BladePoint::untold) into.blade_point = more.blade_point;
   if (!into.trade) into.trade = more.trade;

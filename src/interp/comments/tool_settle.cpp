@@ -38,7 +38,8 @@ class Settler {
     hint_.plain_radius = facts_.plain_radius;
     hint_.tool_radius = facts_.tool_radius;
     hint_.own_angle = facts_.own_angle;
-    hint_.strange = facts_.strange;
+    hint_.other_work = facts_.other_work;
+    hint_.unknown_word = facts_.unknown_word;
     hint_.next_tool = facts_.next_tool;
     hint_.last_tool = facts_.last_tool;
     if (hint_.angle_line) return;

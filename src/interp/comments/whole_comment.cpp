@@ -174,7 +174,8 @@ void read_whole_comment(const CommentView& view, ToolFacts& facts) {
     facts.alternatives |= tells_other_size(view, i);
     facts.round_insert |= names_round_insert(view, i);
     facts.shaped |= tells_shape(view, i);
-    facts.strange |= is_strange_word(view, i);
+    facts.other_work |= is_other_work(view, i);
+    facts.unknown_word |= is_unknown_word(view, i);
     if (view.number(i) && view[i].decimals && !view[i].angle) facts.bare.push_back(view.length(i));
   }
 }

@@ -10,23 +10,21 @@
 namespace mrsim {
 namespace {
 
-// Work that mills do, at whatever diameter, what they are for, and where: "SCHRUPPEN D16", "CONTOUR
-// D12", "D12 FINISH WALLS".
-constexpr std::string_view kMilling[] = {
-    "MILLING",     "CUT",           "CUTTING",      "SEMI",        "CONTOUR",     "CONTOURING",
-    "PROFILING",   "FACE",          "FACING",       "OUTSIDE",     "OUTER",       "AND",
-    "USE",         "WITH",          "NAME",         "DESC",        "DESCRIPTION", "ZMIN",
-    "ZMAX",        "FRAESEN",       "FR~SEN",       "SCHRUPPEN",   "SCHLICHTEN",  "SCHRUPP",
-    "SCHLICHT",    "VORSCHLICHTEN", "VORSCHRUPPEN", "PLANEN",      "PLANFRAESEN", "PLANFR~SEN",
-    "KONTUR",      "AUSSENKONTUR",  "FRESATURA",    "SPIANATURA",  "CONTORNO",    "CONTORNATURA",
-    "SGROSSATURA", "SGROSSARE",     "FINITURA",     "FRESADO",     "PLANEADO",    "CONTORNEADO",
-    "PERFILADO",   "FRAISAGE",      "SURFACAGE",    "CONTOURNAGE", "DETOURAGE",   "D~TOURAGE",
-    "~BAUCHE",     "FREZOWANIE",    "PLANOWANIE",   "ZGRUBNE",     "ZGRUBNIE",    "WYKANCZAJACE",
-    "FREZOVANI",   "FREZANJE",      "FREZEROVANIE", "FRESAMENTO",  "FACEAMENTO",  "CONTORNOS",
-    "KEYWAY",      "SIDE",          "SIDES",        "FLOORS",      "SEITE",       "SEITEN",
-    "WAND",        "BODEN",         "AUSSEN",       "INNEN",       "ALU",         "ALUMINIUM",
-    "ALUMINUM",    "STEEL",         "STAHL",        "HPC",         "HSC",         "NEW",
-    "NEU",         "NUMBER",        "NUMMER",       "NUMERO"};
+// Holes, bosses and what drills, taps, reamers, countersinks and deburring tools do, in the words
+// of several languages: a diameter beside them is that of the work, or of such a tool.
+constexpr std::string_view kOtherWork[] = {
+    "BOHRUNG",    "BOHRUNGEN",   "BOHREN",    "AUFBOHREN",  "LOCH",        "ZAPFEN",
+    "REIBEN",     "SENKUNG",     "SENKEN",    "ANSENKEN",   "ZENTRIEREN",  "ENTGRATEN",
+    "FASEN",      "KREISTASCHE", "KREISNUT",  "INNENKREIS", "GEWINDEN",    "HOLE",
+    "HOLES",      "BORE",        "HELICAL",   "CIRCULAR",   "CIRCLE",      "CIRCLES",
+    "REAMING",    "TAPPING",     "DEBURRING", "CHAMFERING", "SPOTTING",    "CENTERING",
+    "FORO",       "FORI",        "FORATURA",  "ALESATURA",  "MASCHIATURA", "LAMATURA",
+    "SVASATURA",  "SMUSSO",      "SBAVATURA", "TROU",       "TROUS",       "PERCAGE",
+    "PER~AGE",    "ALESAGE",     "AL~SAGE",   "TARAUDAGE",  "LAMAGE",      "CHANFREINAGE",
+    "AGUJERO",    "AGUJEROS",    "TALADRADO", "CAJERA",     "ESCARIADO",   "ROSCADO",
+    "AVELLANADO", "BISELADO",    "FURO",      "FUROS",      "FURACAO",     "ROSQUEAR",
+    "OTWOR",      "OTW~R",       "OTWORY",    "WIERCENIE",  "GWINTOWANIE", "ROZWIERCANIE",
+    "FAZOWANIE",  "VRTANI",      "VRT~NI",    "SVERLENIE",  "OTVERSTIE",   "RASTOCHKA"};
 
 // Of words about the work those that have a width or a diameter: "POCKET D30".
 constexpr std::string_view kSized[] = {"POCKET",  "SLOT",      "TASCHE",   "NUT",  "POCHE",
@@ -46,13 +44,17 @@ bool makes_holes(const ToolKind& kind) {
 
 }  // namespace
 
-bool is_strange_word(const CommentView& view, std::size_t i) {
+bool is_other_work(const CommentView& view, std::size_t i) {
   if (!view.word(i) || view.taken(i) || is_word_for_tool(view, i)) return false;
   const std::string_view word = view[i].text;
-  if (word.size() < 3 || std::ranges::find(kMilling, word) != std::end(kMilling)) return false;
-  const WordRole role = comment_word(word).role;
-  if (role == WordRole::work) return std::ranges::find(kSized, word) != std::end(kSized);
-  return role == WordRole::none || role == WordRole::count;
+  return std::ranges::find(kSized, word) != std::end(kSized) ||
+         std::ranges::find(kOtherWork, word) != std::end(kOtherWork);
+}
+
+bool is_unknown_word(const CommentView& view, std::size_t i) {
+  constexpr std::size_t kShortest = 4;  // what is shorter abbreviates anything
+  if (!view.word(i) || view.taken(i) || is_word_for_tool(view, i)) return false;
+  return view[i].text.size() >= kShortest && comment_word(view[i].text).role == WordRole::none;
 }
 
 bool mills_round_work(const CommentView& view, const ToolKind& mill) {

@@ -8,9 +8,12 @@
 
 namespace mrsim {
 
-/// A word that may name a kind of tool, or what the number beside it is about: "KREISTASCHE D30",
-/// "BURGHIU D8".
-bool is_strange_word(const CommentView& view, std::size_t i);
+/// A word for work that has a diameter of its own, or that another tool does: "KREISTASCHE D30",
+/// "BOHREN D8".
+bool is_other_work(const CommentView& view, std::size_t i);
+
+/// A word that no table has: it may name a kind of tool.
+bool is_unknown_word(const CommentView& view, std::size_t i);
 
 /// "CIRCLE MILL 2.5 DIA", "MILL BORE": work that has a diameter of its own; `mill` is the word for
 /// the tool or the work.

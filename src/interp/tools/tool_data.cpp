@@ -82,7 +82,7 @@ bool ToolData::repeats_name(const std::string& comment, const std::string& id) c
 bool ToolData::infer(const std::string& id, Tool& out, std::string& why, Severity& said) const {
   const ToolHint* said_of_it = notes_.find(id);
   if (const ToolHint* hint = said_of_it) {
-    if (hint->plain_teeth()) said = Severity::warning;
+    if (hint->plain_teeth() || hint->may_be_another()) said = Severity::warning;
     if (fill_tool(*hint, scale(), lathe(), out, why)) {
       // "#7 DRILL" beside T7, unless another comment has that size, too.
       const bool number = !id.empty() && hint->gauge == id && hint->diameters.size() < 2;
@@ -113,7 +113,7 @@ bool ToolData::infer(const std::string& id, Tool& out, std::string& why, Severit
     return false;
   }
   why.clear();
-  if (hint.plain_teeth()) said = Severity::warning;
+  if (hint.plain_teeth() || hint.may_be_another()) said = Severity::warning;
   out.origin.replace(0, out.origin.find(' '), "its name");
   return true;
 }
