@@ -281,6 +281,32 @@ TEST_F(Memory, LimitsReports) {
 }
 
 // A turned part, once its rings are counted.
+// Skins of an onion, each ray through all of them: their crossings took gigabytes.
+TEST_F(Memory, LimitsComparisonsOfManyLayers) {
+  if (!kIsPlain) GTEST_SKIP();
+  constexpr int kSkins = 60;
+  std::string corners, faces;
+  for (int i = 0; i < kSkins; ++i) {
+    const std::string hi = std::to_string(10 + 0.1 * i), lo = "-" + hi;
+    for (int c = 0; c < 8; ++c)
+      corners += (c % 2 ? hi : lo) + " " + (c / 2 % 2 ? hi : lo) + " " + (c / 4 ? hi : lo) + "\n";
+    const auto quad = [&](int a, int b, int c, int d) {
+      const int first = 8 * i;
+      const bool is_cavity = (kSkins - i) % 2 == 0;
+      faces += "4 " + std::to_string(first + a) + " " +
+               std::to_string(first + (is_cavity ? d : b)) + " " + std::to_string(first + c) + " " +
+               std::to_string(first + (is_cavity ? b : d)) + "\n";
+    };
+    quad(0, 2, 3, 1), quad(4, 5, 7, 6), quad(0, 1, 5, 4);
+    quad(2, 6, 7, 3), quad(0, 4, 6, 2), quad(1, 3, 7, 5);
+  }
+  write("onion.off", "OFF\n" + std::to_string(8 * kSkins) + " " + std::to_string(6 * kSkins) +
+                         " 0\n" + corners + faces);
+  const Outcome outcome = run("compare onion.off onion.off --json c.json --max-memory 150M");
+  EXPECT_EQ(outcome.code, 0) << outcome.err;
+  EXPECT_LT(number_after(read("c.json"), "\"memory\": "), 158e6);
+}
+
 TEST_F(Memory, LimitsTurnedMeshes) {
   const std::string turned = "PRIMER_2S.MPF --stock bar.stl --threads 1 -o part.stl --tolerance ";
   EXPECT_EQ(run(turned + "0.001 --max-memory 100M").code, 0);

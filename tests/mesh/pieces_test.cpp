@@ -71,5 +71,38 @@ TEST(Pieces, BodiesThatContradictThoseAroundThemAreFound) {
   EXPECT_TRUE(find_misplaced_body(joined(nested(), flipped(box_mesh({1.5, 1.5, 1.5}, {2, 2, 2})))));
 }
 
+// Skins of an onion: asking each one about all others takes 10 s here.
+TEST(Pieces, OfManyNestedBodiesAreFoundInTime) {
+  constexpr int kSkins = 5000;
+  TriMesh m;
+  for (int i = 0; i < kSkins; ++i) {
+    const double s = 1 + 0.01 * i;
+    TriMesh skin = box_mesh({-s, -s, -s}, {s, s, s});
+    if (i % 2 == 0) skin = flipped(skin);
+    const auto first = std::uint32_t(m.vertices.size());
+    m.vertices.insert(m.vertices.end(), skin.vertices.begin(), skin.vertices.end());
+    for (const auto& t : skin.triangles)
+      m.triangles.push_back({t[0] + first, t[1] + first, t[2] + first});
+  }
+  EXPECT_FALSE(find_misplaced_body(m));
+  const std::vector<Piece> pieces = find_pieces(m);
+  ASSERT_EQ(pieces.size(), std::size_t(kSkins / 2));
+  for (const Piece& piece : pieces) {
+    ASSERT_EQ(piece.components.size(), 2u);
+    ASSERT_EQ(piece.components[0], piece.components[1] + 1);
+  }
+}
+
+// Rings: the box of each one holds all smaller ones, none of which lies in it.
+TEST(Pieces, ThatOnlyBoxesHoldAreNotNested) {
+  TriMesh m;
+  for (int i = 0; i < 40; ++i) {
+    const double s = 100 - i;
+    m = joined(m, tube_mesh(16, 2 * s, 2 * s - 1, -s, s));
+  }
+  EXPECT_FALSE(find_misplaced_body(m));
+  EXPECT_EQ(find_pieces(m).size(), 40u);
+}
+
 }  // namespace
 }  // namespace mrsim

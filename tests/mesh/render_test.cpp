@@ -51,6 +51,21 @@ TEST(Render, IsTheSameForAnyNumberOfThreads) {
   }
 }
 
+// A ray meets all bodies in one place: 20 000 of them took minutes.
+TEST(Render, BodiesInOnePlaceAreDrawnOnce) {
+  const TriMesh one = box_mesh({0, 0, 0}, {10, 10, 4});
+  TriMesh many = one;
+  many.triangles.clear(), many.vertices.clear();
+  for (std::uint32_t i = 0; i < 20'000; ++i) {
+    many.vertices.insert(many.vertices.end(), one.vertices.begin(), one.vertices.end());
+    for (const auto& t : one.triangles)
+      many.triangles.push_back({t[0] + 8 * i, t[1] + 8 * i, t[2] + 8 * i});
+  }
+  RenderOptions o = small();
+  o.edge_angle = 0;
+  EXPECT_EQ(png(many, o), png(one, o));
+}
+
 TEST(Render, EveryOptionShows) {
   TriMesh m = box_mesh({0, 0, 0}, {10, 10, 4});
   m.owners = {-1, -1, 5, 5, 9, 9, -1, -1, -1, -1, -1, -1};

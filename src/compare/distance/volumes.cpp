@@ -7,17 +7,27 @@
 #include "mesh/solid/half_edges.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <span>
+#include <vector>
 
 namespace mrsim {
 namespace {
 
 constexpr std::size_t kCells = 512;  // a side; about one ray a cell
 
+// Crossings that are held at once: 16 MB. Meshes of many layers have thousands on each ray.
+constexpr std::size_t kHeldCrossings = std::size_t(1) << 20;
+
 struct RayCrossing {
-  std::uint32_t ray;
   double z;
   std::int8_t first, second;  // steps of the winding numbers upwards
+};
+
+// Rays from `begin` to before `end`, as the grid numbers them.
+struct RayRange {
+  std::uint32_t begin = 0, end = 0;
 };
 
 // The rays, sorted into cells of the outline so that a triangle finds those below it.
@@ -45,12 +55,15 @@ class RayGrid {
     const double at = size > 0 ? (x - lo) / size * double(kCells) : 0;
     return std::uint32_t(std::clamp(at, 0.0, double(kCells - 1)));
   }
+  // Rays of `range` in the cells of the box from lo to hi.
   template <class Visit>
-  void visit(const Vec3& lo, const Vec3& hi, Visit visit_ray) const {
+  void visit(const Vec3& lo, const Vec3& hi, RayRange range, Visit visit_ray) const {
     const std::uint32_t x0 = cell(lo.x, 0), x1 = cell(hi.x, 0);
-    for (std::uint32_t y = cell(lo.y, 1); y <= cell(hi.y, 1); ++y)
-      for (std::uint32_t i = begin_[y * kCells + x0]; i < begin_[y * kCells + x1 + 1]; ++i)
+    for (std::uint32_t y = cell(lo.y, 1); y <= cell(hi.y, 1); ++y) {
+      const std::uint32_t last = std::min(range.end, begin_[y * kCells + x1 + 1]);
+      for (std::uint32_t i = std::max(range.begin, begin_[y * kCells + x0]); i < last; ++i)
         visit_ray(i, rays_[i]);
+    }
   }
 
  private:
@@ -69,8 +82,10 @@ bool left_of(Vec2 a, Vec2 b, Vec2 p) {
   return swap ? t > 0 : t >= 0;
 }
 
-void cross_mesh(const TriMesh& mesh, bool is_first, const RayGrid& grid,
-                std::vector<RayCrossing>& out) {
+// Calls body(ray, z, step) for each crossing of a ray of `range` with the mesh; `step` is that of
+// the winding number upwards.
+template <class Body>
+void cross_mesh(const TriMesh& mesh, const RayGrid& grid, RayRange range, Body body) {
   for (std::size_t f = 0; f < mesh.triangles.size(); ++f) {
     const Vec3 n = area_normal(mesh, f);
     if (n.z == 0) continue;
@@ -79,13 +94,67 @@ void cross_mesh(const TriMesh& mesh, bool is_first, const RayGrid& grid,
     if (n.z < 0) std::swap(a, b);
     const Vec2 pa{a.x, a.y}, pb{b.x, b.y}, pc{c.x, c.y};
     const auto step = std::int8_t(n.z < 0 ? 1 : -1);  // upwards through a floor: into the solid
-    grid.visit(min(a, min(b, c)), max(a, max(b, c)), [&](std::uint32_t ray, Vec2 p) {
+    grid.visit(min(a, min(b, c)), max(a, max(b, c)), range, [&](std::uint32_t ray, Vec2 p) {
       if (!left_of(pa, pb, p) || !left_of(pb, pc, p) || !left_of(pc, pa, p)) return;
-      const double z = c.z - (n.x * (p.x - c.x) + n.y * (p.y - c.y)) / n.z;
-      out.push_back({ray, z, is_first ? step : std::int8_t(0), is_first ? std::int8_t(0) : step});
+      body(ray, c.z - (n.x * (p.x - c.x) + n.y * (p.y - c.y)) / n.z, step);
     });
   }
 }
+
+// Two meshes and the rays through them.
+class CrossedRays {
+ public:
+  CrossedRays(const TriMesh& first, const TriMesh& second, const Box3& box, std::size_t rays,
+              int threads)
+      : meshes_{&first, &second}, grid_(box, rays), threads_(threads) {
+    parallel_for(2, threads, [&](std::size_t i) {
+      counts_[i].resize(rays, 0);
+      cross_mesh(*meshes_[i], grid_, {0, std::uint32_t(rays)},
+                 [&](std::uint32_t ray, double, std::int8_t) { ++counts_[i][ray]; });
+    });
+  }
+
+  // Calls body(crossings) for each ray that crosses anything, by its number; z ascends, and of
+  // equal ones those of the first mesh come first.
+  template <class Body>
+  void for_each_ray(Body body) const {
+    RayRange range;
+    for (; range.begin < counts_[0].size(); range.begin = range.end) {
+      std::vector<std::size_t> ends(1, 0);  // of each ray's crossings
+      for (range.end = range.begin; range.end < counts_[0].size(); ++range.end) {
+        const std::size_t next = ends.back() + counts_[0][range.end] + counts_[1][range.end];
+        if (next > kHeldCrossings && range.end > range.begin) break;
+        ends.push_back(next);
+      }
+      std::vector<RayCrossing> all = crossings(range, ends);
+      for (std::size_t r = 0; r + 1 < ends.size(); ++r) {
+        const std::span<RayCrossing> ray = std::span(all).subspan(ends[r], ends[r + 1] - ends[r]);
+        std::stable_sort(ray.begin(), ray.end(),
+                         [](const RayCrossing& a, const RayCrossing& b) { return a.z < b.z; });
+        if (!ray.empty()) body(std::span<const RayCrossing>(ray));
+      }
+    }
+  }
+
+ private:
+  std::vector<RayCrossing> crossings(RayRange range, const std::vector<std::size_t>& ends) const {
+    std::vector<RayCrossing> out(ends.back());
+    parallel_for(2, threads_, [&](std::size_t i) {
+      std::vector<std::size_t> at(ends.begin(), ends.end() - 1);
+      for (std::size_t r = 0; i == 1 && r < at.size(); ++r) at[r] += counts_[0][range.begin + r];
+      cross_mesh(*meshes_[i], grid_, range, [&](std::uint32_t ray, double z, std::int8_t step) {
+        out[at[ray - range.begin]++] = {z, i == 0 ? step : std::int8_t(0),
+                                        i == 0 ? std::int8_t(0) : step};
+      });
+    });
+    return out;
+  }
+
+  std::array<const TriMesh*, 2> meshes_;
+  RayGrid grid_;
+  int threads_;
+  std::array<std::vector<std::uint32_t>, 2> counts_;  // by mesh and ray
+};
 
 // Along one ray.
 struct Lengths {
@@ -93,18 +162,18 @@ struct Lengths {
   double excess = 0;             // the winding number of the first less that of the second
 };
 
-Lengths lengths_along(const RayCrossing* begin, const RayCrossing* end) {
+Lengths lengths_along(std::span<const RayCrossing> ray) {
   Lengths out;
   int first = 0, second = 0;
-  for (const RayCrossing* c = begin; c != end; ++c) {
-    if (c != begin) {
-      const double dz = c->z - (c - 1)->z;
-      if (first > 0 && second <= 0) out.first += dz;
-      if (second > 0 && first <= 0) out.second += dz;
-      out.excess += (first - second) * dz;
-    }
-    first += c->first;
-    second += c->second;
+  double z = ray.front().z;
+  for (const RayCrossing& c : ray) {
+    const double dz = c.z - z;
+    if (first > 0 && second <= 0) out.first += dz;
+    if (second > 0 && first <= 0) out.second += dz;
+    out.excess += (first - second) * dz;
+    z = c.z;
+    first += c.first;
+    second += c.second;
   }
   return out;
 }
@@ -145,22 +214,13 @@ VolumeDifference volume_difference(const TriMesh& first, const TriMesh& second, 
   Box3 box;
   for (const TriMesh* mesh : {&first, &second})
     for (const auto& v : mesh->vertices) extend(box, to_vec(v));
-  const RayGrid grid(box, rays);
-  std::array<std::vector<RayCrossing>, 2> parts;
-  parallel_for(2, threads,
-               [&](std::size_t i) { cross_mesh(i == 0 ? first : second, i == 0, grid, parts[i]); });
-  std::vector<RayCrossing> all = std::move(parts[0]);
-  all.insert(all.end(), parts[1].begin(), parts[1].end());
-  std::stable_sort(all.begin(), all.end(), [](const RayCrossing& a, const RayCrossing& b) {
-    return a.ray != b.ray ? a.ray < b.ray : a.z < b.z;
-  });
   ControlledMean excess, gouge;
-  for (std::size_t i = 0, end = 0; i < all.size(); i = end) {
-    while (end < all.size() && all[end].ray == all[i].ray) ++end;
-    const Lengths l = lengths_along(all.data() + i, all.data() + end);
-    excess.add(l.first, l.excess);
-    gouge.add(l.second, l.excess);
-  }
+  CrossedRays(first, second, box, rays, threads)
+      .for_each_ray([&](std::span<const RayCrossing> ray) {
+        const Lengths l = lengths_along(ray);
+        excess.add(l.first, l.excess);
+        gouge.add(l.second, l.excess);
+      });
   const double outline = (box.hi.x - box.lo.x) * (box.hi.y - box.lo.y);
   if (!(outline > 0)) return {};
   const double known = (signed_volume(first) - signed_volume(second)) / outline;

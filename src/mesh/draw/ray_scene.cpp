@@ -1,10 +1,13 @@
 #include "mesh/draw/ray_scene.h"
 
+#include "core/numbers/hash.h"
 #include "core/process/error.h"
 #include "core/process/parallel.h"
 #include "mesh/solid/check.h"
 #include "mesh/solid/half_edges.h"
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 
@@ -38,25 +41,66 @@ RTCRay make_ray(const Vec3& origin, const Vec3& direction, double length) {
   return ray;
 }
 
-void fill_geometry(RTCGeometry geometry, const TriMesh& mesh, const Vec3& center) {
+using Corners = std::array<std::array<float, 3>, 3>;
+
+Corners sorted_corners(const TriMesh& mesh, std::uint32_t face) {
+  Corners out;
+  for (int k = 0; k < 3; ++k) {
+    out[k] = mesh.vertices[mesh.triangles[face][k]];
+    for (float& x : out[k]) x += 0.0f;  // no -0
+  }
+  std::sort(out.begin(), out.end());
+  return out;
+}
+
+// Of faces with the same corners, the first. A ray that meets one of them meets all of them, so
+// that thousands of bodies in one place would take thousands of times as long.
+std::vector<std::uint32_t> distinct_faces(const TriMesh& mesh) {
+  struct Key {
+    std::uint64_t hash = 0;
+    std::uint32_t face = 0;
+    bool operator<(const Key& other) const {
+      return hash != other.hash ? hash < other.hash : face < other.face;
+    }
+  };
+  std::vector<Key> keys(mesh.triangles.size());
+  for (std::uint32_t f = 0; f < keys.size(); ++f) {
+    const Corners corners = sorted_corners(mesh, f);
+    ContentHash hash;
+    hash.update(corners.data(), sizeof(corners));
+    keys[f] = {hash.digest(), f};
+  }
+  std::sort(keys.begin(), keys.end());
+  std::vector<std::uint32_t> out;
+  for (std::size_t k = 0; k < keys.size(); ++k)
+    if (k == 0 || keys[k].hash != keys[k - 1].hash ||
+        sorted_corners(mesh, keys[k].face) != sorted_corners(mesh, keys[k - 1].face))
+      out.push_back(keys[k].face);
+  std::sort(out.begin(), out.end());
+  return out;
+}
+
+void fill_geometry(RTCGeometry geometry, const TriMesh& mesh,
+                   const std::vector<std::uint32_t>& faces, const Vec3& center) {
   auto* points = static_cast<float*>(rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0,
                                                              RTC_FORMAT_FLOAT3, 3 * sizeof(float),
                                                              mesh.vertices.size()));
   auto* indices = static_cast<std::uint32_t*>(
       rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3,
-                              3 * sizeof(std::uint32_t), mesh.triangles.size()));
+                              3 * sizeof(std::uint32_t), faces.size()));
   if (!points || !indices) fail_memory();
   for (const auto& vertex : mesh.vertices) {
     const Vec3 p = to_vec(vertex) - center;
     *points++ = float(p.x), *points++ = float(p.y), *points++ = float(p.z);
   }
-  for (const auto& t : mesh.triangles)
-    for (const std::uint32_t v : t) *indices++ = v;
+  for (const std::uint32_t face : faces)
+    for (const std::uint32_t v : mesh.triangles[face]) *indices++ = v;
 }
 
 }  // namespace
 
-RayScene::RayScene(const TriMesh& mesh, int threads) : embree_(std::make_unique<Embree>()) {
+RayScene::RayScene(const TriMesh& mesh, int threads)
+    : embree_(std::make_unique<Embree>()), faces_(distinct_faces(mesh)) {
   const Box3 box = mesh_bounds(mesh);
   center_ = 0.5 * (box.lo + box.hi);
   embree_->device = rtcNewDevice("set_affinity=0");
@@ -64,7 +108,7 @@ RayScene::RayScene(const TriMesh& mesh, int threads) : embree_(std::make_unique<
   embree_->scene = rtcNewScene(embree_->device);
   rtcSetSceneFlags(embree_->scene, RTC_SCENE_FLAG_ROBUST);
   RTCGeometry geometry = rtcNewGeometry(embree_->device, RTC_GEOMETRY_TYPE_TRIANGLE);
-  fill_geometry(geometry, mesh, center_);
+  fill_geometry(geometry, mesh, faces_, center_);
   with_threads(threads, [&] {
     rtcCommitGeometry(geometry);
     rtcAttachGeometry(embree_->scene, geometry);
@@ -85,7 +129,7 @@ std::optional<RayHit> RayScene::first_hit(const Vec3& origin, const Vec3& direct
   query.hit.geomID = RTC_INVALID_GEOMETRY_ID;
   rtcIntersect1(embree_->scene, &context, &query);
   if (query.hit.geomID == RTC_INVALID_GEOMETRY_ID) return {};
-  return RayHit{query.hit.primID, query.hit.u, query.hit.v, query.ray.tfar};
+  return RayHit{faces_[query.hit.primID], query.hit.u, query.hit.v, query.ray.tfar};
 }
 
 bool RayScene::is_blocked(const Vec3& origin, const Vec3& direction, double length) const {

@@ -5,8 +5,10 @@
 #include "core/numbers/vec.h"
 #include <mrsim/types.h>
 
+#include <cstdint>
 #include <memory>
 #include <optional>
+#include <vector>
 
 namespace mrsim {
 
@@ -32,6 +34,7 @@ class RayScene {
  private:
   struct Embree;
   std::unique_ptr<Embree> embree_;
+  std::vector<std::uint32_t> faces_;  ///< of the mesh, by Embree's numbers
   Vec3 center_;
 };
 

@@ -1,12 +1,9 @@
 #include "mesh/solid/pieces.h"
 
-#include "core/numbers/trig.h"
-#include "core/numbers/units.h"
-#include "mesh/solid/half_edges.h"
+#include "mesh/solid/nesting.h"
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <map>
 #include <numeric>
 
@@ -14,50 +11,6 @@
 
 namespace mrsim {
 namespace {
-
-// Whether a component winds about a point off it.
-struct WindingQuestion {
-  std::uint32_t component = 0;
-  Vec3 point;
-  double angle = 0;
-  bool is_yes() const { return std::fabs(angle) > kTwoPi; }  // half of the full 4 pi
-};
-
-// Solid angles [van Oosterom and Strackee 1983]: 4 pi about a point inside, 0 outside.
-double solid_angle(const Vec3& a, const Vec3& b, const Vec3& c) {
-  const double la = length(a), lb = length(b), lc = length(c);
-  return 2 * mrsim::atan2(dot(a, cross(b, c)),
-                          la * lb * lc + dot(a, b) * lc + dot(b, c) * la + dot(c, a) * lb);
-}
-
-// Calls body(component, corners) for each triangle.
-template <class Body>
-void for_each_triangle(const MeshAudit& audit, const MeshSource& mesh, Body body) {
-  std::size_t index = 0;
-  mesh.for_each_block([&](const MeshBlock& block) {
-    const std::vector<std::uint32_t> components = audit.components_of(index++, block);
-    for (std::size_t f = 0; f < components.size(); ++f) {
-      const auto& t = block.triangles[f];
-      body(components[f], to_vec(block.points[t[0]]), to_vec(block.points[t[1]]),
-           to_vec(block.points[t[2]]));
-    }
-  });
-}
-
-// The middle of the first triangle of each component.
-std::map<std::uint32_t, Vec3> first_places(const MeshAudit& audit, const MeshSource& mesh) {
-  std::map<std::uint32_t, Vec3> out;
-  for_each_triangle(audit, mesh,
-                    [&](std::uint32_t component, const Vec3& a, const Vec3& b, const Vec3& c) {
-                      if (out.count(component) == 0) out.emplace(component, 1.0 / 3 * (a + b + c));
-                    });
-  return out;
-}
-
-bool contains(const Box3& outer, const Box3& inner) {
-  return outer.lo.x <= inner.lo.x && outer.lo.y <= inner.lo.y && outer.lo.z <= inner.lo.z &&
-         outer.hi.x >= inner.hi.x && outer.hi.y >= inner.hi.y && outer.hi.z >= inner.hi.z;
-}
 
 Piece piece_of(const SurfaceComponent& surface, std::uint32_t index) {
   Piece piece;
@@ -67,56 +20,16 @@ Piece piece_of(const SurfaceComponent& surface, std::uint32_t index) {
   return piece;
 }
 
-// Solids around each cavity by their bounds, the smallest first.
-std::vector<std::uint32_t> solids_around(const SurfaceComponent& cavity,
-                                         const std::vector<SurfaceComponent>& surfaces) {
-  std::vector<std::uint32_t> out;
-  for (std::uint32_t c = 0; c < surfaces.size(); ++c)
-    if (surfaces[c].volume() > 0 && contains(surfaces[c].bounds, cavity.bounds)) out.push_back(c);
-  std::stable_sort(out.begin(), out.end(), [&](std::uint32_t a, std::uint32_t b) {
-    return surfaces[a].volume() < surfaces[b].volume();
-  });
-  return out;
-}
-
-using Lists = std::map<std::uint32_t, std::vector<std::uint32_t>>;
-
-// For each component, those of its candidates that it lies in, in their order.
-Lists components_around(const MeshAudit& audit, const MeshSource& mesh, const Lists& candidates) {
-  Lists out;
-  if (candidates.empty()) return out;
-  const std::map<std::uint32_t, Vec3> places = first_places(audit, mesh);
-  std::map<std::uint32_t, std::vector<WindingQuestion>> questions;
-  std::multimap<std::uint32_t, WindingQuestion*> asked;  // by the component around
-  for (const auto& [inner, list] : candidates)
-    for (const std::uint32_t outer : list) questions[inner].push_back({outer, places.at(inner)});
-  for (auto& [inner, list] : questions)
-    for (WindingQuestion& question : list) asked.emplace(question.component, &question);
-  for_each_triangle(audit, mesh,
-                    [&](std::uint32_t component, const Vec3& a, const Vec3& b, const Vec3& c) {
-                      const auto [first, last] = asked.equal_range(component);
-                      for (auto at = first; at != last; ++at) {
-                        const Vec3& p = at->second->point;
-                        at->second->angle += solid_angle(a - p, b - p, c - p);
-                      }
-                    });
-  for (const auto& [inner, list] : questions)
-    for (const WindingQuestion& question : list)
-      if (question.is_yes()) out[inner].push_back(question.component);
-  return out;
-}
-
 // The solid that each cavity lies in; a cavity of a faulty mesh may have none.
 std::map<std::uint32_t, std::uint32_t> solids_of_cavities(const MeshAudit& audit,
                                                           const MeshSource& mesh) {
   const std::vector<SurfaceComponent>& surfaces = audit.components();
-  Lists candidates;
+  std::vector<std::uint32_t> cavities;
   for (std::uint32_t c = 0; c < surfaces.size(); ++c)
-    if (!(surfaces[c].volume() > 0)) candidates[c] = solids_around(surfaces[c], surfaces);
-  std::map<std::uint32_t, std::uint32_t> out;
-  for (const auto& [cavity, solids] : components_around(audit, mesh, candidates))
-    out.emplace(cavity, solids.front());
-  return out;
+    if (!(surfaces[c].volume() > 0)) cavities.push_back(c);
+  return find_surfaces_around(audit, mesh, cavities, [&](std::uint32_t outer, std::uint32_t) {
+    return surfaces[outer].volume() > 0;
+  });
 }
 
 void set_volume(Piece& piece, const MeshAudit& audit) {
@@ -162,44 +75,24 @@ std::vector<Piece> find_pieces(const TriMesh& mesh) {
 
 namespace {
 
-// The axis along which these boxes overlap least: the sum of their widths over that of all.
-int sparse_axis(const std::vector<SurfaceComponent>& surfaces) {
-  Box3 all;
-  Vec3 sum;
-  for (const SurfaceComponent& s : surfaces) {
-    extend(all, s.bounds.lo);
-    extend(all, s.bounds.hi);
-    sum = sum + (s.bounds.hi - s.bounds.lo);
-  }
-  int best = 0;
-  double least = std::numeric_limits<double>::infinity();
-  for (int axis = 0; axis < 3; ++axis) {
-    const double share = component(sum, axis) / component(all.hi - all.lo, axis);
-    if (share < least) least = share, best = axis;
-  }
-  return best;
-}
+double size_of(const SurfaceComponent& surface) { return std::fabs(surface.volume()); }
 
-// For each component, those whose box holds its box. A plane goes along an axis and keeps the boxes
-// that it passes: O(n log n + n m), m of them at once.
-Lists boxes_around(const std::vector<SurfaceComponent>& surfaces) {
-  const int axis = sparse_axis(surfaces);
-  const auto low = [&](std::uint32_t c) { return component(surfaces[c].bounds.lo, axis); };
-  const auto high = [&](std::uint32_t c) { return component(surfaces[c].bounds.hi, axis); };
-  std::vector<std::uint32_t> order(surfaces.size()), passed;
-  std::iota(order.begin(), order.end(), 0u);
-  std::sort(order.begin(), order.end(),
-            [&](std::uint32_t a, std::uint32_t b) { return low(a) < low(b); });
-  Lists out;
-  for (const std::uint32_t c : order) {
-    const Box3& box = surfaces[c].bounds;
-    std::erase_if(passed, [&](std::uint32_t other) { return high(other) < low(c); });
-    for (const std::uint32_t other : passed) {
-      if (contains(surfaces[other].bounds, box)) out[c].push_back(other);
-      if (contains(box, surfaces[other].bounds)) out[other].push_back(c);
-    }
-    passed.push_back(c);
-  }
+// How many surfaces lie around each one. Surfaces do not cross, so that each one around lies around
+// the smallest one around, too.
+std::vector<std::size_t> depths_of_surfaces(const MeshAudit& audit, const MeshSource& mesh) {
+  const std::vector<SurfaceComponent>& surfaces = audit.components();
+  std::vector<std::uint32_t> all(surfaces.size());
+  std::iota(all.begin(), all.end(), 0u);
+  const auto around =
+      find_surfaces_around(audit, mesh, all, [&](std::uint32_t outer, std::uint32_t inner) {
+        return size_of(surfaces[outer]) > size_of(surfaces[inner]);
+      });
+  std::stable_sort(all.begin(), all.end(), [&](std::uint32_t a, std::uint32_t b) {
+    return size_of(surfaces[a]) > size_of(surfaces[b]);
+  });
+  std::vector<std::size_t> out(surfaces.size(), 0);
+  for (const std::uint32_t c : all)
+    if (const auto at = around.find(c); at != around.end()) out[c] = out[at->second] + 1;
   return out;
 }
 
@@ -209,12 +102,11 @@ std::optional<MisplacedBody> find_misplaced_body(const TriMesh& mesh) {
   MeshAudit audit;
   audit.take(whole_block(mesh));
   const std::vector<SurfaceComponent>& surfaces = audit.components();
-  const Lists around = components_around(audit, MemoryMesh(mesh), boxes_around(surfaces));
+  const std::vector<std::size_t> depths = depths_of_surfaces(audit, MemoryMesh(mesh));
   for (std::uint32_t c = 0; c < surfaces.size(); ++c) {
-    const auto at = around.find(c);
-    const bool within = at != around.end() && at->second.size() % 2 == 1;
+    const bool within = depths[c] % 2 == 1;
     if (within != (surfaces[c].volume() > 0)) continue;
-    return MisplacedBody{first_places(audit, MemoryMesh(mesh)).at(c), within};
+    return MisplacedBody{first_places(audit, MemoryMesh(mesh))[c], within};
   }
   return std::nullopt;
 }
