@@ -281,6 +281,32 @@ TEST_F(Memory, LimitsReports) {
 }
 
 // A turned part, once its rings are counted.
+// Tools whose shanks and rapids run into material: the search for that asks, too.
+TEST_F(Memory, LimitsTheSearchForCollisions) {
+  if (!kIsPlain) GTEST_SKIP();
+  std::string tools, program = "G21 G90 G17\n";
+  for (int i = 1; i <= 1500; ++i) {
+    const std::string id = std::to_string(i);
+    tools += "[[tool]]\nid = \"" + id + "\"\ntype = \"endmill\"\ndiameter = 6." +
+             std::to_string(10'000 + i) + "\nflute_length = 2\nshank = [[5, 10], [6, 20]]\n" +
+             "holder = [[20, 25, 30]]\n";
+    program += "T" + id + " M6\nG0 X" + std::to_string(i % 200) + " Y" + std::to_string(i / 200) +
+               " Z5\nG1 Z-4 F500\nG1 X" + std::to_string(i % 200 + 1) + "\nG0 Z5\n";
+  }
+  write("many.toml", tools);
+  write("many.nc", program + "M30\n");
+  const std::string cut =
+      "many.nc --tools many.toml --stock box:0,0,-10,200,20,0 --voxel 1 --history off -o part.stl "
+      "--json r.json -q";
+  const auto peak = [&] { return number_after(read("r.json"), "\"peak\": "); };
+  ASSERT_EQ(run(cut).code, 0);
+  const double free = peak();
+  const int limit = int(0.75 * free / 1048576);
+  const Outcome outcome = run(cut + " --max-memory " + std::to_string(limit) + "M");
+  EXPECT_LE(peak(), 1.03 * limit * 1048576) << free << outcome.err;
+  if (outcome.code != 0) EXPECT_TRUE(contains(outcome.err, "[memory]")) << outcome.err;
+}
+
 // Skins of an onion, each ray through all of them: their crossings took gigabytes.
 TEST_F(Memory, LimitsComparisonsOfManyLayers) {
   if (!kIsPlain) GTEST_SKIP();

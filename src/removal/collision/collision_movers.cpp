@@ -1,16 +1,23 @@
 #include "removal/collision/collision_movers.h"
 
 #include "core/numbers/vec.h"
+#include "core/process/memory_limit.h"
+#include "removal/part/memory_plan.h"
 #include "removal/tool/tool.h"
 
 #include <algorithm>
 #include <cmath>
 #include <optional>
 
+#include <fmt/format.h>
+
 namespace mrsim {
 namespace {
 
 // mm: a cutter this near to where it has cut touches what it left, at most.
+
+// Bytes of each motion that may collide, beside its sweeps: itself, and what is found of it.
+constexpr double kChosen = sizeof(Motion) + 300;
 
 // How many motions back a retract looks for the cut it follows.
 constexpr std::size_t kRecent = 16;
@@ -188,23 +195,25 @@ bool moves(const Motion& m) {
 Movers find_movers(ToolPart part, std::span<const Motion> motions, std::span<const Tool> tools,
                    std::size_t first, const Box3& stock, std::vector<int>& shapeless) {
   Selection selection(part, motions, tools, stock);
-  std::vector<Motion> chosen;
   std::vector<std::int32_t> index;
   if (std::none_of(tools.begin(), tools.end(), [&](const Tool& t) { return has_part(t, part); }))
     first = motions.size();
   for (std::size_t i = first; i < motions.size(); ++i)
-    if (selection.may_collide(i)) {
-      chosen.push_back(motions[i]);
-      index.push_back(static_cast<std::int32_t>(i));
-    }
+    if (selection.may_collide(i)) index.push_back(static_cast<std::int32_t>(i));
+  require_memory(kChosen * static_cast<double>(index.size()),
+                 fmt::format("the search for collisions of {} motions", index.size()));
+  std::vector<Motion> chosen;
+  chosen.reserve(index.size());
+  for (const std::int32_t i : index) chosen.push_back(motions[static_cast<std::size_t>(i)]);
   for (const int tool : selection.shapeless())
     if (std::find(shapeless.begin(), shapeless.end(), tool) == shapeless.end())
       shapeless.push_back(tool);
   const auto selected = part == ToolPart::cutter  ? SweepSelection::Part::cutter
                         : part == ToolPart::shank ? SweepSelection::Part::shank
                                                   : SweepSelection::Part::holder;
-  Movers movers{SweepTable(chosen, tools, {selected, part != ToolPart::cutter, /*rapids=*/true}),
-                {}};
+  const SweepSelection of_part{selected, part != ToolPart::cutter, /*rapids=*/true};
+  require_table(chosen, tools, of_part);
+  Movers movers{SweepTable(chosen, tools, of_part), {}};
   for (std::size_t i = 0; i < movers.sweeps.size(); ++i)
     movers.motions.push_back(index[static_cast<std::size_t>(movers.sweeps.motion(i))]);
   return movers;

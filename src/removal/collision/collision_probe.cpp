@@ -112,16 +112,15 @@ void BlockProber::visit(std::span<Probe> probes, std::span<const std::uint32_t> 
   if (half < probes.size()) visit(probes.subspan(half), left);
 }
 
-}  // namespace
-
-std::vector<CollisionHit> probe_movers(const CollisionScene& scene, double near,
-                                       const std::function<Box3(std::uint32_t mover)>& box_of,
-                                       int threads) {
+// Points of movers from `first` to before `end`, by their blocks.
+std::vector<Probe> find_probes(const CollisionScene& scene, std::size_t first, std::size_t end,
+                               const std::function<Box3(std::uint32_t mover)>& box_of,
+                               int threads) {
   constexpr std::size_t kGrain = 64;
-  const std::size_t movers = scene.movers.motions.size();
-  std::vector<std::vector<Probe>> parts((movers + kGrain - 1) / kGrain);
+  std::vector<std::vector<Probe>> parts((end - first + kGrain - 1) / kGrain);
   parallel_for(parts.size(), threads, [&](std::size_t part) {
-    for (std::size_t m = part * kGrain; m < std::min(movers, (part + 1) * kGrain); ++m) {
+    const std::size_t begin = first + part * kGrain;
+    for (std::size_t m = begin; m < std::min(end, begin + kGrain); ++m) {
       const auto mover = static_cast<std::uint32_t>(m);
       const Box3 box = box_of(mover);
       if (!is_empty(box)) add_probes(scene, mover, box, parts[part]);
@@ -132,6 +131,11 @@ std::vector<CollisionHit> probe_movers(const CollisionScene& scene, double near,
     probes.insert(probes.end(), part.begin(), part.end());
   std::stable_sort(probes.begin(), probes.end(),
                    [](const Probe& a, const Probe& b) { return a.block < b.block; });
+  return probes;
+}
+
+void ask_probes(const CollisionScene& scene, double near, std::vector<Probe> probes, int threads,
+                std::vector<CollisionHit>& hits) {
   std::vector<std::size_t> begins;  // of the probes of each block that has some
   for (std::size_t i = 0; i < probes.size(); ++i)
     if (i == 0 || probes[i].block != probes[i - 1].block) begins.push_back(i);
@@ -144,15 +148,32 @@ std::vector<CollisionHit> probe_movers(const CollisionScene& scene, double near,
     BlockProber(scene, found[k])
         .visit(std::span(probes).subspan(begins[k], begins[k + 1] - begins[k]), cuts);
   });
-  std::vector<CollisionHit> hits;
   for (const std::vector<CollisionHit>& block : found)
     hits.insert(hits.end(), block.begin(), block.end());
-  std::sort(hits.begin(), hits.end(), [](const CollisionHit& a, const CollisionHit& b) {
-    return std::tie(a.mover, a.place.x, a.place.y, a.place.z) <
-           std::tie(b.mover, b.place.x, b.place.y, b.place.z);
-  });
-  const auto same = [](const CollisionHit& a, const CollisionHit& b) { return a.mover == b.mover; };
-  hits.erase(std::unique(hits.begin(), hits.end(), same), hits.end());
+}
+
+}  // namespace
+
+std::vector<CollisionHit> probe_movers(const CollisionScene& scene, double near,
+                                       const std::function<Box3(std::uint32_t mover)>& box_of,
+                                       int threads) {
+  constexpr std::size_t kAtOnce = 16'384;  // movers: their points take up to 20 MB
+  const std::size_t movers = scene.movers.motions.size();
+  std::vector<CollisionHit> hits;
+  for (std::size_t first = 0; first < movers; first += kAtOnce) {
+    const auto begin = static_cast<std::ptrdiff_t>(hits.size());
+    ask_probes(scene, near,
+               find_probes(scene, first, std::min(movers, first + kAtOnce), box_of, threads),
+               threads, hits);
+    std::sort(hits.begin() + begin, hits.end(), [](const CollisionHit& a, const CollisionHit& b) {
+      return std::tie(a.mover, a.place.x, a.place.y, a.place.z) <
+             std::tie(b.mover, b.place.x, b.place.y, b.place.z);
+    });
+    const auto same = [](const CollisionHit& a, const CollisionHit& b) {
+      return a.mover == b.mover;
+    };
+    hits.erase(std::unique(hits.begin() + begin, hits.end(), same), hits.end());
+  }
   return hits;
 }
 

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 #include <vector>
 
 #include <fmt/format.h>
@@ -175,6 +176,12 @@ struct Need {
                           may_slab ? "" : "; " + need.options.no_slabs));
 }
 
+std::set<int> tools_of(std::span<const Motion> motions) {
+  std::set<int> out;
+  for (const Motion& m : motions) out.insert(out.end(), m.tool);
+  return out;
+}
+
 // Slabs bound the memory, not the time.
 void require_columns(const StockSolid& stock, double voxel) {
   const double columns = stock.area() / (voxel * voxel);
@@ -190,9 +197,10 @@ void require_columns(const StockSolid& stock, double voxel) {
 
 void require_table(std::span<const Motion> motions, std::span<const Tool> tools,
                    const SweepSelection& selection) {
-  if (tools.size() > 100)
-    require_memory(kTool * static_cast<double>(tools.size()),
-                   fmt::format("what {} tools sweep", tools.size()));
+  if (tools.size() > 100) {
+    const auto used = static_cast<double>(tools_of(motions).size());
+    require_memory(kTool * used, fmt::format("what {} tools sweep", used));
+  }
   if (motions.size() < 2 * kSample) return;
   std::vector<Motion> some;
   for (std::size_t k = 0; k < kSample; ++k) some.push_back(motions[motions.size() / kSample * k]);

@@ -2,6 +2,7 @@
 
 #include "core/numbers/trig.h"
 #include "core/numbers/vec.h"
+#include "core/process/memory_limit.h"
 #include "removal/history/cut_extent.h"
 #include "removal/part/default_stock.h"
 
@@ -9,6 +10,8 @@
 #include <cmath>
 #include <limits>
 #include <numeric>
+
+#include <fmt/format.h>
 
 namespace mrsim {
 namespace {
@@ -78,6 +81,13 @@ CutPieces divide_cuts(const CutList& cuts, double voxel, const PieceRule& rule) 
     std::iota(out.first.begin(), out.first.end(), std::size_t(0));
     return out;
   }
+  std::size_t pieces = 0;
+  for (const Motion& m : cuts.motions())
+    pieces += static_cast<std::size_t>(pieces_in(cuts, m, voxel, rule));
+  require_memory(double(pieces) * sizeof(Motion),
+                 fmt::format("what each of {} pieces of cuts removes", pieces));
+  out.motions.reserve(pieces);
+  out.first.reserve(cuts.motions().size() + 1);
   for (const Motion& m : cuts.motions()) {
     out.first.push_back(out.motions.size());
     const int count = pieces_in(cuts, m, voxel, rule);

@@ -4,6 +4,7 @@
 #include "removal/history/cut_heights.h"
 #include "removal/history/removed_volumes.h"
 #include "removal/part/default_stock.h"
+#include "removal/part/memory_plan.h"
 #include "removal/part/stock_grid.h"
 #include "removal/tool/tool.h"
 #include "run/cuts/cut_pieces.h"
@@ -268,13 +269,14 @@ History make_history(const Job& job, const JobResult& result, const Stock& stock
   const double piece = piece_voxel(cuts, history.voxel, rule);
   const bool whole = !std::isfinite(piece);
   const CutPieces pieces = divide_cuts(cuts, piece, rule);
+  const SweepSelection below_top{.top = field.bounds().hi.z};
+  require_table(pieces.motions, cuts.tools(), below_top);
   const std::vector<double> removed =
       whole ? removed_by(field, cuts.motions())
-            : removed_by(PartField(field.solid(),
-                                   SweepTable(pieces.motions, cuts.tools(),
-                                              {.top = field.bounds().hi.z}, threads),
-                                   threads),
-                         pieces.motions);
+            : removed_by(
+                  PartField(field.solid(),
+                            SweepTable(pieces.motions, cuts.tools(), below_top, threads), threads),
+                  pieces.motions);
   if (has_shapes)
     measure_shapes(pieces, extents, removed, cuts, mills,
                    history_lattice(field, history.voxel).half_plane, history);

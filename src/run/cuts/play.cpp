@@ -5,6 +5,7 @@
 #include "removal/history/cut_faces.h"
 #include "removal/history/cut_volume.h"
 #include "removal/history/removed_volumes.h"
+#include "removal/part/memory_plan.h"
 #include "removal/part/stock_grid.h"
 #include "run/cuts/cut_pieces.h"
 #include "run/tools/tool_picture.h"
@@ -54,12 +55,14 @@ Play make_play(const Job& job, const JobResult& result, const Stock& stock, cons
   const double piece = piece_voxel(cuts, play.voxel, kSteady);
   const CutPieces pieces = divide_cuts(cuts, piece, kSteady);
   const PartField& field = *stock.grid().field;
-  if (std::isfinite(piece))
+  if (std::isfinite(piece)) {
+    require_table(pieces.motions, cuts.tools(), {});
     add_volume(
         PartField(field.solid(), SweepTable(pieces.motions, cuts.tools(), {}, threads), threads),
         pieces, cuts.inherited(), threads, job.carve.progress, play);
-  else
+  } else {
     add_volume(field, pieces, cuts.inherited(), threads, job.carve.progress, play);
+  }
   for (const Tool& tool : result.program.tools) play.tools.push_back(tool_outlines(tool));
   return play;
 }
