@@ -19,9 +19,6 @@ constexpr std::string_view kKeywords[] = {
 
 }  // namespace
 
-SinumerikStatements::SinumerikStatements(Control& control, BlockReader& reader)
-    : SinumerikAssignments(control, reader), procedures_(control, variables_, evaluator_) {}
-
 // A keyword, CALL of a variable, or a subprogram with arguments.
 bool SinumerikStatements::starts_statement(std::string_view line, std::size_t p) {
   const std::size_t from = p;
@@ -32,7 +29,7 @@ bool SinumerikStatements::starts_statement(std::string_view line, std::size_t p)
   if (name == "MCALL") {  // MCALL of a cycle is read elsewhere
     SubprogramName called;
     while (p < line.size() && is_name(line[p])) called.text += upper(line[p++]);
-    return called.text.empty() ? modal_call_.active : reader_.has_subprogram(called);
+    return called.text.empty() ? has_modal_call() : reader_.has_subprogram(called);
   }
   for (const std::string_view keyword : kKeywords)
     if (name == keyword) return true;
@@ -61,7 +58,7 @@ bool SinumerikStatements::statement(std::size_t from) {
   if (name == "EXTERN" || name == "PROC" || name == "SETAL") {
     if (name == "SETAL")
       note_once("alarm-set", "the program sets an alarm of its own", place_word(from, p), "setal");
-    if (name == "PROC" && reader_.depth() == 1) procedures_.take_initial_values(block_.line, p);
+    if (name == "PROC" && reader_.depth() == 1) take_initial_values(p);
     reader_.set_position(block_.line.size());
     return true;
   }

@@ -1,33 +1,25 @@
-// SINUMERIK's language: IF, FOR, WHILE, LOOP, REPEAT, CASE, GOTO, calls with arguments, MCALL,
-// repeats of parts of a program. Private to src/interp.
+// SINUMERIK's statements: which one a block holds; IF, FOR, WHILE, LOOP, REPEAT, CASE, GOTO, RET,
+// and repeats of parts of a program. Private to src/interp.
 #pragma once
 
-#include "interp/statements/sinumerik_assignments.h"
-#include "interp/statements/sinumerik_procedures.h"
+#include "interp/statements/sinumerik_calls.h"
 
+#include <string>
+#include <string_view>
 #include <vector>
 
 namespace mrsim {
 
-class SinumerikStatements : public SinumerikAssignments {
+class SinumerikStatements : public SinumerikCalls {
  public:
-  SinumerikStatements(Control& control, BlockReader& reader);
+  SinumerikStatements(Control& control, BlockReader& reader) : SinumerikCalls(control, reader) {}
 
   bool starts_statement(std::string_view line, std::size_t p) override;
-  bool has_modal_call() const override { return modal_call_.active; }
-  void end_block(bool moved) override;
-  bool call_program(const SubprogramName& name, long repeats, const Word& word) override;
 
  protected:
   bool statement(std::size_t p) override;
 
  private:
-  struct ModalCall {
-    bool active = false;
-    SubprogramName name;
-    std::vector<ProcedureArgument> arguments;
-  };
-
   bool branch(std::size_t from, std::size_t p);
   bool next_jump(const std::string& word, std::size_t p);
   bool loop(const FlowEntry& entry, std::size_t p);
@@ -41,19 +33,8 @@ class SinumerikStatements : public SinumerikAssignments {
   bool call_part(std::size_t p);
   bool run_part(const std::vector<std::string>& labels, bool line_alone, double runs,
                 std::size_t from, std::size_t p);
-  bool run_text(std::size_t from, std::size_t p);
-  bool call_by_path(std::size_t from, std::size_t p);
-  bool call_statement(std::size_t from, std::size_t p);
-  bool modal_call(std::size_t p);
-  bool arguments(std::size_t& p, std::vector<ProcedureArgument>& out);
-  bool call(const SubprogramName& name, const std::vector<ProcedureArgument>& arguments,
-            long repeats, const Word& word, bool modal = false);
-  bool argument(std::size_t& p, ProcedureArgument& out);
 
-  SinumerikProcedures procedures_;
-  ModalCall modal_call_;
   bool stepping_ = false;  ///< at a FOR, because its ENDFOR was reached
-  bool in_modal_call_ = false;
 };
 
 }  // namespace mrsim

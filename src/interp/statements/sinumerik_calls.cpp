@@ -1,6 +1,6 @@
-// The half of SinumerikStatements that calls: subprograms with arguments, MCALL, EXECSTRING.
+#include "interp/statements/sinumerik_calls.h"
+
 #include "core/text/text_io.h"
-#include "interp/statements/sinumerik_statements.h"
 #include "interp/statements/sinumerik_text.h"
 #include "interp/text/characters.h"
 
@@ -11,13 +11,16 @@
 
 namespace mrsim {
 
+SinumerikCalls::SinumerikCalls(Control& control, BlockReader& reader)
+    : SinumerikAssignments(control, reader), procedures_(control, variables_, evaluator_) {}
+
 // A block of words under MCALL ends with the call, where it moved, in subprograms too.
-void SinumerikStatements::end_block(bool moved) {
+void SinumerikCalls::end_block(bool moved) {
   if (!moved || !modal_call_.active || in_modal_call_) return;
   call(modal_call_.name, modal_call_.arguments, 1, block_.words.front(), true);
 }
 
-bool SinumerikStatements::modal_call(std::size_t p) {
+bool SinumerikCalls::modal_call(std::size_t p) {
   std::string name = name_at(p);
   modal_call_ = {};
   if (name.empty()) return end_statement(p);
@@ -29,7 +32,7 @@ bool SinumerikStatements::modal_call(std::size_t p) {
 }
 
 // EXECSTRING(TEXT): the text stands for the block.
-bool SinumerikStatements::run_text(std::size_t from, std::size_t p) {
+bool SinumerikCalls::run_text(std::size_t from, std::size_t p) {
   Value text;
   if (!evaluator_.expression(block_.line, p, text)) return report(evaluator_.fault());
   if (text.kind != Value::Kind::text)
@@ -44,7 +47,7 @@ bool SinumerikStatements::run_text(std::size_t from, std::size_t p) {
 }
 
 // A value, or a variable that may get another one: NAME, NAME[2], an array.
-bool SinumerikStatements::argument(std::size_t& p, ProcedureArgument& out) {
+bool SinumerikCalls::argument(std::size_t& p, ProcedureArgument& out) {
   std::size_t q = p;
   std::string name = name_at(q);
   const auto ends = [&] {
@@ -70,7 +73,7 @@ bool SinumerikStatements::argument(std::size_t& p, ProcedureArgument& out) {
 }
 
 // The values between brackets; one may be left out.
-bool SinumerikStatements::arguments(std::size_t& p, std::vector<ProcedureArgument>& out) {
+bool SinumerikCalls::arguments(std::size_t& p, std::vector<ProcedureArgument>& out) {
   p = skip_blanks(p);
   const std::size_t from = p;
   do {
@@ -86,7 +89,7 @@ bool SinumerikStatements::arguments(std::size_t& p, std::vector<ProcedureArgumen
 }
 
 // NAME(1, 2), NAME(1) P3, CALL variable
-bool SinumerikStatements::call_statement(std::size_t from, std::size_t p) {
+bool SinumerikCalls::call_statement(std::size_t from, std::size_t p) {
   SubprogramName name;
   std::size_t q = from;
   name.text = name_at(q);
@@ -124,7 +127,7 @@ bool SinumerikStatements::call_statement(std::size_t from, std::size_t p) {
 }
 
 // PCALL /_N_WKS_DIR/_N_PART_WPD/_N_HOLES_SPF(1, 2): the path's last part, beside the program.
-bool SinumerikStatements::call_by_path(std::size_t from, std::size_t p) {
+bool SinumerikCalls::call_by_path(std::size_t from, std::size_t p) {
   const std::string_view line = block_.line;
   std::size_t end = std::min(line.find_first_of("(;", p), line.size());
   std::string path(line.substr(p, end - p));
@@ -141,14 +144,13 @@ bool SinumerikStatements::call_by_path(std::size_t from, std::size_t p) {
   return true;
 }
 
-bool SinumerikStatements::call_program(const SubprogramName& name, long repeats, const Word& word) {
+bool SinumerikCalls::call_program(const SubprogramName& name, long repeats, const Word& word) {
   return call(name, {}, repeats, word);
 }
 
 // CALL and EXTCALL may name a path, of which the last part counts.
-bool SinumerikStatements::call(const SubprogramName& name,
-                               const std::vector<ProcedureArgument>& given, long repeats,
-                               const Word& word, bool modal) {
+bool SinumerikCalls::call(const SubprogramName& name, const std::vector<ProcedureArgument>& given,
+                          long repeats, const Word& word, bool modal) {
   SubprogramName program = name;
   if (name.text.find_first_of("/\\") != name.text.npos) program.text = program_of_path(name.text);
   const auto place = reader_.locate(program, word);
