@@ -15,32 +15,6 @@ constexpr double kMostScale = 1e9, kMostShift = 1e10;  // volumes of a frame; mm
 
 }  // namespace
 
-// The pieces in the order the control applies them: innermost last.
-void FrameWords::rebuild() {
-  Frame total = shift_frame(frames_.work + frames_.position_shift + frames_.local);
-  if (frames_.work_turn != 0)
-    total = compose(compose(shift_frame(frames_.work), rotation_frame(2, frames_.work_turn)),
-                    shift_frame(frames_.position_shift + frames_.local));
-  total = compose(total, frames_.swivel);
-  total = compose(total, frames_.program);
-  total = compose(total, frames_.rotation);
-  total = compose(total, frames_.scaling);
-  total = compose(total, frames_.mirror);
-  if (total == frames_.total) return;
-  frames_.total = total;
-  const Vec3 old = position_.programmed;
-  position_.programmed = apply_inverse(total, position_.physical);
-  for (int i = 0; i < 3; ++i) {
-    if ((position_.moved_frame >> i & 1U) == 0)
-      component(position_.retained, i) = component(old, i);
-    position_.moved_frame |= 1U << i;
-  }
-}
-
-void FrameWords::save() {
-  if (!control_.saved_frames) control_.saved_frames = frames_;
-}
-
 void FrameWords::start() {
   if (!is(Dialect::sinumerik) && !is(Dialect::codesys)) set_work("G54");
   rebuild();
@@ -155,16 +129,6 @@ bool FrameWords::set_work(const std::string& written) {
   return frames_.work_given || name == "G54";
 }
 
-// X Y Z of a frame word. Lengths are converted; factors and angles are not.
-void FrameWords::arguments(Vec3& values, unsigned& named, bool lengths) {
-  for (int i = 0; i < 3; ++i) {
-    const Word* word = take("XYZ"[i]);
-    if (!word) continue;
-    named |= 1U << i;
-    component(values, i) = lengths ? word->value * length_unit(*word) : word->value;
-  }
-}
-
 // ROT: axis angles (about Z, then the new Y, then the new X) or RPL= in the plane.
 void FrameWords::rotation_arguments(Frame& frame) {
   static constexpr int kNormal[] = {2, 1, 0, 2};
@@ -236,7 +200,7 @@ bool FrameWords::run() {
   }
   save();
   if (is(Dialect::codesys)) return codesys() && in_range();
-  if (!is(Dialect::sinumerik)) return fanuc(*block_.frame_code) && in_range();
+  if (!is(Dialect::sinumerik)) return transforms_.run(*block_.frame_code) && in_range();
   return sinumerik() && in_range();
 }
 

@@ -246,8 +246,9 @@ bool SinumerikCycles::swivel(const Call& call) {
     return shift_frame(scale() * Vec3{call.get(x), call.get(y), call.get(z)});
   };
   const Frame turned = angle != 0 ? rotation_frame(2, angle) : Frame{};
-  frame_words_.swivel(compose(compose(shift("X0", "Y0", "Z0"), turned), shift("X1", "Y1", "Z1")),
-                      call.digit("ST", 0) == 1, where());
+  frame_words_.transforms().swivel(
+      compose(compose(shift("X0", "Y0", "Z0"), turned), shift("X1", "Y1", "Z1")),
+      call.digit("ST", 0) == 1, where());
   return true;
 }
 

@@ -1,7 +1,7 @@
 #include "interp/statements/sinumerik_procedures.h"
 
 #include "core/text/text_io.h"
-#include "interp/frames/frame_words.h"
+#include "interp/frames/frame_chain.h"
 #include "interp/language/operations.h"
 #include "interp/statements/sinumerik_text.h"
 #include "interp/text/characters.h"
@@ -94,7 +94,7 @@ void SinumerikProcedures::restore(const SavedState& saved) {
   modal_.cutting_speed = now.cutting_speed;
   modal_.edge = now.edge;
   modal_.edge_given = now.edge_given;
-  FrameWords frames(control_);
+  FrameChain frames(control_);
   frames.save();
   if (frames_.work_name != saved.frames.work_name) {
     frames_.work = saved.frames.work;

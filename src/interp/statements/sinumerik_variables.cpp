@@ -4,7 +4,7 @@
 #include "core/numbers/trig.h"
 #include "core/numbers/units.h"
 #include "core/text/text_io.h"
-#include "interp/frames/frame_words.h"
+#include "interp/frames/frame_chain.h"
 #include "interp/path/frame_parts.h"
 #include "interp/text/characters.h"
 #include "interp/tools/tool_changer.h"
@@ -164,7 +164,7 @@ bool SinumerikVariables::write_program_frame(std::span<const Value> indices, con
   } else {
     return false;
   }
-  FrameWords frames(control_);
+  FrameChain frames(control_);
   frames.save();
   frames_.program = frame;
   if (indices.empty()) frames_.fine = Vec3{};

@@ -179,7 +179,7 @@ bool ModalWords::apply_code(const Word& word, const CodeEntry& entry) {
     case Code::fagor_mirror:
     case Code::fagor_scale:
     case Code::fagor_turn:
-      return frame_words_.fagor(entry.code, word);
+      return frame_words_.transforms().fagor(entry.code, word);
     case Code::engrave:
       if (!peek('P')) return refuse(word);
       [[fallthrough]];

@@ -1,16 +1,20 @@
-// Frames that a program turns, scales and mirrors by G words: FANUC's and Fagor's.
+#include "interp/frames/transform_words.h"
+
 #include "core/numbers/rounding.h"
-#include "interp/frames/frame_words.h"
 
 #include <cmath>
 
 #include <fmt/format.h>
 
 namespace mrsim {
+namespace {
+
+constexpr int kNormalOf[] = {2, 1, 0, 2};  // the axis across a plane, by Modal::plane
+
+}  // namespace
 
 // G68 R, G51 P or I J K, G51.1, G52: about a centre in the plane's axes.
-bool FrameWords::fanuc(const Word& word) {
-  static constexpr int kNormal[] = {2, 1, 0, 2};
+bool TransformWords::run(const Word& word) {
   Vec3 values = position_.programmed;
   unsigned named = 0;
   const bool cancels = block_.frame_op == Code::rotation_off ||
@@ -28,7 +32,7 @@ bool FrameWords::fanuc(const Word& word) {
                      word);
       if (!center_of_mach(values, word)) return false;
       const bool adds = modal_.incremental || take('I');
-      turn_about(angle_value(*r), kNormal[modal_.plane], values, adds, word);
+      turn_about(angle_value(*r), kNormalOf[modal_.plane], values, adds, word);
       break;
     }
     case Code::rotation_off:
@@ -36,7 +40,7 @@ bool FrameWords::fanuc(const Word& word) {
       frames_.rotation_angle = 0;
       break;
     case Code::scaling_on:
-      if (!fanuc_scaling(word, values)) return false;
+      if (!scale_axes(word, values)) return false;
       break;
     case Code::scaling_off:
       frames_.scaling = Frame{};
@@ -69,7 +73,7 @@ bool FrameWords::fanuc(const Word& word) {
 }
 
 // G68.2 whose angles tilt nothing: its X Y Z are the zero, its angles turn about Z.
-bool FrameWords::untilted_plane(Vec3 zero, unsigned named, const Word& word) {
+bool TransformWords::untilted_plane(Vec3 zero, unsigned named, const Word& word) {
   double angle = 0;
   for (const char c : {'I', 'J', 'K'})
     if (const Word* w = take(c)) angle += angle_value(*w);
@@ -84,8 +88,7 @@ bool FrameWords::untilted_plane(Vec3 zero, unsigned named, const Word& word) {
   return true;
 }
 
-// A new one deletes that in force, and TRANS with its kin.
-void FrameWords::swivel(const Frame& frame, bool adds, const Word& word) {
+void TransformWords::swivel(const Frame& frame, bool adds, const Word& word) {
   save();
   if (adds) {
     frames_.swivel = compose(compose(frames_.swivel, frames_.program), frame);
@@ -107,8 +110,7 @@ void FrameWords::swivel(const Frame& frame, bool adds, const Word& word) {
 
 // G11 X Y Z P of Okuma: the zero lies at X Y Z of the work offset, the plane is turned by P. What a
 // second G11 makes of the words that it leaves out is not known.
-bool FrameWords::turn_locally(Vec3 zero, unsigned named, const Word& word) {
-  static constexpr int kNormal[] = {2, 1, 0, 2};
+bool TransformWords::turn_locally(Vec3 zero, unsigned named, const Word& word) {
   const Word* angle = take('P');
   if (angle) named |= 8U;
   if (modal_.incremental || (frames_.local_turned & ~named) != 0)
@@ -120,14 +122,14 @@ bool FrameWords::turn_locally(Vec3 zero, unsigned named, const Word& word) {
                  word);
   for (int i = 0; i < 3; ++i)
     if ((named >> i & 1U) == 0) component(zero, i) = 0;
-  frames_.program = compose(shift_frame(zero),
-                            rotation_frame(kNormal[modal_.plane], angle ? angle_value(*angle) : 0));
+  frames_.program = compose(
+      shift_frame(zero), rotation_frame(kNormalOf[modal_.plane], angle ? angle_value(*angle) : 0));
   frames_.local_turned = named;
   return true;
 }
 
 // The manuals forbid G52 between G68 and G69; what machines make of it differs.
-void FrameWords::shift_locally(const Vec3& values, unsigned named, const Word& word) {
+void TransformWords::shift_locally(const Vec3& values, unsigned named, const Word& word) {
   if (is(Dialect::ngc)) {  // the shift of G92, which G92.1 to G92.3 act on
     const double x = modal_.diameter == Code::diameter_on ? values.x / 2 : values.x;
     for (int i = 0; i < 3; ++i)
@@ -146,7 +148,7 @@ void FrameWords::shift_locally(const Vec3& values, unsigned named, const Word& w
 }
 
 // I J K of G68, the direction of an axis: that of Z turns the plane G17 as no words do.
-bool FrameWords::turns_in_space() {
+bool TransformWords::turns_in_space() {
   if (peek('A') || peek('B') || !(peek('I') || peek('J') || peek('K'))) return false;
   const auto value = [&](char c) {
     const Word* w = take(c);
@@ -157,7 +159,7 @@ bool FrameWords::turns_in_space() {
 }
 
 // G68 A12 B25 R45 of Mach: A and B are the centre.
-bool FrameWords::center_of_mach(Vec3& center, const Word& word) {
+bool TransformWords::center_of_mach(Vec3& center, const Word& word) {
   const Word* a = take('A');
   const Word* b = take('B');
   if (!a && !b) return true;
@@ -168,8 +170,8 @@ bool FrameWords::center_of_mach(Vec3& center, const Word& word) {
 }
 
 // In G91, and beside I of Mach, the angle adds to the rotation in force, where there is one.
-void FrameWords::turn_about(double angle, int axis, const Vec3& center, bool adds,
-                            const Word& word) {
+void TransformWords::turn_about(double angle, int axis, const Vec3& center, bool adds,
+                                const Word& word) {
   if (adds && frames_.rotation_angle != 0) {
     angle += frames_.rotation_angle;
     note_once("rotation-adds", "G68 in G91 or with I adds its angle to the rotation in force", word,
@@ -182,7 +184,7 @@ void FrameWords::turn_about(double angle, int axis, const Vec3& center, bool add
 // G51 P for all axes or I J K for each. Without a decimal point a factor counts thousandths from 10
 // on, and so does a computed one (P[1500+500]); below, it is the factor, as Centroid and Okuma have
 // it: FANUC's 0.002 would leave nothing of the part.
-bool FrameWords::fanuc_scaling(const Word& word, const Vec3& center) {
+bool TransformWords::scale_axes(const Word& word, const Vec3& center) {
   Vec3 factors{1, 1, 1};
   const auto factor = [&](const Word& w) {
     const bool computed = text_of(w).find_first_of("#[") != std::string::npos;
@@ -212,7 +214,7 @@ bool FrameWords::fanuc_scaling(const Word& word, const Vec3& center) {
   return true;
 }
 
-void FrameWords::set_mirror() {
+void TransformWords::set_mirror() {
   frames_.mirror = Frame{};
   if (!frames_.mirrored) return;
   Vec3 factors{1, 1, 1};
@@ -221,8 +223,7 @@ void FrameWords::set_mirror() {
   frames_.mirror = about(scale_frame(factors), frames_.mirror_at);
 }
 
-// G11 to G13 mirror X, Y or Z about the zero, one beside the other, G10 ends that; G72 S scales.
-bool FrameWords::fagor(Code code, const Word& word) {
+bool TransformWords::fagor(Code code, const Word& word) {
   save();
   if (code == Code::fagor_mirror) {
     const int g = static_cast<int>(word.value);
@@ -242,8 +243,7 @@ bool FrameWords::fagor(Code code, const Word& word) {
 }
 
 // G73 Q turns the plane further, about I J or the zero; alone it ends the rotation.
-bool FrameWords::fagor_turn(const Word& word) {
-  static constexpr int kNormal[] = {2, 1, 0, 2};
+bool TransformWords::fagor_turn(const Word& word) {
   const Word* q = take('Q');
   const Basis b = basis();
   Vec3 center;
@@ -255,7 +255,7 @@ bool FrameWords::fagor_turn(const Word& word) {
                  word);
   frames_.rotation_angle = q ? frames_.rotation_angle + q->value : 0;
   frames_.rotation_at = center;
-  frames_.rotation = about(rotation_frame(kNormal[modal_.plane], frames_.rotation_angle), center);
+  frames_.rotation = about(rotation_frame(kNormalOf[modal_.plane], frames_.rotation_angle), center);
   return true;
 }
 

@@ -1,0 +1,26 @@
+// The frames in force as one: work offset, shifts, the program's frame, rotation, scaling, mirror.
+// Whoever changes one of them calls save() before and rebuild() after it. Private to src/interp.
+#pragma once
+
+#include "interp/control/control.h"
+
+namespace mrsim {
+
+class FrameChain : public ControlPart {
+ public:
+  explicit FrameChain(Control& control) : ControlPart(control) {}
+
+  /// Keeps a copy of the frames, so that a rejected block can be undone.
+  void save();
+  /// Composes Frames::total anew, and gives the programmed position in it.
+  void rebuild();
+  /// The frame of this block's points.
+  Frame now() const { return block_.suppress_frames ? Frame{} : frames_.total; }
+
+ protected:
+  /// Takes X Y Z of a frame word: their values, and a bit in `named` for each. Lengths are
+  /// converted to mm; factors and angles are not.
+  void arguments(Vec3& values, unsigned& named, bool lengths);
+};
+
+}  // namespace mrsim
