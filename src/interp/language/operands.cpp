@@ -1,7 +1,7 @@
-// The operands of expressions: numbers, variables, functions, frames.
+#include "interp/language/operands.h"
+
 #include "core/numbers/units.h"
 #include "core/text/text_io.h"
-#include "interp/language/expression.h"
 #include "interp/language/operations.h"
 #include "interp/path/frame_parts.h"
 #include "interp/text/characters.h"
@@ -18,92 +18,69 @@ constexpr std::size_t kMostIndices = 3;
 
 }  // namespace
 
-bool Evaluator::number(Value& out) {
-  const std::size_t from = p_;
-  std::uint64_t mantissa = 0;
-  std::size_t digits = 0, fraction = 0;
-  bool point = false;
-  for (;; ++p_) {
-    const char c = at(p_);
-    if (is_digit(c)) {
-      if (++digits <= 15) mantissa = mantissa * 10 + static_cast<std::uint64_t>(c - '0');
-      if (point) ++fraction;
-    } else if (c == '.' && !point) {
-      point = true;
-    } else if (!(rules_.glued_blanks && (c == ' ' || c == '\t'))) {
-      break;
-    }
-  }
-  while (p_ > from && (line_[p_ - 1] == ' ' || line_[p_ - 1] == '\t')) --p_;
-  const bool exponent =
-      spelled(Spelling::names) && upper(at(p_)) == 'E' && upper(at(p_ + 1)) == 'X';
-  const bool foreign = upper(at(p_)) == 'E' && (is_digit(at(p_ + 1)) || at(p_ + 1) == '-');
-  if (spelled(Spelling::hash) && foreign)
-    return fail("number-malformed", "numbers of this control have no exponent: write them out",
-                from, p_ + 2);
-  if (digits > 0 && digits <= 15 && !exponent) {
-    out = Value::of(static_cast<double>(mantissa) / kPowersOfTen[fraction]);
-    return at(p_) != '.' || fail("number-malformed", "a second point in the number", from, p_ + 1);
-  }
-  std::string text;
-  for (std::size_t i = from; i < p_; ++i)
-    if (line_[i] != ' ' && line_[i] != '\t') text += line_[i];
-  if (exponent) {
-    text += 'e';
-    p_ += 2;
-    if (at(p_) == '-' || at(p_) == '+') text += line_[p_++];
-    while (is_digit(at(p_))) text += line_[p_++];
-  }
-  const std::optional<double> value = parse_number(text, true);
-  if (!value)
-    return fail("number-malformed", fmt::format("\"{}\" is not a number", text.substr(0, 40)), from,
-                p_);
-  out = Value::of(*value);
+bool Operands::answered(std::size_t from, const Value& value) {
+  if (value.kind == Value::Kind::faulty) return fail("", {}, from, p_);
+  read_.add(from, p_, value);
   return true;
 }
 
-// 'HFF' and 'B101'
-bool Evaluator::radix(Value& out) {
-  const std::size_t from = p_, end = line_.find('\'', p_ + 1);
-  const char kind = upper(at(p_ + 1));
-  const int base = kind == 'H' ? 16 : kind == 'B' ? 2 : 0;
-  if (base == 0 || end == std::string_view::npos || end - from > 34 || end == from + 2)
-    return fail("number-malformed", "expected 'H...' or 'B...'", from, from + 1);
-  double value = 0;
-  for (std::size_t i = from + 2; i < end; ++i) {
-    const char c = upper(line_[i]);
-    const int digit = is_digit(c) ? c - '0' : c >= 'A' && c <= 'F' ? c - 'A' + 10 : 99;
-    if (digit >= base) return fail("number-malformed", "expected 'H...' or 'B...'", from, end + 1);
-    value = value * base + digit;
+bool Operands::number_of_vacant(Value& value, std::size_t from) {
+  if (value.kind == Value::Kind::faulty) return fail("", {}, from, p_);
+  if (value.kind != Value::Kind::vacant) return true;
+  if (value.never_set) return fail("variable-unset", value.text, from, p_);
+  if (!rules_.vacant_is_zero) return fail("variable-unset", "the variable holds nothing", from, p_);
+  value = Value::of(0);
+  return true;
+}
+
+bool Operands::unary(Value& out) {
+  skip_blanks();
+  const char c = at(p_);
+  if (is_digit(c) || c == '.') return number(out);
+  if (c == '#' && spelled(Spelling::hash)) return hash_variable(out);
+  if ((c == '#' || c == '$') && spelled(Spelling::plc)) return plc_variable(out);
+  if (upper(c) == 'P' && is_digit(at(p_ + 1)) && spelled(Spelling::parameter))
+    return parameter_variable(out);
+  if (c == rules_.open) return bracketed(out);
+  if (c == '-' || c == '+') {
+    const std::size_t from = p_++;
+    if (++depth_ > kDeepest) return fail("expression-deep", "too many signs", from, p_);
+    if (!unary(out)) return false;
+    --depth_;
+    if (!usable(out, from)) return false;
+    if (!out.is_number()) return fail("expression", "a sign needs a number", from, p_);
+    if (c == '-') out.number = -out.number;
+    out.letter = false;
+    return true;
   }
-  p_ = end + 1;
-  out = Value::of(value);
-  return true;
+  if (is_letter(c)) return word(out);
+  if ((c == '_' || c == '$' || c == '"') && spelled(Spelling::names))
+    return c == '"' ? text(out) : word(out);
+  if (c == '\'' && spelled(Spelling::names)) return radix(out);
+  if (c == '\'' && spelled(Spelling::plc)) return text(out);
+  if (p_ >= line_.size()) return fail("expression", "the expression ends too early", p_, p_ + 1);
+  return fail("expression", fmt::format("a number, a variable or {} is expected here", rules_.open),
+              p_, p_ + 1);
 }
 
-bool Evaluator::text(Value& out) {
-  const std::size_t end = line_.find(at(p_), p_ + 1);
-  if (end == std::string_view::npos)
-    return fail("string-unterminated",
-                fmt::format("the text that starts here is not closed with {}", at(p_)), p_, p_ + 1);
-  out = Value::of_text(std::string(line_.substr(p_ + 1, end - p_ - 1)));
-  p_ = end + 1;
+bool Operands::bracketed(Value& out) {
+  const std::size_t from = p_++;
+  if (++depth_ > kDeepest)
+    return fail("expression-deep",
+                fmt::format("more than {} brackets inside one another", kDeepest), from, p_);
+  if (!expression_within(out)) return false;
+  --depth_;
+  skip_blanks();
+  if (at(p_) != rules_.close)
+    return fail("bracket",
+                fmt::format("the {} here is not closed with {}", rules_.open, rules_.close), from,
+                from + 1);
+  ++p_;
   return true;
-}
-
-bool Evaluator::bracketed_name(std::string_view line, std::size_t& p, std::string& name) {
-  const std::size_t end = line.find('>', p);
-  name.clear();
-  if (end == std::string_view::npos)
-    return fail("bracket", "the < here is not closed with >", p, p + 1);
-  for (std::size_t i = p + 1; i < end; ++i)
-    if (line[i] != ' ' && line[i] != '\t') name += line[i];
-  p = end + 1;
-  return !name.empty() || fail("expression", "the name between < and > is empty", end - 1, end);
 }
 
 // "#", then a number, a name in < > or any operand that gives the number.
-bool Evaluator::hash_variable(Value& out) {
+bool Operands::hash_variable(Value& out) {
   const std::size_t from = p_++;
   skip_blanks();
   std::string why;
@@ -123,12 +100,10 @@ bool Evaluator::hash_variable(Value& out) {
     if (!variables_.numbered(nearest_whole(index.number), out, why))
       return fail("variable-number", std::move(why), from, p_);
   }
-  if (out.kind == Value::Kind::faulty) return fail("", {}, from, p_);
-  seen(from, out);
-  return true;
+  return answered(from, out);
 }
 
-const FunctionRow* Evaluator::function_named(std::string_view name) const {
+const FunctionRow* Operands::function_named(std::string_view name) const {
   for (const FunctionRow& row : rules_.functions)
     if (row.name == name) return &row;
   if (!rules_.abbreviated || name.size() < 2) return nullptr;
@@ -137,7 +112,7 @@ const FunctionRow* Evaluator::function_named(std::string_view name) const {
   return nullptr;
 }
 
-bool Evaluator::word(Value& out) {
+bool Operands::word(Value& out) {
   const std::size_t from = p_;
   if (at(p_) == '$') ++p_;
   const bool whole = spelled(Spelling::names) || spelled(Spelling::plc);
@@ -173,7 +148,7 @@ bool Evaluator::word(Value& out) {
 }
 
 // NOT and B_NOT. Fagor's NOT is one of bits and one of conditions, which agree on neither number.
-bool Evaluator::negation(std::size_t from, bool bits, Value& out) {
+bool Operands::negation(std::size_t from, bool bits, Value& out) {
   if (++depth_ > kDeepest) return fail("expression-deep", "too many NOT in a row", from, p_);
   if (!unary(out) || !usable(out, from)) return false;
   --depth_;
@@ -185,7 +160,7 @@ bool Evaluator::negation(std::size_t from, bool bits, Value& out) {
 }
 
 // SIN 30, ABS -8: a function of one operand without brackets.
-bool Evaluator::bare_call(const FunctionRow& row, std::size_t from, Value& out) {
+bool Operands::bare_call(const FunctionRow& row, std::size_t from, Value& out) {
   if (row.least > 1)
     return fail("function-arguments",
                 fmt::format("{} needs {} arguments in brackets", row.name, row.least), from, p_);
@@ -200,7 +175,7 @@ bool Evaluator::bare_call(const FunctionRow& row, std::size_t from, Value& out) 
 }
 
 // $NAME$ of the controller, #NAME of the program.
-bool Evaluator::plc_variable(Value& out) {
+bool Operands::plc_variable(Value& out) {
   const std::size_t from = p_++;
   const bool global = line_[from] == '$';
   while (is_name(at(p_)) || (global && (at(p_) == '.' || at(p_) == '[' || at(p_) == ']'))) ++p_;
@@ -211,13 +186,11 @@ bool Evaluator::plc_variable(Value& out) {
   std::string why;
   if (!variables_.named(line_.substr(from, p_ - from), {}, out, why))
     return fail("variable-unset", std::move(why), from, p_);
-  if (out.kind == Value::Kind::faulty) return fail("", {}, from, p_);
-  seen(from, out);
-  return true;
+  return answered(from, out);
 }
 
 // P12
-bool Evaluator::parameter_variable(Value& out) {
+bool Operands::parameter_variable(Value& out) {
   const std::size_t from = p_++;
   const std::size_t digits = p_;
   while (is_digit(at(p_))) ++p_;
@@ -225,13 +198,11 @@ bool Evaluator::parameter_variable(Value& out) {
   const double number = parse_number(line_.substr(digits, p_ - digits)).value_or(-1);
   if (!variables_.numbered(number, out, why))
     return fail("variable-number", std::move(why), from, p_);
-  if (out.kind == Value::Kind::faulty) return fail("", {}, from, p_);
-  seen(from, out);
-  return true;
+  return answered(from, out);
 }
 
 // R1, R[2], a name with up to three indices, TRUE, FALSE.
-bool Evaluator::name_variable(std::size_t from, std::string_view name, Value& out) {
+bool Operands::name_variable(std::size_t from, std::string_view name, Value& out) {
   std::array<Value, kMostIndices> indices;
   std::size_t count = 0;
   const std::string upper_name = upper_case(name);
@@ -244,7 +215,7 @@ bool Evaluator::name_variable(std::size_t from, std::string_view name, Value& ou
     do {
       ++p_;
       if (count == kMostIndices) return fail("expression", "too many indices", from, p_);
-      if (!binary(0, indices[count]) || !usable(indices[count], from)) return false;
+      if (!expression_within(indices[count]) || !usable(indices[count], from)) return false;
       ++count;
       skip_blanks();
     } while (at(p_) == ',');
@@ -265,20 +236,18 @@ bool Evaluator::name_variable(std::size_t from, std::string_view name, Value& ou
   } else if (!variables_.named(name, {indices.data(), count}, out, why)) {
     return fail("variable-unset", std::move(why), from, p_);
   }
-  if (out.kind == Value::Kind::faulty) return fail("", {}, from, p_);
-  seen(from, out);
-  return true;
+  return answered(from, out);
 }
 
 // Values between the brackets of a function, `p_` on the opening one.
-bool Evaluator::arguments(std::vector<Value>& values, std::size_t most) {
+bool Operands::arguments(std::vector<Value>& values, std::size_t most) {
   const std::size_t from = p_;
   if (++depth_ > kDeepest) return fail("expression-deep", "too many brackets", from, p_);
   do {
     ++p_;
     Value value;
     const std::size_t begin = p_;
-    if (!binary(0, value) || !usable(value, begin)) return false;
+    if (!expression_within(value) || !usable(value, begin)) return false;
     values.push_back(std::move(value));
     skip_blanks();
   } while (at(p_) == ',' && values.size() < most);
@@ -291,7 +260,7 @@ bool Evaluator::arguments(std::vector<Value>& values, std::size_t most) {
   return true;
 }
 
-bool Evaluator::call(const FunctionRow& row, std::size_t from, Value& out) {
+bool Operands::call(const FunctionRow& row, std::size_t from, Value& out) {
   if (row.function == Function::exists && spelled(Spelling::hash)) return exists_call(from, out);
   if (row.function >= Function::frame_trans && row.function <= Function::frame_mirror)
     return frame_call(row, from, out);
@@ -321,7 +290,7 @@ bool Evaluator::call(const FunctionRow& row, std::size_t from, Value& out) {
 }
 
 // EXISTS[#<name>], EXISTS[#1]: asks without reading.
-bool Evaluator::exists_call(std::size_t from, Value& out) {
+bool Operands::exists_call(std::size_t from, Value& out) {
   ++p_;
   skip_blanks();
   if (at(p_) != '#')
@@ -345,7 +314,7 @@ bool Evaluator::exists_call(std::size_t from, Value& out) {
 }
 
 // ISVAR("NAME"), ISVAR("NAME[]"): what the machine's maker has defined is not known.
-bool Evaluator::is_variable(const Value& name, std::size_t from, Value& out) {
+bool Operands::is_variable(const Value& name, std::size_t from, Value& out) {
   const std::string key = upper_case(name.text.substr(0, name.text.find('[')));
   if (key.empty() || key[0] == '$')
     return fail("expression", "ISVAR is answered for variables of the program", from, p_);
@@ -355,7 +324,7 @@ bool Evaluator::is_variable(const Value& name, std::size_t from, Value& out) {
 }
 
 // CTRANS(X, 10, Y, 5), CROT(Z, 30), CMIRROR(X): axes and values in turn.
-bool Evaluator::frame_call(const FunctionRow& row, std::size_t from, Value& out) {
+bool Operands::frame_call(const FunctionRow& row, std::size_t from, Value& out) {
   FrameParts parts;
   const bool mirror = row.function == Function::frame_mirror;
   const std::size_t first = line_.find_first_not_of(" \t", p_ + 1);
@@ -377,7 +346,7 @@ bool Evaluator::frame_call(const FunctionRow& row, std::size_t from, Value& out)
       if (at(p_) != ',') return fail("expression", "a comma is expected here", p_, p_ + 1);
       ++p_;
       const std::size_t begin = p_;
-      if (!binary(0, value) || !usable(value, begin)) return false;
+      if (!expression_within(value) || !usable(value, begin)) return false;
       if (!value.is_number()) return fail("expression", "a number is needed here", begin, p_);
       if (std::abs(value.number) > kLargestOfFrame)
         return fail("number-too-large", "too large for a frame", begin, p_);
@@ -395,6 +364,23 @@ bool Evaluator::frame_call(const FunctionRow& row, std::size_t from, Value& out)
     return fail("expression", "a scale of 0 leaves nothing", from, p_);
   out = Value::of_frame(frame_of(parts));
   return true;
+}
+
+// VC1 and V1 of Okuma, whose digits end them, and local names.
+bool Operands::plain_variable(std::size_t from, Value& out) {
+  p_ = from;
+  while (is_letter(at(p_))) ++p_;
+  const std::string letters = upper_case(line_.substr(from, std::min<std::size_t>(p_ - from, 3)));
+  const bool common = letters == "V" || letters == "VC";
+  while (is_digit(at(p_)) || (!common && is_letter(at(p_)))) ++p_;
+  const std::string_view name = line_.substr(from, p_ - from);
+  if (at(p_) == '[')
+    return fail("variable-unset", fmt::format("the system variable {} is not answered here", name),
+                from, p_);
+  std::string why;
+  if (!variables_.named(name, {}, out, why))
+    return fail("variable-unset", std::move(why), from, p_);
+  return answered(from, out);
 }
 
 }  // namespace mrsim
