@@ -76,7 +76,7 @@ void SinumerikWords::read(Block& block) {
   }
   if (n == ':' && block.words.empty()) return label(block, from, from + 1);
   if (n == '[' && c == 'R' && language_) return assignment(block, from);
-  if (n == '[') return array_word(block, from, std::string(1, c));
+  if (n == '[') return arrays_.read(block, from, std::string(1, c));
   if (n == '$' || n == '(')
     return unsupported(block, line_.substr(from, p_ - from + 1), "an expression", from);
   if (!starts_number(n))
@@ -175,7 +175,7 @@ void SinumerikWords::name(Block& block) {
     block.modal_call = true;
     return;
   }
-  if (c == '[') return array_word(block, from, name);
+  if (c == '[') return arrays_.read(block, from, name);
   p_ = after_name;
   const CodeEntry entry = find_function(name);
   Word word;

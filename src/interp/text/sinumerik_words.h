@@ -1,8 +1,8 @@
-// The words of SINUMERIK: addresses with "=" and numbers, names, labels, calls, arrays.
+// The words of SINUMERIK: addresses with "=" and numbers, names, labels, calls.
 // Private to src/interp.
 #pragma once
 
-#include "interp/text/sinumerik_values.h"
+#include "interp/text/sinumerik_arrays.h"
 
 #include <string>
 #include <string_view>
@@ -11,7 +11,7 @@ namespace mrsim {
 
 class SinumerikWords : public SinumerikValues {
  public:
-  explicit SinumerikWords(ParsedLine& line) : SinumerikValues(line) {}
+  explicit SinumerikWords(ParsedLine& line) : SinumerikValues(line), arrays_(line) {}
 
   /// The word that begins with the letter or underscore at the place.
   void read(Block& block);
@@ -20,11 +20,11 @@ class SinumerikWords : public SinumerikValues {
   void name(Block& block);
   void label(Block& block, std::size_t from, std::size_t end);
   void short_label(Block& block, std::size_t from);
-  void array_word(Block& block, std::size_t from, const std::string& name);
-  bool of_other_axis(std::size_t close) const;
   void program_name(Block& block, std::size_t from, std::string_view name);
   void call(Block& block, std::size_t from, std::string_view name);
   bool zero_follows();
+
+  SinumerikArrays arrays_;
 };
 
 /// "; is CR=5 meant?" for a SINUMERIK name that is an address and digits, else empty.

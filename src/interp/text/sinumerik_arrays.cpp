@@ -1,6 +1,6 @@
-// NAME[index]=value of SINUMERIK where NAME is no variable.
+#include "interp/text/sinumerik_arrays.h"
+
 #include "interp/text/characters.h"
-#include "interp/text/sinumerik_words.h"
 
 #include <algorithm>
 #include <initializer_list>
@@ -41,15 +41,13 @@ double code_of_group(double group, double index) {
 }  // namespace
 
 // POS[Z3]=-200, POSA[Q1]=0: a sub-spindle, a tailstock or a loader.
-bool SinumerikWords::of_other_axis(std::size_t close) const {
+bool SinumerikArrays::of_other_axis(std::size_t close) const {
   std::string axis = upper_case(line_.substr(p_ + 1, close - p_ - 1));
   std::erase(axis, ' ');
   return axis.size() > 1 || axis < "X" || axis > "Z";
 }
 
-// NAME[index]=value, which is no variable: an axis by AX[ ], a code by G[ ], or data without effect
-// on geometry. p_ on the bracket.
-void SinumerikWords::array_word(Block& block, std::size_t from, const std::string& name) {
+void SinumerikArrays::read(Block& block, std::size_t from, const std::string& name) {
   const std::string_view token = line_.substr(from, name.size());
   const bool read = language_ && (name == "AX" || name == "G");
   std::size_t close = line_.find(']', p_);
