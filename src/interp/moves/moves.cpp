@@ -56,7 +56,7 @@ bool Moves::run() {
     if (!axes_.angle_target(to, from)) return false;
   }
   if (to.named == 0) return true;
-  if (is_thread(code) && !thread_values(to, from)) return false;
+  if (is_thread(code) && !threads_.take_lead(to, from)) return false;
   if (!line(to, frame)) return false;
   if (code != Code::tap_return) return true;
   to.programmed = from;  // and out again

@@ -6,6 +6,7 @@
 #include "interp/moves/arc_solver.h"
 #include "interp/moves/motion_emitter.h"
 #include "interp/moves/spline_words.h"
+#include "interp/moves/thread_words.h"
 
 namespace mrsim {
 
@@ -22,7 +23,8 @@ class Moves : public ControlPart {
         compensation_(compensation),
         out_(out),
         arcs_(control, axes),
-        splines_(control, axes) {}
+        splines_(control, axes),
+        threads_(control) {}
 
   /// The move of the block. False: an error was reported.
   bool run();
@@ -76,7 +78,6 @@ class Moves : public ControlPart {
   bool emit_arc(const SolvedArc& arc, const Frame& frame, double feed = 0);
   bool hold_angle(const Word& ang);
   bool two_angle_lines(const Target& to, const Vec3& from, const Frame& frame);
-  bool thread_values(const Target& to, const Vec3& from);
   /// Of a thread or a tap; else 0.
   double lead_in_force() const { return is_thread(current_motion()) ? modal_.lead : 0; }
   Motion motion_template(const Word& where, MotionKind kind, double lead = 0, double feed = 0);
@@ -91,6 +92,7 @@ class Moves : public ControlPart {
   MotionEmitter& out_;
   ArcSolver arcs_;
   SplineWords splines_;
+  ThreadWords threads_;
   PendingAngle pending_angle_;
   std::string assumed_origin_;  ///< the first work offset that cuts without an entry
   bool feed_warned_ = false;

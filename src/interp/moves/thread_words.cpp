@@ -1,5 +1,4 @@
-// The leads of threads and taps that a motion's block gives.
-#include "interp/moves/moves.h"
+#include "interp/moves/thread_words.h"
 
 #include <algorithm>
 #include <cmath>
@@ -9,9 +8,7 @@
 
 namespace mrsim {
 
-// Lead of G33 G34 G35 (SINUMERIK K along Z, I along X; FANUC F) and of tapping, whose sign is the
-// hand of the thread; that of a cut thread follows from the spindle and the direction.
-bool Moves::thread_values(const Target& to, const Vec3& from) {
+bool ThreadWords::take_lead(const Target& to, const Vec3& from) {
   const Code code = current_motion();
   take(Address::sf);
   const Vec3 d = to.programmed - from;
