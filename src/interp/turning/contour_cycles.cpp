@@ -1,8 +1,5 @@
 #include "interp/turning/contour_cycles.h"
 
-#include "core/numbers/rounding.h"
-#include "interp/cycles/hole_maker.h"
-
 #include <algorithm>
 #include <cmath>
 #include <utility>
@@ -12,9 +9,9 @@
 namespace mrsim {
 namespace {
 
-constexpr double kMostMotions = 1e7;  // of a G73
-constexpr double kLongDepth = 50;     // D4000 counts thousandths
-constexpr double kLongShift = 500;    // and so does U14000 of G73
+constexpr double kLongDepth = 50;   // D4000 counts thousandths
+constexpr double kLongShift = 500;  // and so does U14000 of G73
+constexpr double kLapEscape = 0.5;  // mm: a parameter of Okuma's control
 
 }  // namespace
 
@@ -53,7 +50,7 @@ bool ContourCycles::read_repeats(const Word& word) {
 }
 
 // D I K of the cycle in one line. D without a point counts least increments where it is long.
-bool ContourCycles::old_words(bool given) {
+bool ContourCycles::old_words(bool given, Vec3& semi_finish) {
   TurnSettings& set = modal_.turn_settings;
   const Word* d = take('D');
   const Word* i = take('I');
@@ -65,8 +62,8 @@ bool ContourCycles::old_words(bool given) {
     if (k) set.shift_z = k->value * length_unit(*k);
     return true;
   }
-  if (i) semi_finish_.x = i->value * length_unit(*i);
-  if (k) semi_finish_.z = k->value * length_unit(*k);
+  if (i) semi_finish.x = i->value * length_unit(*i);
+  if (k) semi_finish.z = k->value * length_unit(*k);
   if (d) set.depth = std::abs(d->value * cycle_unit(*d));
   return true;
 }
@@ -91,7 +88,6 @@ double ContourCycles::cycle_unit(const Word& word) const {
 }
 
 bool ContourCycles::run() {
-  semi_finish_ = {};
   if (!block_.contour.empty()) return lap();
   const Word* first = take('P');
   const Word* last = take('Q');
@@ -107,20 +103,21 @@ bool ContourCycles::run() {
   TurnSettings& set = modal_.turn_settings;
   set.thousandths =
       counts_thousandths(g == 73 ? "UW" : "UWD", kLongDepth) || (set.thousandths && !peek('D'));
-  if (!old_words(peek('D') || peek('I') || peek('K'))) return false;
-  call_ = {};
+  Call call;
+  if (!old_words(peek('D') || peek('I') || peek('K'), call.cut.semi_finish)) return false;
   if (const Word* u = take('U'))
-    call_.allowance.x = axis_value(0, *u, true) * cycle_unit(*u) / length_unit(*u);
-  if (const Word* w = take('W')) call_.allowance.z = w->value * cycle_unit(*w);
+    call.cut.allowance.x = axis_value(0, *u, true) * cycle_unit(*u) / length_unit(*u);
+  if (const Word* w = take('W')) call.cut.allowance.z = w->value * cycle_unit(*w);
   take('R');  // Haas: R1 says that there are pockets
-  call_.number = g;
-  call_.where = *block_.oneshot;
-  call_.first = *first;
-  call_.last = *last;
-  if (const Word* program = take('A')) call_.program = *program;
+  call.cut.number = g;
+  call.cut.where = *block_.oneshot;
+  call.first = *first;
+  call.last = *last;
+  if (const Word* program = take('A')) call.program = *program;
+  call_ = std::move(call);
   if ((g == 71 || g == 72) && modal_.turn_settings.depth <= 0)
     return error("value-missing", fmt::format("G{} needs the depth of a pass, U, W or D", g),
-                 call_.where);
+                 call_.cut.where);
   waits_ = true;
   return true;
 }
@@ -134,10 +131,10 @@ void ContourCycles::end_block() {
   place_ = block_.place();
   position_before_ = position_;
   modal_before_ = modal_;
-  const bool finishing = call_.number == 70;
+  const bool finishing = call_.cut.number == 70;
   if (!finishing) request.on_start = [this] { begin_contour(); };
   request.on_end = [this, finishing] { finishing ? finish() : end_contour(); };
-  const Word where = call_.where;
+  const Word where = call_.cut.where;
   reader_.enter(std::move(request), where);
 }
 
@@ -162,7 +159,7 @@ bool ContourCycles::find_contour(CallRequest& request) {
         statements_ && statements_->places().find_blocks(*place, first, last, request.begin, end);
   } else {
     found = statements_ && statements_->places().find_blocks(first, last, request.begin, end);
-    if (found && call_.number == 70) prefer_contour_before(first, last, request.begin, end);
+    if (found && call_.cut.number == 70) prefer_contour_before(first, last, request.begin, end);
   }
   request.end = end.offset;
   if (!found)
@@ -171,7 +168,7 @@ bool ContourCycles::find_contour(CallRequest& request) {
         fmt::format("there are no blocks N{} to N{} behind one another in {}", first, last,
                     call_.program ? text_of(*call_.program).replace(0, 1, "O") : "this program"),
         call_.first);
-  const bool jumps = call_.number != 70 && !call_.program && reader_.place_at(0) < end;
+  const bool jumps = call_.cut.number != 70 && !call_.program && reader_.place_at(0) < end;
   return !jumps || reader_.jump(end);
 }
 
@@ -194,7 +191,8 @@ void ContourCycles::end_program() {
   if (!out_.captures()) return;
   out_.capture(nullptr);
   reporter_.set_place(place_.file, place_.line, place_.call, {});
-  error("program-end-missing", "the program ends inside the contour of this cycle", call_.where);
+  error("program-end-missing", "the program ends inside the contour of this cycle",
+        call_.cut.where);
 }
 
 // G70 ends where it began. Radius compensation is off on the way back and starts again with the
@@ -203,7 +201,7 @@ void ContourCycles::finish() {
   block_.forget_words();
   block_.begin();
   const Code comp = std::exchange(modal_.comp, Code::comp_off);
-  go(position_before_.physical, kRapid);
+  ContourPasses(control_, moves_, call_.cut, contour_).go(position_before_.physical, kRapid);
   modal_.comp = comp;
 }
 
@@ -221,179 +219,68 @@ void ContourCycles::end_contour() {
   put_back_block(place_);
   if (contour_.size() >= MotionEmitter::kMostCaptured)
     error("value-range", fmt::format("the contour has {} motions or more", contour_.size()),
-          call_.where);
-  if (reporter_.errors() == errors_before_) call_.number == 73 ? repeat_pattern() : rough();
+          call_.cut.where);
+  if (reporter_.errors() == errors_before_)
+    ContourPasses(control_, moves_, call_.cut, contour_).run();
   modal_.comp = modal_before_.comp;
 }
 
-void ContourCycles::go(const Vec3& to, MotionKind kind) {
-  if (distance(to, position_.physical) <= kRounding) return;
-  Target target;
-  target.programmed = apply_inverse(frames_.total, to);
-  target.named = 5;
-  moves_.compensated_step(target, call_.where, 0, kind);
+std::optional<LapContour> ContourCycles::lap_contour(std::string_view name, const Word& where) {
+  std::optional<LapContour> found;
+  if (statements_) {
+    const auto [begin, end] = statements_->places().section();
+    found = find_lap_contour(reader_.file(), begin, end, name);
+  }
+  if (!found)
+    error("jump-target",
+          fmt::format("there is no block {} with G81 or G82, and G80 behind it, in this program",
+                      name),
+          where);
+  return found;
 }
 
-// G73: the whole contour, each time nearer.
-bool ContourCycles::repeat_pattern() {
-  const TurnSettings& set = modal_.turn_settings;
-  if (static_cast<double>(set.repeats) * static_cast<double>(contour_.size()) > kMostMotions)
-    return error("value-range", fmt::format("more than {:g} motions", kMostMotions), call_.where);
-  const Vec3 from = position_.physical;
-  for (int i = 0; i < set.repeats; ++i) {
-    const double share = set.repeats > 1 ? 1 - static_cast<double>(i) / (set.repeats - 1) : 0;
-    const Vec3 shift = call_.allowance + share * Vec3{set.shift_x, 0, set.shift_z};
-    go(from + shift, kRapid);
-    for (const Motion& m : contour_) moves_.follow(m, shift, call_.where);
-  }
-  go(from, kRapid);
+bool ContourCycles::lap() {
+  const Word& where = *block_.oneshot;
+  const auto contour = lap_contour(block_.contour, where);
+  if (!contour || !goes_on(where)) return false;
+  if (contour->number == 83)
+    return error("not-supported",
+                 fmt::format("{} begins with the shape of the blank (G83), which is not supported "
+                             "yet: call its finished shape by a block with G81 or G82",
+                             block_.contour),
+                 where);
+  call_ = {};
+  call_.lap = contour;
+  call_.cut.lap = true;
+  call_.cut.where = where;
+  call_.cut.number = block_.turn_cycle == 70 ? 70 : contour->number == 82 ? 72 : 71;
+  const Word* u = take('U');
+  const Word* w = take('W');
+  if (u) call_.cut.allowance.x = std::abs(axis_value(0, *u, true));
+  if (w) call_.cut.allowance.z = std::abs(w->value) * length_unit(*w);
+  take('E');
+  if (call_.cut.number != 70 && !lap_depth()) return false;
+  if (call_.cut.number == 70 && length(call_.cut.allowance) > 0)
+    return error("not-supported", "U and W of G87 (a stock that finishing leaves)", where);
+  waits_ = true;
   return true;
 }
 
-// "N20 G0 G40 Z0.1", back to where the cycle began, with nothing of the contour farther out.
-void ContourCycles::leave_out_return() {
-  if (contour_.size() < 3) return;
-  const Motion& last = contour_.back();
-  const int u = call_.number == 72 ? 2 : 0, v = 2 - u;
-  const Vec3 from = position_.physical, begin = contour_.front().end;
-  const double out = component(from, u) - component(begin, u);  // away from the contour
-  const bool back = component(last.end - last.start, v) * component(last.start - from, v) < 0;
-  const double low = std::min(component(last.start, u) * out, component(last.end, u) * out);
-  for (std::size_t i = 0; i + 1 < contour_.size(); ++i)
-    if (component(contour_[i].end, u) * out > low + kRounding) return;
-  if (last.kind != kRapid || !back) return;
-  reporter_.add_at(Severity::warning, "cycle-contour",
-                   "the last block of the contour goes back with a rapid: FANUC stops there (alarm "
-                   "064), Haas goes on; roughing leaves it out",
-                   last);
-  contour_.pop_back();
-}
-
-// G71 along Z, G72 along X: passes at levels down to the contour, then in its pockets, then once
-// along it.
-bool ContourCycles::rough() {
-  leave_out_return();
-  if (contour_.size() < 2)
-    return error("value-missing", "the contour of the cycle has no motions", call_.where);
-  if (contour_.front().kind == MotionKind::arc) {
-    reporter_.add_at(
-        Severity::error, "cycle-contour",
-        "the contour begins with an arc: G0 or G1 must lead to it, as the passes do to "
-        "their levels (alarm 065)",
-        contour_.front());
-    return false;
-  }
-  if (call_.lap) orient_allowance();
-  const Vec3 from = position_.physical, shift = call_.allowance;
-  const Vec3 top = call_.lap ? from : from + shift;
-  Rough r;
-  r.u = call_.number == 72 ? 2 : 0;
-  r.v = 2 - r.u;
-  r.top = component(top, r.u);
-  r.start = component(top, r.v);
-  r.down = -1;
-  double farthest = 0;
-  for (const Motion& m : contour_) {
-    const double travel = component(m.end + shift, r.u) - r.top;
-    if (std::abs(travel) <= farthest) continue;
-    farthest = std::abs(travel);
-    r.down = travel > 0 ? 1 : -1;
-  }
-  r.along = component(contour_.back().end + shift, r.v) > r.start ? 1 : -1;
-  if (component(shift, r.u) * r.down > kRounding)
-    warning("cycle-allowance",
-            fmt::format("{} of G{} leads into the finished shape, which is cut too deep: of a bore "
-                        "it is below 0",
-                        r.u == 0 ? 'U' : 'W', call_.number),
-            call_.where);
-  std::vector<PlanePiece> pieces;
-  for (std::size_t i = 1; i < contour_.size(); ++i)
-    pieces.push_back(turned_piece(contour_[i], r.u, r.v, shift + semi_finish_));
-  const RoughContour shape(std::move(pieces), -r.down, r.along);
-  if (const int bad = shape.runs_back(); bad >= 0) {
-    const Motion& m = contour_[static_cast<std::size_t>(bad) + 1];
-    const bool home =
-        m.kind == MotionKind::rapid && static_cast<std::size_t>(bad) + 2 == contour_.size();
-    reporter_.add_at(Severity::error, "not-supported",
-                     home ? "the last block of the contour goes back with a rapid, where controls "
-                            "stop (alarm 064): let Q name the block before it"
-                          : "the contour of the cycle runs back here (an undercut), which is not "
-                            "supported yet",
-                     m);
-    return false;
-  }
-  go(top, kRapid);
-  if (!levels(r, shape)) return false;
-  for (const Motion& m : contour_) moves_.follow(m, shift, call_.where);
-  go(from, kRapid);
+// D of passes along Z is what they take off the diameter.
+bool ContourCycles::lap_depth() {
+  const Word* d = take('D');
+  if (!d || d->value == 0)
+    return error("value-missing", "G85 needs D, the depth of a pass", call_.cut.where);
+  TurnSettings& set = modal_.turn_settings;
+  set.depth = std::abs(d->value) * length_unit(*d) * (call_.cut.number == 71 ? 0.5 : 1);
+  set.escape = kLapEscape;
   return true;
 }
 
-// First the stretches that the start sees, from the top down; then the pockets, from the top down.
-bool ContourCycles::levels(const Rough& r, const RoughContour& shape) {
-  const double depth = modal_.turn_settings.depth;
-  const double whole = r.down * (shape.deepest() - r.top);
-  if (whole / depth > static_cast<double>(kMostStrokes))
-    return error("value-range", fmt::format("more than {} passes", kMostStrokes), call_.where);
-  std::vector<std::pair<double, FreeStretch>> pockets;
-  for (int i = 1; i * depth < whole - kRounding; ++i) {
-    const double at = r.top + r.down * i * depth;
-    for (const FreeStretch& stretch : shape.free_at(at)) {
-      if (stretch.first)
-        pass(r, at, stretch.to);
-      else
-        pockets.emplace_back(at, stretch);
-    }
-    if (pockets.size() > kMostStrokes)
-      return error("value-range", fmt::format("more than {} passes", kMostStrokes), call_.where);
-  }
-  for (const auto& [at, stretch] : pockets) pocket_pass(r, at, stretch);
-  if (pockets.empty()) return true;
-  Vec3 p = position_.physical;
-  component(p, r.u) = r.top;
-  go(p, kRapid);
-  component(p, r.v) = r.start;
-  go(p, kRapid);
-  return true;
-}
-
-// To the level, along it to the contour, off at 45 degrees, back.
-void ContourCycles::pass(const Rough& r, double at, double end) {
-  if ((end - r.start) * r.along <= kRounding) return;
-  Vec3 p = position_.physical;
-  component(p, r.u) = at;
-  go(p, contour_.front().kind);
-  cut(r, at, r.start, end);
-  p = position_.physical;
-  component(p, r.v) = r.start;
-  go(p, kRapid);
-}
-
-// Over the pocket at the height of the start, down to the pass before, into the material.
-void ContourCycles::pocket_pass(const Rough& r, double at, const FreeStretch& stretch) {
-  const TurnSettings& set = modal_.turn_settings;
-  if ((stretch.to - stretch.from) * r.along <= kRounding) return;
-  Vec3 p = position_.physical;
-  component(p, r.u) = r.top;
-  go(p, kRapid);
-  component(p, r.v) = stretch.from;
-  go(p, kRapid);
-  const double above = std::min(set.depth + set.escape, r.down * (at - r.top));
-  component(p, r.u) = at - r.down * above;
-  go(p, kRapid);
-  component(p, r.u) = at;
-  go(p, kLine);
-  cut(r, at, stretch.from, stretch.to);
-}
-
-void ContourCycles::cut(const Rough& r, double at, double begin, double end) {
-  Vec3 p = position_.physical;
-  component(p, r.v) = end;
-  go(p, kLine);
-  const double escape = std::min(modal_.turn_settings.escape, (end - begin) * r.along);
-  component(p, r.u) = at - r.down * escape;
-  component(p, r.v) = end - r.along * escape;
-  go(p, kRapid);
+// The program has come to a contour on its way: it goes on behind G80.
+void ContourCycles::pass_over_lap() {
+  const Word where = *block_.lap_begins;
+  if (const auto contour = lap_contour(block_.name, where)) reader_.jump(contour->behind);
 }
 
 }  // namespace mrsim
