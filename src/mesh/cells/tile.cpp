@@ -26,7 +26,7 @@ CellTile::CellTile(const ExactField& field, const Lattice& lattice, const Common
       offset_(kCount),
       decider_(kCount),
       list_of_(kNodes * kNodes * kNodes),
-      merged_(kCells * kCells) {
+      squares_(lattice) {
   for (std::vector<double>& planes : planes_) planes.resize(kCells + 1);
   for (auto& ranges : inner_) ranges.resize(kCells);
 }
@@ -44,16 +44,17 @@ void CellTile::build(const LatticePoint& first, std::span<const std::uint32_t> c
   find_stock();
   ids_.clear();
   lists_.assign(1, {});
-  std::fill(columns_.begin(), columns_.end(), Column{});
+  std::fill(columns_.begin(), columns_.end(), TileColumn{});
   std::fill(list_of_.begin(), list_of_.end(), 0);
   squares_.clear();
-  std::fill(merged_.begin(), merged_.end(), 0);
   const Box3 whole = node_box({0, 0, 0}, kCells);
   descent_ = field_.descent(0.5 * (whole.lo + whole.hi), candidates);
   visit({0, 0, 0}, kCells, 1);
   add_common_lists();
   find_crossed();
-  if (is_box_ && flat == FlatCells::merged) merge_flat_cells(bare);
+  if (is_box_ && flat == FlatCells::merged)
+    squares_.merge(columns_, {field_.bounds(), first_, {within_[0], within_[1], within_[2]}}, bare,
+                   crossed_);
   crossed_.number();
 }
 
@@ -156,7 +157,7 @@ void CellTile::sample_node(const LatticePoint& origin, std::span<const std::uint
     for (std::int32_t y = 0; y < kSize; ++y) {
       const auto first = static_cast<std::size_t>(cell_at(origin.x + x, origin.y + y, origin.z));
       std::copy_n(deciders + (d - distances), kSize, &decider_[first]);
-      Column found;
+      TileColumn found;
       for (std::int32_t z = 0; z < kSize; ++z) {
         const auto offset = static_cast<float>(*d++ + kInsideTolerance);
         offset_[first + static_cast<std::size_t>(z)] = offset;
@@ -165,7 +166,7 @@ void CellTile::sample_node(const LatticePoint& origin, std::span<const std::uint
         found.near |= std::uint64_t(size <= voxel) << z;
         found.very_near |= std::uint64_t(size <= half_voxel) << z;
       }
-      Column& own = column(origin.x + x, origin.y + y);
+      TileColumn& own = column(origin.x + x, origin.y + y);
       own.sampled |= bit_range(origin.z, kSize);
       if (!list.empty()) own.cut |= bit_range(origin.z, kSize);
       own.inside |= found.inside << origin.z;
@@ -184,7 +185,7 @@ void CellTile::mark_stock_node(const LatticePoint& origin) {
       const auto first = static_cast<std::size_t>(cell_at(x, y, origin.z));
       std::fill_n(&decider_[first], kSize, kStockDecides);
       std::fill_n(&offset_[first], kSize, kWhenAsked);
-      Column& own = column(x, y);
+      TileColumn& own = column(x, y);
       own.sampled |= all, own.near |= all, own.very_near |= all;
       if (has(within_[0], x) && has(within_[1], y)) own.inside |= all & within_[2];
     }
@@ -197,7 +198,7 @@ Vec3 CellTile::position(const LatticePoint& p) const {
 
 float CellTile::known_offset(std::int32_t corner) const {
   const LatticePoint p = point_of(corner);
-  const Column& own = column(p.x, p.y);
+  const TileColumn& own = column(p.x, p.y);
   if (has(own.sampled, p.z)) return offset_[static_cast<std::size_t>(corner)];
   return has(own.inside, p.z) ? -kUnknown : kUnknown;
 }
@@ -292,7 +293,7 @@ void CellTile::find_crossed() {
   const std::uint64_t above = bit_range(1, kCells - 1), below = bit_range(0, kCells - 1);
   for (std::int32_t x = 0; x < kCells; ++x)
     for (std::int32_t y = 0; y < kCells; ++y) {
-      const Column& own = column(x, y);
+      const TileColumn& own = column(x, y);
       const auto crossed = [&](bool exist, std::uint64_t ends, std::uint64_t from) {
         return exist ? (own.inside ^ ends) & own.sampled & from : 0;
       };
@@ -331,10 +332,10 @@ std::vector<MinimalEdge> CellTile::doubtful_edges() const {
   };
   for (std::int32_t x = kFirstTested; x < kEndOwned; ++x)
     for (std::int32_t y = kFirstTested; y < kEndOwned; ++y) {
-      const Column& own = column(x, y);
+      const TileColumn& own = column(x, y);
       if (own.near == 0) continue;
       // One of two ends whose offsets come to no more than a voxel is within half of it.
-      const auto alike = [&](int axis, const Column& end, int shift) {
+      const auto alike = [&](int axis, const TileColumn& end, int shift) {
         if (!is_tested(x, axis == 0) || !is_tested(y, axis == 1)) return std::uint64_t(0);
         return own.near & end.near >> shift & (own.very_near | end.very_near >> shift) &
                (own.cut | end.cut >> shift) & ~(own.inside ^ end.inside >> shift) &
@@ -360,6 +361,23 @@ std::pair<double, double> CellTile::offsets(const MinimalEdge& e) const {
 EdgeEnds CellTile::ends(const MinimalEdge& e) const {
   const LatticePoint p = point_of(e.low);
   return {position(p), planes_[e.axis][static_cast<std::size_t>(component(p, e.axis) + 1)]};
+}
+
+Vec3 CellTile::middle(const TileSquare& square) const {
+  const CellSquare& s = square.cells;
+  const LatticePoint p = square.cell(s.row + s.size / 2, s.column + s.size / 2);
+  const auto at = [&](int axis) {
+    return lattice().coordinate(
+        axis, (component(first_, axis) + component(p, axis)) * lattice().per_voxel());
+  };
+  return {at(0), at(1), at(2)};
+}
+
+std::int32_t CellTile::cell_in(const TileSquare& square) {
+  const CellSquare& s = square.cells;
+  const auto inside = [](std::int32_t i) { return std::clamp(i, 1, kCells - 2); };
+  const LatticePoint p = square.cell(inside(s.row + s.size / 2), inside(s.column + s.size / 2));
+  return cell_at(p.x, p.y, p.z);
 }
 
 }  // namespace mrsim::detail

@@ -7,36 +7,20 @@
 // share lists, so that a cell has the same list in both but for rounding (common_lists.h).
 #pragma once
 
-#include "mesh/cells/bare_tiles.h"
 #include "mesh/cells/cells.h"
 #include "mesh/cells/common_lists.h"
-#include "mesh/cells/flat_squares.h"
-#include "mesh/cells/tile_edges.h"
+#include "mesh/cells/tile_squares.h"
 
 #include <memory>
 #include <vector>
 
 namespace mrsim::detail {
 
-/// Cells that are one: a square of a layer, which the surface crosses on the edges along `axis`.
-struct TileSquare {
-  int axis = 0;
-  std::int32_t layer = 0;
-  /// Rows and columns: the other two axes, in order. Of a square that a tile beside this one has,
-  /// they go on beyond this tile.
-  CellSquare cells;
-
-  LatticePoint cell(std::int32_t row, std::int32_t column) const {
-    if (axis == 0) return {layer, row, column};
-    return axis == 1 ? LatticePoint{row, layer, column} : LatticePoint{row, column, layer};
-  }
-};
-
 class CellTile final : public SurfaceCells {
  public:
-  static constexpr std::int32_t kCells = 64;  ///< on a side, with the rings
-  static constexpr std::int32_t kOwned = 60;  ///< from the third on
-  static constexpr std::int32_t kFirstOwned = 2;
+  static constexpr std::int32_t kCells = kTileCells;
+  static constexpr std::int32_t kOwned = kTileOwned;
+  static constexpr std::int32_t kFirstOwned = kTileFirstOwned;
   static constexpr std::int32_t kEndOwned = kFirstOwned + kOwned;
 
   /// `common`: lists of cells that do not take the tile's, null = none.
@@ -68,15 +52,12 @@ class CellTile final : public SurfaceCells {
   const TileEdges& crossed() const { return crossed_; }
   /// Adds these edges to `out`, by their numbers.
   void append_crossed(std::vector<MinimalEdge>& out) const;
-  std::span<const TileSquare> squares() const { return squares_; }
-  /// Its middle in the layer, mm; along its axis: where the layer begins.
+  /// The cells that are merged to squares.
+  const TileSquares& squares() const { return squares_; }
+  /// The middle of a square in its layer, mm; along its axis, where the layer begins.
   Vec3 middle(const TileSquare& square) const;
   /// One of the square's cells in this tile.
   static std::int32_t cell_in(const TileSquare& square);
-  /// Bits of the cells (x, y, z), z a bit: in a square.
-  std::uint64_t merged(std::int32_t x, std::int32_t y) const {
-    return merged_[static_cast<std::size_t>(x * kCells + y)];
-  }
   /// Bits of the corners (x, y, z), z a bit: in the material.
   std::uint64_t inside(std::int32_t x, std::int32_t y) const { return column(x, y).inside; }
   static std::int32_t cell_at(std::int32_t x, std::int32_t y, std::int32_t z) {
@@ -117,26 +98,14 @@ class CellTile final : public SurfaceCells {
     const auto in = [](std::int32_t i) { return i >= kFirstOwned && i < kEndOwned; };
     return in(p.x) && in(p.y) && in(p.z);
   }
-  /// Bits begin .. begin + count - 1.
-  static std::uint64_t bit_range(std::int32_t begin, std::int32_t count) {
-    return ~std::uint64_t(0) >> (64 - count) << begin;
-  }
   static bool is_tested(std::int32_t i, bool along) {
     const std::int32_t first = along ? kFirstTested : kFirstOwned;
     return i >= first && i < first + kOwned;
   }
-  /// What is known of the corners (x, y, 0..63), a bit for each.
-  struct Column {
-    std::uint64_t sampled = 0, inside = 0;
-    std::uint64_t cut = 0;                  ///< d may be decided by a sweep
-    std::uint64_t near = 0, very_near = 0;  ///< |offset| up to a voxel, half a voxel
-  };
-  static_assert(kCells == TileEdges::kCells);
-
-  Column& column(std::int32_t x, std::int32_t y) {
+  TileColumn& column(std::int32_t x, std::int32_t y) {
     return columns_[static_cast<std::size_t>(x * kCells + y)];
   }
-  const Column& column(std::int32_t x, std::int32_t y) const {
+  const TileColumn& column(std::int32_t x, std::int32_t y) const {
     return columns_[static_cast<std::size_t>(x * kCells + y)];
   }
   float known_offset(std::int32_t corner) const;
@@ -153,11 +122,6 @@ class CellTile final : public SurfaceCells {
   template <std::int32_t kSize>
   void mark_stock_node(const LatticePoint& origin);
   void find_crossed();
-  void merge_flat_cells(const BareTiles& bare);
-  std::vector<CellSquare> whole_squares(int axis, const BareTiles& bare) const;
-  bool spans_side(int axis, int tile) const;
-  void add_square(const TileSquare& square);
-  void remove_edges(int axis, std::int32_t layer, const CellRows& edges);
   template <std::int32_t kSize>
   void sample_node(const LatticePoint& origin, std::span<const std::uint32_t> list);
   bool runs_evenly(std::int32_t low, std::int32_t step) const;
@@ -168,7 +132,7 @@ class CellTile final : public SurfaceCells {
   LatticePoint first_;
   std::vector<double> planes_[3];                    ///< coordinates of the planes, mm
   std::vector<std::pair<double, double>> inner_[3];  ///< where vertices between two may lie, mm
-  std::vector<Column> columns_;
+  std::vector<TileColumn> columns_;
   std::vector<float> offset_;           ///< d + kInsideTolerance at corners, where sampled; NaN: of
                                         ///< the stock, when asked for
   std::vector<std::uint32_t> decider_;  ///< of d there
@@ -181,10 +145,7 @@ class CellTile final : public SurfaceCells {
   bool is_box_ = false;        ///< the stock is
   std::uint64_t within_[3]{};  ///< the box: bits of the planes
   TileEdges crossed_;
-  std::vector<TileSquare> squares_;
-  std::vector<std::uint64_t> merged_;  ///< bits of cells, by column
+  TileSquares squares_;
 };
-
-inline constexpr std::int32_t kTileCells = CellTile::kCells, kTileOwned = CellTile::kOwned;
 
 }  // namespace mrsim::detail

@@ -79,7 +79,7 @@ void TileLoops::find(const CellTile& tile) {
   loop_crossings_.clear();
   faces_.clear();
   segments_.clear();
-  for (const TileSquare& square : tile.squares()) add_square(tile, square);
+  for (const TileSquare& square : tile.squares().all()) add_square(tile, square);
   const std::vector<std::uint64_t> crowded = add_plain_loops(tile);
   add_segments<0>(tile, crowded);
   add_segments<1>(tile, crowded);
@@ -131,8 +131,8 @@ std::vector<std::uint64_t> TileLoops::add_plain_loops(const CellTile& tile) {
                                         tile.inside(x + 1, y), tile.inside(x + 1, y + 1)};
       std::uint64_t any = 0, all = ~any;
       for (const std::uint64_t c : corners) any |= c | c >> 1, all &= c & c >> 1;
-      for (std::uint64_t left = any & ~all & ~tile.merged(x, y) & up_to(kTileCells - 2); left != 0;
-           left &= left - 1) {
+      for (std::uint64_t left = any & ~all & ~tile.squares().merged(x, y) & up_to(kTileCells - 2);
+           left != 0; left &= left - 1) {
         const std::int32_t z = std::countr_zero(left);
         unsigned signs = 0;
         for (unsigned k = 0; k < 4; ++k)
@@ -179,10 +179,10 @@ void TileLoops::add_segments(const CellTile& tile, const std::vector<std::uint64
         any |= bits[k], all &= bits[k];
       }
       // A side of a square needs none.
-      const std::uint64_t square = tile.merged(x, y);
+      const std::uint64_t square = tile.squares().merged(x, y);
       any &= up_to(last(2)) & ~square;
-      any &= ~(kAxis == 0   ? tile.merged(x - 1, y)
-               : kAxis == 1 ? tile.merged(x, y - 1)
+      any &= ~(kAxis == 0   ? tile.squares().merged(x - 1, y)
+               : kAxis == 1 ? tile.squares().merged(x, y - 1)
                             : square << 1);
       if (any == 0) continue;
       const auto crowded_at = [&](std::int32_t i) { return crowded[static_cast<std::size_t>(i)]; };

@@ -1,8 +1,9 @@
-// Where the stock alone is left, squares of cells become one each. The triangles about them cover
-// what those of all their cells would (docs/mesh.md, Tiles).
-#include "mesh/cells/tile.h"
+#include "mesh/cells/tile_squares.h"
+
+#include "removal/field/field.h"
 
 #include <algorithm>
+#include <array>
 #include <bit>
 
 namespace mrsim::detail {
@@ -58,26 +59,50 @@ CellRows edges_within(const std::vector<CellSquare>& squares) {
   return out;
 }
 
+void remove_edges(TileEdges& crossed, int axis, std::int32_t layer, const CellRows& edges) {
+  for (std::int32_t i = 0; i < kTileCells; ++i) {
+    std::uint64_t bits = edges[static_cast<std::size_t>(i)];
+    if (axis == 0) crossed.remove(TileEdges::column(0, layer, i), bits);
+    if (axis == 1) crossed.remove(TileEdges::column(1, i, layer), bits);
+    if (axis == 2)
+      for (; bits != 0; bits &= bits - 1)
+        crossed.remove(TileEdges::column(2, i, std::countr_zero(bits)), std::uint64_t(1) << layer);
+  }
+}
+
+constexpr std::int32_t kFirstOwned = kTileFirstOwned, kEndOwned = kFirstOwned + kTileOwned;
+
+bool is_owned(std::int32_t i) { return i >= kFirstOwned && i < kEndOwned; }
+
 }  // namespace
 
+void TileSquares::clear() {
+  squares_.clear();
+  std::fill(merged_.begin(), merged_.end(), 0);
+}
+
 // A box is convex: where the surface crosses four parallel edges of a cell, it is one side of it.
-void CellTile::merge_flat_cells(const BareTiles& bare) {
+void TileSquares::merge(std::span<const TileColumn> columns, const TileStock& stock,
+                        const BareTiles& bare, TileEdges& crossed) {
+  const auto column = [&](std::int32_t x, std::int32_t y) -> const TileColumn& {
+    return columns[static_cast<std::size_t>(x * kTileCells + y)];
+  };
   FlatLayers flat;
   for (std::int32_t x = 1; x < kTileCells - 1; ++x)
     for (std::int32_t y = 1; y < kTileCells - 1; ++y) {
       const std::uint64_t uncut =
           column(x, y).sampled & ~column(x, y).cut & bit_range(1, kTileCells - 2);
-      const std::uint64_t a = inside(x, y), b = inside(x, y + 1), c = inside(x + 1, y),
-                          d = inside(x + 1, y + 1);
+      const std::uint64_t a = column(x, y).inside, b = column(x, y + 1).inside,
+                          c = column(x + 1, y).inside, d = column(x + 1, y + 1).inside;
       const std::uint64_t differ = (a ^ b) | (a ^ c) | (a ^ d);
       if (((differ | (a ^ a >> 1)) & uncut) == 0) continue;
       const std::uint64_t even_in_z = ~((a ^ a >> 1) | (b ^ b >> 1) | (c ^ c >> 1) | (d ^ d >> 1));
       const auto row = static_cast<std::size_t>(x);
       if (const std::uint64_t bits = uncut & even_in_z & ~(a ^ b) & ~(c ^ d) & (a ^ c);
-          bits != 0 && is_tested(x, false))
+          bits != 0 && is_owned(x))
         flat.of(0, x)[static_cast<std::size_t>(y)] = bits;
       if (const std::uint64_t bits = uncut & even_in_z & ~(a ^ c) & ~(b ^ d) & (a ^ b);
-          bits != 0 && is_tested(y, false))
+          bits != 0 && is_owned(y))
         flat.of(1, y)[row] = bits;
       for (std::uint64_t left =
                uncut & (a ^ a >> 1) & ~(differ | differ >> 1) & bit_range(kFirstOwned, kTileOwned);
@@ -86,10 +111,10 @@ void CellTile::merge_flat_cells(const BareTiles& bare) {
     }
   std::vector<CellSquare> whole[3];
   for (int axis = 0; axis < 3; ++axis) {
-    whole[axis] = whole_squares(axis, bare);
+    whole[axis] = whole_squares(axis, stock, bare);
     if (whole[axis].empty()) continue;
     for (std::uint64_t left =
-             (within_[axis] ^ within_[axis] >> 1) & bit_range(kFirstOwned, kTileOwned);
+             (stock.within[axis] ^ stock.within[axis] >> 1) & bit_range(kFirstOwned, kTileOwned);
          left != 0; left &= left - 1)
       flat.of(axis, std::countr_zero(left));
   }
@@ -103,22 +128,23 @@ void CellTile::merge_flat_cells(const BareTiles& bare) {
       const auto own = flat_squares(layer.cells, kFirstOwned, kEndOwned - 1);
       squares.insert(squares.end(), own.begin(), own.end());
     }
-    for (const CellSquare& s : squares) add_square({layer.axis, layer.at, s});
-    remove_edges(layer.axis, layer.at, edges_within(squares));
+    for (const CellSquare& s : squares) add({layer.axis, layer.at, s});
+    remove_edges(crossed, layer.axis, layer.at, edges_within(squares));
   }
 }
 
 // A tile in which the stock alone decides d, and whose cells and those next to them lie within a
 // side of the box, has all of its own in one square. Tiles about it know the same.
-std::vector<CellSquare> CellTile::whole_squares(int axis, const BareTiles& bare) const {
+std::vector<CellSquare> TileSquares::whole_squares(int axis, const TileStock& stock,
+                                                   const BareTiles& bare) const {
   std::vector<CellSquare> out;
   const int row_axis = axis == 0 ? 1 : 0, column_axis = axis == 2 ? 1 : 2;
   for (int row = -1; row <= 1; ++row)
     for (int column = -1; column <= 1; ++column) {
       int tile[3] = {};
       tile[row_axis] = row, tile[column_axis] = column;
-      if (bare.has(tile[0], tile[1], tile[2]) && spans_side(row_axis, row) &&
-          spans_side(column_axis, column))
+      if (bare.has(tile[0], tile[1], tile[2]) && spans_side(row_axis, row, stock) &&
+          spans_side(column_axis, column, stock))
         out.push_back(
             {kFirstOwned + row * kTileOwned, kFirstOwned + column * kTileOwned, kTileOwned});
     }
@@ -127,11 +153,11 @@ std::vector<CellSquare> CellTile::whole_squares(int axis, const BareTiles& bare)
 
 // Whether the cells of the tile that lies so many tiles along the axis, and one more at each end,
 // lie between two sides of the stock's box.
-bool CellTile::spans_side(int axis, int tile) const {
-  const Box3 box = field_.bounds();
-  const std::int32_t first = component(first_, axis) + tile * kTileOwned;
+bool TileSquares::spans_side(int axis, int tile, const TileStock& stock) const {
+  const Box3& box = stock.box;
+  const std::int32_t first = component(stock.first, axis) + tile * kTileOwned;
   for (const std::int32_t plane : {first + kFirstOwned - 1, first + kEndOwned + 1}) {
-    const double p = lattice().coordinate(axis, plane * lattice().per_voxel());
+    const double p = lattice_.coordinate(axis, plane * lattice_.per_voxel());
     if (!is_inside(
             std::max(mrsim::component(box.lo, axis) - p, p - mrsim::component(box.hi, axis))))
       return false;
@@ -139,24 +165,7 @@ bool CellTile::spans_side(int axis, int tile) const {
   return true;
 }
 
-Vec3 CellTile::middle(const TileSquare& square) const {
-  const CellSquare& s = square.cells;
-  const LatticePoint p = square.cell(s.row + s.size / 2, s.column + s.size / 2);
-  const auto at = [&](int axis) {
-    return lattice().coordinate(
-        axis, (component(first_, axis) + component(p, axis)) * lattice().per_voxel());
-  };
-  return {at(0), at(1), at(2)};
-}
-
-std::int32_t CellTile::cell_in(const TileSquare& square) {
-  const CellSquare& s = square.cells;
-  const auto inside = [](std::int32_t i) { return std::clamp(i, 1, kCells - 2); };
-  const LatticePoint p = square.cell(inside(s.row + s.size / 2), inside(s.column + s.size / 2));
-  return cell_at(p.x, p.y, p.z);
-}
-
-void CellTile::add_square(const TileSquare& square) {
+void TileSquares::add(const TileSquare& square) {
   squares_.push_back(square);
   const Inside rows(square.cells.row, square.cells.size),
       columns(square.cells.column, square.cells.size);
@@ -165,17 +174,6 @@ void CellTile::add_square(const TileSquare& square) {
       const LatticePoint p = square.cell(row, column);
       merged_[static_cast<std::size_t>(p.x * kTileCells + p.y)] |= std::uint64_t(1) << p.z;
     }
-}
-
-void CellTile::remove_edges(int axis, std::int32_t layer, const CellRows& edges) {
-  for (std::int32_t i = 0; i < kTileCells; ++i) {
-    std::uint64_t bits = edges[static_cast<std::size_t>(i)];
-    if (axis == 0) crossed_.remove(TileEdges::column(0, layer, i), bits);
-    if (axis == 1) crossed_.remove(TileEdges::column(1, i, layer), bits);
-    if (axis == 2)
-      for (; bits != 0; bits &= bits - 1)
-        crossed_.remove(TileEdges::column(2, i, std::countr_zero(bits)), std::uint64_t(1) << layer);
-  }
 }
 
 }  // namespace mrsim::detail
