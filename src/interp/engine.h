@@ -1,5 +1,5 @@
-// The interpreter proper: one Engine reads one program, block after block. It owns the parts and
-// says in which order they see a block; what words mean is theirs. Private to src/interp.
+// The interpreter itself: one Engine reads one program, block after block. It owns the parts and
+// decides in which order they see a block; the parts know what words mean. Private to src/interp.
 #pragma once
 
 #include "interp/drilling/drill_words.h"
@@ -25,7 +25,7 @@ namespace mrsim {
 
 class Engine {
  public:
-  /// The first `leader_lines` of the file lie before the tape mark and are not read.
+  /// The first `leader_lines` lines of the file lie before the tape mark and are not read.
   /// `okuma`: the words are those of OSP.
   Engine(const InterpOptions& options, Program& program, int leader_lines, bool okuma,
          MotionSink& sink);
@@ -43,7 +43,7 @@ class Engine {
   Reporter reporter_;
   Control control_;
   BlockReader reader_;
-  std::unique_ptr<Statements> statements_;  ///< null: a control without a language here
+  std::unique_ptr<Statements> statements_;  ///< null: the control has no language here
   ProgramFlow flow_;
   IsoWords iso_;
   WordIndex index_;

@@ -32,7 +32,7 @@ bool calls(const Program& program, const std::string& id) {
                      [&](const Tool& tool) { return without_zeros(tool.id) == without_zeros(id); });
 }
 
-// What was asked for and has no meaning in this program.
+// Tells of options that have no meaning for this program.
 void tell_idle_options(const InterpOptions& options, const Program& program, MotionSink& sink) {
   if (options.least_increments && program.dialect != Dialect::fanuc)
     tell(program, Severity::warning, "least-increments",

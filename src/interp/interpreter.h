@@ -1,5 +1,5 @@
-// NC text to motions, as the control would read it: streaming, one motion per cutting block, every
-// fault a Diagnostic.
+// NC text to motions, as the control would read it: streaming, one motion per cutting block. Every
+// fault becomes a Diagnostic.
 #pragma once
 
 #include "interp/text/motion_sink.h"

@@ -41,7 +41,7 @@ Motion BlockWords::motion_at(int column) const {
 
 std::optional<long> BlockWords::number_after(const Word& word) const {
   const std::string_view code = line.substr(0, line.find(';'));
-  int depth = 0;  // in brackets stand comments and expressions
+  int depth = 0;  // of brackets, which hold comments and expressions
   for (auto i = static_cast<std::size_t>(word.column) + 1; i + 1 < code.size(); ++i) {
     depth += code[i] == '(' ? 1 : code[i] == ')' && depth > 0 ? -1 : 0;
     if (depth != 0 || upper(code[i]) != 'N' || !is_digit(code[i + 1])) continue;

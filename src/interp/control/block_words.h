@@ -1,5 +1,6 @@
-// One block and all that dies with it: its words by address, which of them were used, and what its
-// function words ask for. Does not know what the words mean. Private to src/interp.
+// One block: its words by address, which of them were used, and what its function words ask for.
+// All of it is forgotten at the next block. Does not know what the words mean. Private to
+// src/interp.
 #pragma once
 
 #include "core/numbers/vec.h"
@@ -22,25 +23,25 @@ struct BlockPlace {
 
 class BlockWords : public Block {
  public:
-  /// Forgets the block before.
+  /// Begins a block: the one before is forgotten.
   void begin();
   /// Makes word `index` the one of its address. False: the address has one already.
-  /// `used`: nobody needs to ask for it.
+  /// `used`: no part of the control has to take it.
   bool add(std::size_t index, bool used) {
     Slot& slot = slots_[static_cast<std::size_t>(words[index].address)];
     if (slot.epoch == epoch_) return false;
     slot = {epoch_, static_cast<std::uint16_t>(std::min<std::size_t>(index, 65535)), used};
     return true;
   }
-  /// No word is found any more, or that of an address.
+  /// From here on find() gives no word, or not the one of this address.
   void forget_words();
   BlockPlace place() const { return {file, line_number, call}; }
-  /// The place of a column of it, 0-based, for Reporter::add_at.
+  /// The place of a column of the block, 0-based, as Reporter::add_at wants it.
   Motion motion_at(int column) const;
-  /// The block at `place` again, without words.
+  /// Makes the block at `place` the current one again, without its words.
   void put_back(const BlockPlace& place);
   void forget(Address a) { slots_[static_cast<std::size_t>(a)].epoch = 0; }
-  /// The program ends, returns or calls behind this block.
+  /// Whether the program ends, returns or calls behind this block.
   bool leaves() const { return stop_after || return_after || m98 || call_word; }
 
   /// The first word of an address, or null.
@@ -55,20 +56,20 @@ class BlockWords : public Block {
     slot.used = true;
     return &words[slot.index];
   }
-  /// Given, and not yet used.
+  /// Whether the block has a word of this address that is not used yet.
   bool unused(Address a) const {
     const Slot& slot = slots_[static_cast<std::size_t>(a)];
     return slot.epoch == epoch_ && !slot.used;
   }
-  /// As written, shortened.
+  /// The word as it was written, shortened.
   std::string text_of(const Word& word) const {
     return std::string(line.substr(static_cast<std::size_t>(word.column),
                                    static_cast<std::size_t>(std::min(word.length, 40))));
   }
 
-  /// An N word stands behind `word`: not the block's number, but an argument ("G25 N50").
+  /// Whether an N word stands behind `word`: it is an argument ("G25 N50"), not the block's number.
   bool number_behind(const Word& word) const { return number_after(word).has_value(); }
-  /// That number, at most 999 999.
+  /// The number of that N word, at most 999 999.
   std::optional<long> number_after(const Word& word) const;
 
   // Where the block stands.
@@ -81,8 +82,8 @@ class BlockWords : public Block {
   const Word* motion_code = nullptr;
   const Word* oneshot = nullptr;
   const Word* frame_code = nullptr;
-  const Word* offset_number = nullptr;  ///< P of G54.1, where M98 has another one
-  const Word* pause = nullptr;          ///< P of G4, where the block may move as well (LinuxCNC)
+  const Word* offset_number = nullptr;  ///< P of G54.1, where M98 of the block has a P of its own
+  const Word* pause = nullptr;          ///< P of G4, where the block may also move (LinuxCNC)
   const Word* ends_cycle = nullptr;     ///< G80
   const Word* lap_begins = nullptr;     ///< G81 or G82 of Okuma's LAP: a contour up to G80
   Code motion{};                        ///< motion of this block alone, else Code::unknown
@@ -91,9 +92,9 @@ class BlockWords : public Block {
   bool suppress_frames = false;
   int turn_cycle = 0;               ///< G70 to G76 of a lathe; 0 = none
   const Word* comp_word = nullptr;  ///< G40 G41 G42
-  bool comp_selected = false;       ///< ... says something new
-  bool comp_moved = false;          ///< a straight move in the plane
-  Code comp_before{};               ///< in force before this block
+  bool comp_selected = false;       ///< comp_word changes the mode
+  bool comp_moved = false;          ///< the block made a straight move in the plane
+  Code comp_before{};               ///< compensation before this block
   bool length_changed = false;      ///< G43 G44 G49
   bool tool_change = false;         ///< M6, or T where T changes tools
   bool stop_after = false;          ///< M30
@@ -103,12 +104,12 @@ class BlockWords : public Block {
   const Word* m98 = nullptr;
   const Word* set_tool = nullptr;     ///< Q of M61 (LinuxCNC): the tool in the spindle
   const Word* home = nullptr;         ///< M25 of Centroid: Z goes to its reference point
-  bool home_guessed = false;          ///< ... unless M25 is another control's
+  bool home_guessed = false;          ///< ... unless M25 is meant for another control
   std::optional<PathMode> path_mode;  ///< G9 G60 G61 G64
   std::vector<Vec3> places;           ///< of Fagor's G60 to G64, in the frame in force
 
  private:
-  // Epochs make clearing free.
+  // A slot counts only if it has the epoch of this block, so that begin() need not clear the slots.
   struct Slot {
     std::uint32_t epoch = 0;
     std::uint16_t index = 0;

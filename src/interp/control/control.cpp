@@ -10,8 +10,8 @@
 namespace mrsim {
 namespace {
 
-constexpr double kAngleIncrement = 1e-3;   // degrees that a number without a point counts
-constexpr double kLargestLead[] = {6, 2};  // in mm and in inches; above, E counts threads an inch
+constexpr double kAngleIncrement = 1e-3;   // degrees: the unit of a number without a point
+constexpr double kLargestLead[] = {6, 2};  // mm, inches; a larger E is threads an inch
 
 }  // namespace
 
@@ -27,8 +27,9 @@ std::string Control::offset_name(std::string_view written) const {
                                                     : name;
 }
 
-// The first zero (G54, if it is there) is that of the tool table, or the stock's own: that ties the
-// machine to the stock. The others follow, unless the tool table has them.
+// The first work offset (G54 if there is one) lies where the tool table says, else at the stock's
+// zero. That ties the machine's coordinates to those of the stock. The other offsets follow from
+// it, unless the tool table has them.
 void Control::shift_machine() {
   for (WorkOffset& offset : work) offset.name = offset_name(offset.name);
   std::vector<WorkOffset> zeros = options.places.zero;
@@ -148,8 +149,8 @@ Basis ControlPart::stock_basis() const {
   return {normalized(turn(f, b.u)), normalized(turn(f, b.v)), normalized(turn(f, b.w))};
 }
 
-// E of FANUC's lathes is a lead with more digits than F (0T, Haas; so Mastercam posts in inches);
-// in the format of series 10, 11 and 15 it is the number of threads in an inch.
+// E of FANUC's lathes is a lead with more digits than F (0T and Haas, and programs of Mastercam in
+// inches). In the format of series 10, 11 and 15, E is the number of threads in an inch.
 std::optional<double> ControlPart::thread_lead() {
   if (const Word* f = take('F')) return f->value * feed_scale();
   const Word* e = is(Dialect::fanuc) && lathe() ? take('E') : nullptr;

@@ -16,7 +16,7 @@
 
 namespace mrsim {
 
-/// A tool that T named and M6 has not yet changed to.
+/// A tool that T has named, and to which M6 has not changed yet.
 struct PendingTool {
   bool active = false;
   std::string id;
@@ -29,14 +29,14 @@ struct ToolState {
   PendingTool pending;
   std::string current;  ///< id in the spindle
   double written = -1;  ///< the last T; below 0 = none, or a name
-  Motion place;         ///< of its T word
+  Motion place;         ///< where its T word stands
   int index = -1;       ///< into Program::tools, -1 = not used yet
   bool chosen = false;
   bool direct_change = false;  ///< a mill without M6: T changes at once
   bool failed = false;
   bool came_unnamed = false;  ///< an M6 stood before any T word
-  bool assumed = false;       ///< T alone, without M6, and no other tool since
-  bool below = false;         ///< a turning tool that works at X below 0, see MotionEmitter
+  bool assumed = false;       ///< a T word without M6 was the last to name a tool
+  bool below = false;         ///< a turning tool cuts at X below 0, see MotionEmitter
 };
 
 struct Control {
@@ -46,7 +46,7 @@ struct Control {
         reporter(reporter_in),
         dialect(program_in.dialect) {}
 
-  /// Where the machine's coordinates lie in the stock's, and the work offsets that follow from it.
+  /// Finds where the machine's coordinates lie in those of the stock, and moves the work offsets.
   void shift_machine();
 
   const InterpOptions& options;
@@ -61,30 +61,30 @@ struct Control {
   ToolState tool;
   Word edge_word;                ///< the last D
   std::vector<WorkOffset> work;  ///< of the tool table, changed by G10
-  /// From machine coordinates to the stock's, where they are known; else 0.
+  /// Added to machine coordinates, gives those of the stock, where machine_known; else 0.
   Vec3 machine_shift;
   bool machine_known = false;
-  std::optional<Vec3> stored_places[2];      ///< by G28.1 and G30.1, in the stock's coordinates
-  std::map<std::string, double> work_turns;  ///< about Z, degrees, by the name of the offset
+  std::optional<Vec3> stored_places[2];      ///< set by G28.1 and G30.1, in the stock's coordinates
+  std::map<std::string, double> work_turns;  ///< turns of work offsets about Z, degrees, by name
   std::vector<OffsetRegister> registers;     ///< of the tool table, changed by G10
-  /// Wears that the program sets where no register holds the radius: the tool's own stands.
+  /// Wears of numbers without a register, in which case the radius is that of the tool.
   std::map<std::string, double> bare_wears;
   SetLengths lengths;
-  std::size_t cuts = 0;                       ///< lines and arcs that were given on
-  std::map<long, double> told_noses;          ///< mm, by the number of a lathe's offset
+  std::size_t cuts = 0;               ///< how many lines and arcs have been emitted
+  std::map<long, double> told_noses;  ///< radius of the nose, mm, by the number of a lathe's offset
   std::map<std::string, double> kept_values;  ///< SINUMERIK's markers and outputs: $AC_MARKER[1]
-  int register_changes = 0;                   ///< how often the program has set one
-  bool skips_data = false;      ///< blocks up to G11 set what is not read: lives, parameters
-  bool paused = false;          ///< M0, or a tool changed by hand, and no motion since
+  int register_changes = 0;                   ///< how often the program has set a register
+  bool skips_data = false;      ///< blocks up to G11 set tool lives or parameters, not read
+  bool paused = false;          ///< no motion since M0, or since a tool was changed by hand
   bool untilted_plane = false;  ///< G68.2 without a tilt is in force
-  int unread_end = 0;  ///< a refused mode is in force: the word that ends it, see UnreadModes
+  int unread_end = 0;           ///< the word that ends the refused mode in force, see UnreadModes
 
-  /// One name for the offsets that have several, without blanks: G154 P1 and G110 of Haas are
-  /// G54.1 P1.
+  /// The one name, without blanks, of an offset that has several: G154 P1 and G110 of Haas are the
+  /// offset G54.1P1.
   std::string offset_name(std::string_view written) const;
-  /// The register of that name, made where there is none; it counts as changed.
+  /// The register of that name, made if there is none. It counts as changed by the program.
   OffsetRegister& change_register(const std::string& name);
-  /// Its wear, which makes no register of that name.
+  /// The wear of that name; a number without a register gets one in bare_wears.
   double& change_wear(const std::string& name);
   double bare_wear(const std::string& name) const;
 
@@ -110,7 +110,7 @@ class ControlPart {
 
   bool is(Dialect d) const { return control_.dialect == d; }
   bool lathe() const { return program_.machine == MachineKind::lathe; }
-  /// mm of a length of 1 and of a feed of 1.
+  /// How many mm a length of 1 and a feed of 1 are.
   double scale() const { return modal_.inch ? 25.4 : 1.0; }
   double feed_scale() const { return modal_.inch_feed ? 25.4 : 1.0; }
   Code current_motion() const {
@@ -120,23 +120,23 @@ class ControlPart {
   Basis basis() const {
     return modal_.plane == 3 ? normal_basis(modal_.normal) : plane_basis(modal_.plane);
   }
-  /// These axes in the stock's coordinates, unit length; left-handed under a mirror.
+  /// The axes of basis() in the stock's coordinates, of length 1; left-handed under a mirror.
   Basis stock_basis() const;
-  /// mm of a length of 1 in `word`.
+  /// How many mm a length of 1 in `word` is.
   double length_unit(const Word& word) const;
-  /// What the word says in degrees.
+  /// The angle of the word, degrees.
   double angle_value(const Word& word) const;
-  /// What the word says in mm; X of a lathe as a radius.
+  /// The length of the word in mm; X of a lathe as a radius.
   double axis_value(int axis, const Word& word, bool incremental) const;
 
-  /// Where the angle of a line stands: ANG= or ,A; on FANUC lathes A as well.
+  /// The address of a line's angle: ANG= or ,A; on FANUC lathes also A.
   Address angle_address() const {
     const bool plain = lathe() && is(Dialect::fanuc) && current_motion() == Code::line;
     return plain && !find(Address::ang) ? letter('A') : Address::ang;
   }
 
-  /// A line that runs against its angle, A-30 for A150: FANUC reads the slope alone (warned of
-  /// once).
+  /// Whether a line may run against its angle, as A-30 for A150: FANUC reads only the slope. A
+  /// warning says so once.
   bool angle_of_slope(const Word& angle);
 
   const Word* find(Address a) const { return block_.find(a); }
@@ -145,15 +145,17 @@ class ControlPart {
   const Word* peek(char c) const { return block_.find(letter(c)); }
   std::string text_of(const Word& word) const { return block_.text_of(word); }
 
-  /// mm per revolution of the block's F, or of E where a FANUC lathe has it instead.
+  /// The lead of a thread, mm per revolution: the block's F, or E where a FANUC lathe has it
+  /// instead.
   std::optional<double> thread_lead();
 
-  /// After the contour of a cycle was read: makes the block of the cycle the current one again.
+  /// Makes the block of a cycle the current one again, after its contour was read.
   void put_back_block(const BlockPlace& place) {
     block_.put_back(place);
     reporter_.set_place(place.file, place.line, place.call, {});
   }
-  /// False, and reported: the block calls or ends the program, too, behind a cycle with a contour.
+  /// Whether the block of a cycle with a contour goes on behind it. False: it also calls or ends
+  /// the program, which is reported.
   bool goes_on(const Word& cycle);
   /// Reports and returns false.
   bool error(const char* code, const std::string& text, const Word& word);

@@ -60,7 +60,7 @@ std::vector<SetLengths::Setting> SetLengths::cut(int tool, double number, const 
   return changed;
 }
 
-// Of two registers: what is unknown in one of them tells nothing.
+// The lengths of two registers that differ. A length that is unknown in one of them is left out.
 std::vector<SetLengths::Setting> SetLengths::between(const Lengths& then, const Lengths& now) {
   std::vector<Setting> changed;
   if (then.empty()) return changed;

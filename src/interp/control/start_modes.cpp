@@ -18,7 +18,8 @@ using C = Code;
 constexpr auto kMin = FeedUnit::mm_per_min;
 constexpr auto kRev = FeedUnit::mm_per_rev;
 
-// SINUMERIK: the maker's reset state on mills (docs/interp.md); lathes as PRIMER_2S needs them.
+// SINUMERIK mills start in the reset state of the maker (docs/interp.md), lathes as PRIMER_2S
+// needs.
 constexpr StartRow kRows[] = {
     {Dialect::sinumerik, MachineKind::mill, C::line, 0, kMin, C::diameter_off, C::corner_arc, "G1",
      "G17", "G94", "DIAMOF", "G71", "G450"},

@@ -11,7 +11,7 @@ namespace mrsim {
 
 Modal start_modal(Dialect dialect, MachineKind machine);
 
-/// The modes of start_modal() for people: "plane" -> "G17".
+/// The modes of start_modal() as text for people: "plane" -> "G17".
 std::vector<std::pair<std::string, std::string>> start_mode_names(Dialect dialect,
                                                                   MachineKind machine);
 

@@ -28,12 +28,12 @@ struct DrillCycle {
   double initial = 0;                     ///< level along the plane's normal before the first cycle
   bool begun = false;                     ///< `initial` counts
   bool dwells = false;                    ///< P was given
-  double dwell = 0;                       ///< what it said, s
-  bool fagor = false;                     ///< its first block has the depth in I
+  double dwell = 0;                       ///< the value of P, s
+  bool fagor = false;                     ///< the cycle is Fagor's, with the depth in I
   bool pitched = false;                   ///< Brother's taps: I is the lead, J threads per inch
-  double lead = 0;                        ///< mm; 0: of a tap, feed and speed say it
-  int plane = -1;                         ///< lathes: 0 = along Z, 2 = along X; -1 = that in force
-  int file = 0, line = 0, call = -1;      ///< of the block that chose the cycle
+  double lead = 0;                        ///< mm; 0: the lead of a tap is its feed / speed
+  int plane = -1;                     ///< lathes: 0 = along Z, 2 = along X; -1 = the plane in force
+  int file = 0, line = 0, call = -1;  ///< where the block stands that chose the cycle
 };
 
 /// A pocket of Fagor, mm: G87 a rectangle, G88 a circle.
@@ -43,7 +43,7 @@ struct FagorPocket {
   double half_length = 0, half_width = 0;  ///< J and K; of a circle J is the radius
   bool clockwise = false;                  ///< J above 0
   double infeed = 0, width = 0;            ///< B and C
-  double above = 0;                        ///< D: from the part to the level of Z
+  double above = 0;                        ///< D: height of the level of Z over the part
   double initial = 0;                      ///< level before the cycle
   bool begun = false;                      ///< `initial` counts
 };
@@ -59,10 +59,10 @@ struct TurnCycle {
 
 /// What the first lines of G71 to G76 have set.
 struct TurnSettings {
-  double depth = 0, escape = 0;        ///< G71 G72: of a pass, and aside at its end, mm
+  double depth = 0, escape = 0;        ///< G71 G72: of a pass, and back at its end, mm
   double shift_x = 0, shift_z = 0;     ///< G73: from the first pass to the last, mm
   int repeats = 1;                     ///< G73: passes
-  bool thousandths = false;            ///< G71 to G73: words without a point count them
+  bool thousandths = false;            ///< G71 to G73: words without a point are thousandths
   double peck_return = 0;              ///< G74 G75, mm
   int finishes = 1;                    ///< G76: passes at the full depth
   double chamfer = 0;                  ///< G76: in leads
@@ -70,10 +70,10 @@ struct TurnSettings {
   double least_depth = 0, finish = 0;  ///< G76, mm
 };
 
-/// Where a drilling cycle ends: G98, G99, and M53 of Okuma.
+/// The height at which a drilling cycle ends: G98, G99, and M53 of Okuma.
 enum class HoleReturn { initial, safe, level };
 
-/// What G words and modal values say.
+/// What modal G words and values have set.
 struct Modal {
   Code motion = Code::line;
   int plane = 0;         ///< 0 = G17, 1 = G18, 2 = G19, 3 = by `normal`
@@ -81,12 +81,12 @@ struct Modal {
   bool incremental = false;
   bool has_increments = false;  ///< the program has said G91, or other words of systems B and C
   bool inch = false;            ///< lengths
-  /// Of a number without a point, in the program's unit.
+  /// The unit of a number without a point, in the program's unit of length.
   double least_increment() const { return inch ? 1e-4 : 1e-3; }
   bool inch_feed = false;        ///< feeds
   bool units_given = false;      ///< by a G word of the program
   bool center_absolute = false;  ///< CODESYS G98
-  bool center_told = false;      ///< the program said which
+  bool center_told = false;      ///< the program has said whether it is
   bool polar = false;            ///< FANUC G16
   Code diameter = Code::diameter_off;
   bool diameter_told = false;  ///< by a word of the program
@@ -97,7 +97,7 @@ struct Modal {
   double lead = 0;                                ///< mm per revolution, of the thread in force
   Code comp = Code::comp_off;
   bool comp_suspended = false;
-  bool comp_diameter = false;  ///< G41.1 G42.1: D is the tool's diameter, see edge_radius
+  bool comp_diameter = false;  ///< G41.1 G42.1: D is the diameter of the tool, see edge_radius
   Code corner = Code::corner_arc;
   Code approach = Code::approach_normal;
   double disc = 0;
@@ -107,14 +107,14 @@ struct Modal {
   bool edge_given = false;
   double edge_radius = 0;  ///< CODESYS: D, mm
   bool system_c =
-      false;           ///< of the lathes of FANUC: G72 to G78 are cycles that G70 to G76 are in A
-  bool okuma = false;  ///< words are those of OSP: G53 and G56 H are lengths of tools, G71 a thread
+      false;           ///< code system C of FANUC lathes: G72 to G78 are the cycles G70 to G76 of A
+  bool okuma = false;  ///< words of OSP: G53 and G56 H are lengths of tools, G71 is a thread
   Code length = Code::length_off;
   double length_offset = 0;  ///< mm along the tool axis
   double length_number = 0;  ///< the last H
-  bool length_told = false;  ///< that of the last H stands in the tool table
+  bool length_told = false;  ///< the tool table has the length of the last H
   DrillCycle drill;
-  FagorPocket pocket;  ///< counts where `drill` has its number
+  FagorPocket pocket;  ///< in force where `drill` has its number
   HoleReturn hole_return = HoleReturn::initial;
   bool return_told = false;            ///< by a word of the program
   std::optional<double> return_level;  ///< G71 Z of Okuma, mm
@@ -122,37 +122,37 @@ struct Modal {
   TurnSettings turn_settings;
 };
 
-/// Where the tool is.
+/// Where the tool is, and how it came there.
 struct Position {
-  Vec3 programmed;           ///< in the frame in force, mm, X as radius
-  Vec3 physical;             ///< in the stock's coordinates
-  unsigned known = 0;        ///< bit per axis: given by the program or the user
-  Vec3 retained;             ///< programmed values before the frame changed (G91 travels from them)
-  unsigned moved_frame = 0;  ///< axes whose `retained` still counts
+  Vec3 programmed;     ///< in the frame in force, mm, X as radius
+  Vec3 physical;       ///< in the stock's coordinates
+  unsigned known = 0;  ///< a bit for each axis whose place is given by the program or the user
+  Vec3 retained;       ///< programmed values before the frame changed (G91 travels from them)
+  unsigned moved_frame = 0;  ///< axes for which `retained` still holds
   Vec3 tangent;  ///< direction of the last element at its end, in the stock's coordinates
   bool has_tangent = false;
-  Vec2 spline_end;            ///< from the end of a G5 to its last control point
+  Vec2 spline_end;            ///< the last control point of a G5, from its end
   bool after_spline = false;  ///< the last element was a G5
   Vec3 before;                ///< in the frame in force: where the last move in the plane began
   bool has_before = false;
   Vec3 pole;                                 ///< in the frame in force
   double polar_angle = 0, polar_radius = 0;  ///< last programmed, degrees and mm
   bool has_polar_angle = false, has_polar_radius = false;
-  bool new_tool = false;    ///< another tool came, and no motion since
-  unsigned told_axes = 0;   ///< axes that G50 of a lathe has set, and no motion since
-  Vec3 told, shift_before;  ///< to what, and Frames::position_shift before
+  bool new_tool = false;    ///< no motion since another tool came
+  unsigned told_axes = 0;   ///< axes that G50 of a lathe has set since the last motion
+  Vec3 told, shift_before;  ///< the values of that G50, and Frames::position_shift before it
 };
 
-/// The pieces that make the frame in force.
+/// The frames that together make the frame in force.
 struct Frames {
   Vec3 work;                        ///< settable offset (G54 ...)
   double work_turn = 0;             ///< of the settable offset about Z, degrees (G10 L2 R)
   std::string work_name;            ///< "G54", empty = off
-  bool work_given = false;          ///< the tool table or the program says where it is
+  bool work_given = false;          ///< the tool table or the program gives this work offset
   Vec3 position_shift;              ///< G92
-  Vec3 position_memory;             ///< ... set aside by G92.2
+  Vec3 position_memory;             ///< the shift of G92 that G92.2 set aside
   Vec3 local;                       ///< G52
-  Vec3 fine;                        ///< of the shift of `program`: the part by ATRANS and G59
+  Vec3 fine;                        ///< the part of program.shift that ATRANS and G59 added
   Frame swivel;                     ///< CYCLE800 without a tilt
   Frame program;                    ///< TRANS ROT SCALE MIRROR; CODESYS: the decoder frame
   Frame rotation, scaling, mirror;  ///< FANUC G68, G51, G51.1

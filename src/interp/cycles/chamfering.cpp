@@ -11,7 +11,7 @@
 namespace mrsim {
 namespace {
 
-constexpr double kNearestAxis = 1e-3;  // mm from the wall: no way runs along the contour itself
+constexpr double kNearestAxis = 1e-3;  // mm from the wall, because no path may run on the contour
 
 }  // namespace
 
@@ -22,7 +22,8 @@ double cone_of(const Tool& tool) {
   return tool.taper_angle > 0 ? tool.taper_angle : kPi / 4;
 }
 
-// The cone meets the wall at the chamfer's foot: the wider the cone at the edge, the farther off.
+// The cone meets the wall at the foot of the chamfer. The wider it is at the edge, the farther its
+// axis is from the wall.
 std::optional<Chamfering::Cut> Chamfering::cut(const CycleCall& call, double edge, double down,
                                                const Word& where) {
   tools_.require(where, true);

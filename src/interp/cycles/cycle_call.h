@@ -12,22 +12,23 @@
 
 namespace mrsim {
 
-/// A value that the cycle's list does not have, or that the program leaves out, is not given.
+/// Its values. One that the list of the cycle does not have, or that the program leaves out, is not
+/// given.
 struct CycleCall {
   std::string name;
-  std::string written;  ///< where the program writes it otherwise: G87 of Fagor
+  std::string written;  ///< how the program writes the cycle, if not by its name: G87 of Fagor
   std::vector<std::optional<Value>> values;
   BlockPlace place;
 
-  /// The cycle's list has this value.
+  /// Whether the list of the cycle has this value.
   bool lists(ValueName value) const {
     return place_in_list(list_of_cycle(name), value.text()).has_value();
   }
-  /// A number is given.
+  /// Whether the program gives a number for it.
   bool given(ValueName value) const;
   bool given(std::initializer_list<ValueName> all) const;
   double get(ValueName value, double otherwise = 0) const;
-  /// Empty where it is no text.
+  /// The text of the value; empty where it is no text.
   std::string text(ValueName value) const;
   /// Digit `n` (0 = units) of a value, as the modes of cycles are written.
   int digit(ValueName value, int n) const;

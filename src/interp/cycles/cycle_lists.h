@@ -8,8 +8,8 @@
 
 namespace mrsim {
 
-/// Names as in the manuals, without the underscore that leads some; `$` marks a value that may be a
-/// text. A value behind the last one named is not read.
+/// Names are those of the manuals, without a leading underscore. `$` marks a value that may be a
+/// text. Values behind the last name are not read.
 struct CycleList {
   std::string_view cycle, values;
 };
@@ -97,7 +97,7 @@ inline constexpr CycleList kCycleLists[] = {
      "VARI MIDF FFP2 SSF FFCP UMODE FS ZFS GMODE DMODE AMODE"},
 };
 
-/// Takes the next name off a list; `text`: it may be a text.
+/// Removes the next name from a list and returns it. `text`: its value may be a text.
 constexpr std::string_view next_value_name(std::string_view& list, bool& text) {
   const std::size_t end = list.find(' ');
   std::string_view name = list.substr(0, end);
@@ -107,7 +107,7 @@ constexpr std::string_view next_value_name(std::string_view& list, bool& text) {
   return name;
 }
 
-/// The place of a value in a list. None: the list has no value of this name.
+/// The place of a value in a list. Nothing: the list has no value of this name.
 constexpr std::optional<std::size_t> place_in_list(std::string_view list, std::string_view name) {
   bool text = false;
   for (std::size_t i = 0; !list.empty(); ++i)
@@ -121,7 +121,7 @@ constexpr bool is_value_name(std::string_view name) {
   return false;
 }
 
-/// Name of a value in some list. One that is in none does not compile.
+/// The name of a value in any list. A name that is in none does not compile.
 class ValueName {
  public:
   template <std::size_t N>
@@ -134,7 +134,7 @@ class ValueName {
   std::string_view text_;
 };
 
-/// Empty: the list of this cycle is not known.
+/// The list of a cycle; empty: it is not known.
 constexpr std::string_view list_of_cycle(std::string_view cycle) {
   for (const CycleList& row : kCycleLists)
     if (row.cycle == cycle) return row.values;

@@ -16,7 +16,7 @@ void CycleMover::go(Vec2 to, double height, MotionKind kind, double feed) {
   moves_.step(target, where_, kind, 0, feed);
 }
 
-// False: the tool is known to be there.
+// Makes `out` the target. False: the tool is known to be there already.
 bool CycleMover::target(Vec2 to, Target& out) const {
   const Basis b = basis();
   out.programmed = from_plane(b, to, height());

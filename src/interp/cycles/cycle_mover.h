@@ -1,5 +1,6 @@
-// Motions of cycles in the plane in force: places in its coordinates, heights along its normal.
-// Knows no words; the motions name the block of the cycle. Private to src/interp.
+// Motions of cycles in the plane in force: places in its coordinates, heights along its normal. It
+// does not know words; the motions have the place in the text of the cycle's block. Private to
+// src/interp.
 #pragma once
 
 #include "interp/moves/moves.h"
@@ -11,21 +12,21 @@ class CycleMover : public ControlPart {
  public:
   CycleMover(Control& control, Moves& moves) : ControlPart(control), moves_(moves) {}
 
-  /// The word that the motions name.
+  /// Sets the word whose place in the text the motions have.
   void begin(const Word& where) { where_ = where; }
   Vec2 position() const { return in_plane(basis(), position_.programmed); }
   double height() const { return dot(position_.programmed, basis().w); }
 
-  /// `feed` 0: the one in force.
+  /// A rapid in the plane; in the functions below, `feed` 0 is the one in force.
   void rapid(Vec2 to);
   void line(Vec2 to, double feed);
   /// A rapid or line in the plane, with which radius compensation may begin or end.
   void compensated(Vec2 to, MotionKind kind);
   void rapid_height(double to);
   void line_height(double to, double feed);
-  /// Straight in the plane and along its normal.
+  /// A line in the plane and along its normal.
   void slope(Vec2 to, double height, double feed);
-  /// From where the tool is, which is the start of the piece; `rise` along the normal.
+  /// Runs the piece, which starts where the tool is, with a `rise` along the normal, mm.
   void piece(const PlanePiece& piece, double rise, double feed);
   void loop(const Loop& loop, double feed);
 

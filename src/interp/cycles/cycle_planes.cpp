@@ -12,7 +12,8 @@ std::optional<CyclePlanes> cycle_planes(const CycleCall& call, int mode, double 
   out.up = out.top < out.reference ? -1 : 1;
   out.safe = out.reference + out.up * std::abs(call.get("SDIS")) * unit;
   out.bottom = call.get("DP") * unit;
-  const double relative = call.given("DP") ? call.get("DP") : below;  // with a mode, in DP or DPR
+  const double relative =
+      call.given("DP") ? call.get("DP") : below;  // with a mode, DP or DPR holds it
   if (mode == 1) out.bottom = out.reference - out.up * std::abs(relative) * unit;
   if (mode == 0 && below != 0) out.bottom = out.reference - out.up * std::abs(below) * unit;
   return out;

@@ -34,7 +34,7 @@ void HoleMaker::move_to(double level, const Word& where) {
   to_level(level, MotionKind::rapid, 0, 0);
 }
 
-// The strokes before the last. The level of the deepest.
+// Makes the strokes before the last one and returns the level of the deepest.
 double HoleMaker::strokes(const Hole& hole, double down) {
   double cleared = hole.safe;
   for (const double stroke : hole.strokes) {
@@ -62,7 +62,7 @@ void HoleMaker::drill(const Hole& hole, const BlockPlace& place, const Word& whe
   const int line = block_.line_number, file = block_.file, call = block_.call;
   const bool elsewhere = place.line != line || place.file != file;
   where_ = &where;
-  if (elsewhere) {  // the cycle is called from the point
+  if (elsewhere) {  // the point stands in another place than the cycle
     block_.call = reader_.call_site(line);
     block_.file = place.file;
     block_.line_number = place.line;

@@ -1,6 +1,6 @@
-// The motions of one hole: rapids to it, strokes into it, the way out. Knows no words; cycles of
-// all controls come to this. Each motion names the cycle's line, called from the point's. Private
-// to src/interp.
+// The motions of one hole: rapids to it, strokes into it, the way out, for the cycles of all
+// controls. It does not know words. Each motion names the line of the cycle, as called from the
+// line of the point. Private to src/interp.
 #pragma once
 
 #include "interp/calls/block_reader.h"
@@ -10,29 +10,30 @@
 
 namespace mrsim {
 
-/// How far above the last depth a rapid back into the hole ends, and how far a chip is broken: mm.
+/// mm: a rapid back into the hole ends so far above the last depth; to break a chip the tool goes
+/// back so far.
 inline constexpr double kPeckClearance = 0.254;
-/// Strokes in one hole; more is a fault of the program.
+/// The most strokes in one hole; more of them are a fault of the program.
 inline constexpr std::size_t kMostStrokes = 100'000;
 
-/// Levels are along the normal of the plane, in the frame in force.
+/// One hole. Levels are heights along the normal of the plane, in the frame in force, mm.
 struct Hole {
   double safe = 0;  ///< where feeding begins
   double bottom = 0;
-  double end = 0;               ///< level after the hole
+  double end = 0;               ///< level to which the tool goes after the hole
   std::vector<double> strokes;  ///< levels of the strokes before the last
-  bool chips_out = true;        ///< a stroke ends at `safe`; else its chip is broken
-  double out_every = 0;         ///< or at `safe` after so much depth, mm; 0: never
+  bool chips_out = true;        ///< after a stroke the tool goes to `safe`, else it breaks the chip
+  double out_every = 0;         ///< it also goes to `safe` after so much depth, mm; 0: never
   double clearance = kPeckClearance;
-  bool feed_out = false;           ///< back to `safe` with the feed
-  bool feed_to_end = false;        ///< ... and on to `end`
-  double dwell = 0;                ///< at the bottom, s
-  double dwell_stroke = 0;         ///< at the end of a stroke before the last, s
-  double dwell_safe = 0;           ///< where the chips of a stroke come out, s
-  double dwell_out = 0;            ///< at the end of the way back with the feed, s
+  bool feed_out = false;           ///< the tool goes back to `safe` with the feed
+  bool feed_to_end = false;        ///< ... and on to `end` as well
+  double dwell = 0;                ///< dwell at the bottom, s
+  double dwell_stroke = 0;         ///< dwell at the end of other strokes than the last, s
+  double dwell_safe = 0;           ///< dwell at `safe` after a stroke, s
+  double dwell_out = 0;            ///< dwell at the end of the way back with the feed, s
   double lead = 0;                 ///< of a tap, mm per revolution
-  double feed = 0, feed_back = 0;  ///< 0 = that of the program
-  Vec3 lift;                       ///< before the way out, the edge leaves the wall
+  double feed = 0, feed_back = 0;  ///< 0: the feed in force
+  Vec3 lift;                       ///< a move before the way out, by which the edge leaves the wall
 };
 
 class HoleMaker : public ControlPart {
@@ -40,11 +41,11 @@ class HoleMaker : public ControlPart {
   HoleMaker(Control& control, BlockReader& reader, Moves& moves)
       : ControlPart(control), reader_(reader), moves_(moves) {}
 
-  /// Rapid in the plane to `point`, at the level of now.
+  /// A rapid in the plane to `point`, at the current level.
   void approach(const Vec3& point, unsigned named, const Word& where);
-  /// Rapid along the normal.
+  /// A rapid along the normal to a level.
   void move_to(double level, const Word& where);
-  /// The hole at the position of now.
+  /// Drills the hole at the current position.
   void drill(const Hole& hole, const BlockPlace& place, const Word& where);
   double level() const;
 

@@ -3,7 +3,7 @@
 
 namespace mrsim {
 
-/// Pitch of the metric thread of a size (M10: 1.5), mm; 0: not a size of the table.
+/// The pitch of the metric thread of a size (M10: 1.5), mm; 0: the table does not have the size.
 double iso_pitch(double thread);
 
 }  // namespace mrsim

@@ -12,7 +12,7 @@ namespace mrsim {
 namespace {
 
 constexpr long kMostRepeats = 99'999;
-constexpr double kLeastLead = 0.1;  // mm: of a tap
+constexpr double kLeastLead = 0.1;  // mm: the least lead of a tap
 
 }  // namespace
 
@@ -29,14 +29,14 @@ void DrillWords::read_level(const Word* word, CycleLevel& out) {
   if (word) out = {word->value * length_unit(*word), modal_.incremental, true};
 }
 
-// I of G73 and G83 beside R or K is Haas's first stroke.
+// Whether I is the depth. I of G73 and G83 beside R or K is the first stroke of Haas.
 bool DrillWords::depth_in_i() const {
   const int g = modal_.drill.number;
   return peek('I') && g > 80 && (g != 83 || (peek('J') && !peek('K') && !peek('R')));
 }
 
-// Fagor: Z is the level of R, I the depth; G83 makes J strokes of I. K dwells, R is the kind of a
-// tap.
+// On Fagor Z is the level to which others give R, and I is the depth; G83 makes J strokes of I. K
+// is a dwell, and R the kind of a tap.
 bool DrillWords::read_fagor(const Basis& b) {
   DrillCycle& cycle = modal_.drill;
   cycle.fagor = true;
@@ -64,7 +64,7 @@ bool DrillWords::read_fagor(const Basis& b) {
   return true;
 }
 
-// R, the level along the normal, Q and P: each is kept for the points that follow.
+// Reads R, the level along the normal, Q and P. Each stays in force for the points that follow.
 bool DrillWords::read_words(const Basis& b) {
   DrillCycle& cycle = modal_.drill;
   if (is(Dialect::iso) && (cycle.fagor || depth_in_i())) return read_fagor(b);
@@ -86,8 +86,9 @@ bool DrillWords::read_words(const Basis& b) {
   return !q || pecks_.read(*q);
 }
 
-// Brother's G77 and G78: I or J, and L, the speed on the way back. J of Haas is how many times as
-// fast the way back is. Under ,R1 of Mitsubishi, a rigid tap, F may be the lead.
+// Reads the words of taps. G77 and G78 of Brother have I or J, and L, the speed on the way back. J
+// of Haas says how many times faster the way back is. Beside ,R1 of Mitsubishi, a rigid tap, F may
+// be the lead.
 bool DrillWords::read_tap() {
   DrillCycle& cycle = modal_.drill;
   const Word* rigid = take(Address::rnd);
@@ -111,7 +112,7 @@ bool DrillWords::read_tap() {
                block_.words.front());
 }
 
-// K (FANUC) or L: how often the block is run.
+// K (FANUC) or L is how often the block is run.
 bool DrillWords::repeats(long& count) {
   if (modal_.drill.fagor)
     if (const auto n = block_.number_after(block_.words.front())) {
@@ -120,7 +121,7 @@ bool DrillWords::repeats(long& count) {
              error("value-range", fmt::format("N repeats from 1 to {} times", kMostRepeats),
                    block_.words.front());
     }
-  const bool pitched = modal_.drill.pitched;  // their I is the lead, L a speed
+  const bool pitched = modal_.drill.pitched;  // I of such taps is the lead, and L a speed
   const Word* word = pitched ? nullptr : take('L');
   if (!is(Dialect::ngc) && (!peek('I') || pitched) && !modal_.drill.fagor)
     if (const Word* k = take('K'); k && !(modal_.drill.out_every > 0 && k->point)) word = k;
@@ -143,7 +144,8 @@ bool DrillWords::run() {
   return ok;
 }
 
-// G87 of Haas bores down, and the tool is taken out by hand; that of FANUC has a shift.
+// Whether G87 bores down. On Haas it does, and the tool is taken out by hand; on FANUC it has a
+// shift.
 bool DrillWords::bores_down() const {
   const Word* level = peek('R');
   const Word* bottom = peek('Z');
@@ -203,8 +205,9 @@ bool DrillWords::drill() {
   return true;
 }
 
-// Where the tool goes aside to the next hole. LinuxCNC: at R where R lies above the level before
-// the first cycle; from R or below at R, in G98 at that level; else where the tool is.
+// The level at which the tool goes to the next hole. On LinuxCNC that is R, where R lies above the
+// level before the first cycle. Otherwise a tool at R or below goes at R, or in G98 at the level
+// before the first cycle; a higher one stays where it is.
 double DrillWords::level_aside(const Hole& hole) const {
   const double level = holes_.level();
   if (!is(Dialect::ngc)) return level;
@@ -213,8 +216,8 @@ double DrillWords::level_aside(const Hole& hole) const {
   return modal_.hole_return == HoleReturn::initial ? modal_.drill.initial : hole.safe;
 }
 
-// LinuxCNC, to that level: straight where R lies above the level before the first cycle, else on
-// the way to the hole, whose axes are `named`.
+// LinuxCNC: goes to that level. It goes straight there where R lies above the level before the
+// first cycle, else on the way to the hole, whose axes are `named`.
 void DrillWords::meet_level(const Hole& hole, unsigned& named, const Word& where) {
   const double level = level_aside(hole);
   if (std::abs(holes_.level() - level) <= kRounding) return;
@@ -246,8 +249,8 @@ bool DrillWords::at_points(const std::vector<Vec3>& points, const Word& where, b
   return true;
 }
 
-// The levels: in G91 R counts from the level before the first cycle, Z from R. LinuxCNC keeps the
-// numbers of both, and reads them anew in each block as G90 and G91 say there.
+// Finds the levels. In G91 R counts from the level before the first cycle, and Z from R. LinuxCNC
+// keeps the numbers of both and reads them again in each block, by the G90 or G91 that holds there.
 bool DrillWords::fill(Hole& hole, bool haas_words) {
   const DrillCycle& cycle = modal_.drill;
   const auto relative = [&](const CycleLevel& level) {
@@ -277,9 +280,9 @@ bool DrillWords::fill(Hole& hole, bool haas_words) {
               "return");
   if (up && is(Dialect::ngc))
     return error("value-range", "R lies below the bottom of the hole", where);
-  if (up && modal_.plane == 0 && !lathe())  // across the spindle either way is down
+  if (up && modal_.plane == 0 && !lathe())  // across the spindle both directions are down
     reporter_.add(Severity::warning, "cycle-upwards", "R lies below the bottom of the hole", where);
-  const int g = cycle.plane == 2 ? cycle.number - 4 : cycle.number;  // G87 to G89: as G83 to G85
+  const int g = cycle.plane == 2 ? cycle.number - 4 : cycle.number;  // G87 to G89 are as G83 to G85
   hole.feed_out = g == 74 || g == 84 || g == 85 || g == 89;
   hole.feed_to_end = hole.feed_out && g != 85 && is(Dialect::ngc);
   if (g == 74 || g == 84) {
@@ -301,7 +304,7 @@ bool DrillWords::fill(Hole& hole, bool haas_words) {
   return pecks_.fill(hole, haas_words);
 }
 
-// Which cycles know P; FANUC taps wait at R, too.
+// Sets the dwells of the cycles that have P. Taps of FANUC also wait at R.
 void DrillWords::fill_dwells(int g, Hole& hole) const {
   const bool taps = g == 74 || g == 84, pecks = g == 73 || g == 83;
   const bool bores = g == 76 || g == 82 || g == 86 || g == 88 || g == 89 || (g == 85 && lathe());
@@ -310,7 +313,8 @@ void DrillWords::fill_dwells(int g, Hole& hole) const {
   if (taps && is(Dialect::fanuc)) hole.dwell_out = hole.dwell;
 }
 
-// Where the tool ends, with the hole below R or (`up`) above it: never nearer to it than R.
+// The level at which the tool ends: never nearer to the hole than R. The hole is below R, or above
+// it if `up`.
 double DrillWords::end_level(double safe, bool up) const {
   const double initial = modal_.drill.initial;
   switch (modal_.hole_return) {

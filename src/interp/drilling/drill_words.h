@@ -1,6 +1,6 @@
 // Drilling, tapping and boring cycles G73, G74, G76, G81 to G89 of FANUC, ISO and LinuxCNC: what
-// their words say, and at which points they run. The motions are HoleMaker's.
-// Private to src/interp.
+// their words say, and at which points they run. HoleMaker makes the motions. Private to
+// src/interp.
 #pragma once
 
 #include "interp/cycles/hole_maker.h"
@@ -14,12 +14,12 @@ class DrillWords : public ControlPart {
   DrillWords(Control& control, AxisWords& axes, HoleMaker& holes)
       : ControlPart(control), axes_(axes), holes_(holes), dwell_(control), pecks_(control) {}
 
-  /// A cycle is in force, and the block has words for it.
+  /// Whether a cycle is in force and the block has words for it.
   bool wants_block() const;
-  /// Holes at the points of the block. False: an error was reported.
+  /// Makes holes at the points of the block. False: an error was reported.
   bool run();
-  /// Holes of the cycle in force at `points`, from the current level. `own_p`: the block's P
-  /// belongs to the pattern and is no dwell. False: an error was reported.
+  /// Makes holes of the cycle in force at `points`, from the current level. `own_p`: the P of the
+  /// block belongs to the pattern and is no dwell. False: an error was reported.
   bool at_points(const std::vector<Vec3>& points, const Word& where, bool own_p = false);
 
  private:

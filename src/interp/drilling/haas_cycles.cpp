@@ -22,7 +22,7 @@ bool HaasCycles::wants_block() const {
 
 bool HaasCycles::run() { return block_.oneshot_code == Code::circle_pocket ? pocket() : holes(); }
 
-// A whole number of at least 1; without the word `out` stays.
+// Reads a whole number of at least 1. Without the word `out` does not change.
 bool HaasCycles::count(char letter, double most, long& out, bool negative) {
   const Word* word = take(letter);
   if (!word) return true;
@@ -66,8 +66,8 @@ bool HaasCycles::needs(std::string_view letters) {
   return true;
 }
 
-// G70 I radius, J first angle, L holes; G71 also K, from hole to hole; G72 I from hole to hole,
-// J angle of the line.
+// G70: I is the radius, J the first angle, L the number of holes. G71 also has K, the angle from
+// hole to hole. G72: I is the distance from hole to hole, J the angle of the line.
 bool HaasCycles::haas_holes(std::vector<Vec3>& points) {
   const double g = block_.oneshot->value;
   long number = 1;
@@ -81,9 +81,9 @@ bool HaasCycles::haas_holes(std::vector<Vec3>& points) {
   return true;
 }
 
-// Mitsubishi: G34 a circle, I radius, J first angle, K holes, below 0 clockwise; G35 a line, I from
-// hole to hole, J its angle; G36 an arc as G34, P from hole to hole; G37.1 a grid of P by K holes,
-// I and J apart.
+// Mitsubishi: G34 is a circle with the radius I, the first angle J and K holes, clockwise if K is
+// below 0. G35 is a line: I from hole to hole, J its angle. G36 is an arc as G34, with P from hole
+// to hole. G37.1 is a grid of P by K holes at the distances I and J.
 bool HaasCycles::mitsubishi_holes(std::vector<Vec3>& points) {
   const double g = block_.oneshot->value;
   if (!needs(g >= 36 ? "IJKP" : "IJK")) return false;
@@ -125,7 +125,7 @@ void HaasCycles::add_arc(std::vector<Vec3>& points, double radius, double angle,
   }
 }
 
-// I is the first radius, or the only one; K the last, in steps of Q. D is the tool's radius.
+// I is the first or the only radius, K the last one, in steps of Q. D is the radius of the tool.
 // Without Z the pocket is cut where the tool stands.
 bool HaasCycles::read_pocket(Pocket& out) {
   if (modal_.comp != Code::comp_off)
@@ -147,7 +147,8 @@ bool HaasCycles::read_pocket(Pocket& out) {
   out.depth = z ? z->value * length_unit(*z) : here;
   if (!count('L', 9999, out.times)) return false;
   const bool steps = out.last > out.first;
-  if (steps && std::abs(out.first) < kRounding)  // no room for a circle: I is the tool's radius
+  if (steps &&
+      std::abs(out.first) < kRounding)  // no room for a circle, because I is the tool's radius
     out.first = std::min(out.step, out.last);
   if (!(out.first > 0) || out.last < out.first || (steps && !(out.step > 0)) ||
       (steps && (out.last - out.first) / out.step > kMostCircles))
@@ -171,7 +172,8 @@ void HaasCycles::to_level(double level) {
   moves_.step(to, *block_.oneshot, MotionKind::line);
 }
 
-// An arc in the plane about `center`, half a turn to `to` or a whole one; G13 counter-clockwise.
+// Runs an arc in the plane about `center`: half a turn to `to`, or a full turn. G13 is
+// counter-clockwise.
 bool HaasCycles::half_circle(Vec2 center, Vec2 to, bool whole) {
   const Basis b = basis();
   ArcBlock block;
@@ -188,7 +190,8 @@ bool HaasCycles::half_circle(Vec2 center, Vec2 to, bool whole) {
   return moves_.solved_arc(arc);
 }
 
-// Down in the middle, in with a half circle, a circle for each radius, back with a half circle.
+// Goes down in the middle, in by a half circle, once round for each radius, and back by a half
+// circle.
 bool HaasCycles::circles(const Pocket& pocket) {
   const Vec2 middle{position_.programmed.x, position_.programmed.y};
   for (double r = pocket.first;;) {
@@ -205,7 +208,8 @@ bool HaasCycles::circles(const Pocket& pocket) {
   }
 }
 
-// From the middle, where the tool is, along X by I, whatever the tool's radius, round, and back.
+// From the middle, where the tool is, goes along X by I (without regard to the tool's radius),
+// round, and back.
 bool HaasCycles::circle_of_mach() {
   if (!needs("I")) return false;
   if (peek('X') || peek('Y') || peek('Z'))

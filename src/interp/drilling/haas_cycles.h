@@ -1,6 +1,6 @@
-// Haas mills: G12 and G13 mill a circular pocket, G70 to G72 set holes of the drilling cycle in
-// force on a circle, an arc or a line; so do G34 to G36 of Mitsubishi, and G37.1 on a grid. Private
-// to src/interp.
+// On Haas mills G12 and G13 mill a circular pocket, and G70 to G72 make holes of the drilling cycle
+// in force on a circle, an arc or a line. G34 to G36 of Mitsubishi also do that, and G37.1 on a
+// grid. Private to src/interp.
 #pragma once
 
 #include "interp/drilling/drill_words.h"
@@ -20,16 +20,16 @@ class HaasCycles : public ControlPart {
         compensation_(compensation),
         drilling_(drilling) {}
 
-  /// The block holds such a word.
+  /// Whether the block has such a word.
   bool wants_block() const;
   /// False: an error was reported.
   bool run();
 
  private:
-  /// A pocket; radii are of the tool's path, mm.
+  /// A pocket. Radii are those of the tool's path, mm.
   struct Pocket {
     double first = 0, last = 0, step = 0;
-    double depth = 0;  ///< level, or in G91 how much deeper each time
+    double depth = 0;  ///< level; in G91 how much deeper each time
     long times = 1;
   };
 

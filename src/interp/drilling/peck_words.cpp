@@ -10,11 +10,11 @@
 namespace mrsim {
 namespace {
 
-constexpr double kLongPeck = 50;  // Q5000 counts thousandths
+constexpr double kLongPeck = 50;  // from here on a number is thousandths: Q5000
 
 }  // namespace
 
-// Q, whose sign FANUC ignores; without a point it counts least increments where it is long.
+// FANUC ignores the sign of Q. Without a point a long Q counts least increments.
 bool PeckWords::read(const Word& q) {
   if (q.value <= 0 && is(Dialect::ngc))
     return error("value-range", "Q, the depth of a stroke, must be above 0", q);
@@ -29,8 +29,8 @@ bool PeckWords::read(const Word& q) {
   return true;
 }
 
-// Haas: beside Q of G73 the tool comes out to R whenever it is K deeper. FANUC's K is how often the
-// block is run, and has no point.
+// K of Haas beside Q of G73: the tool comes out to R whenever it is K deeper. K of FANUC is how
+// often the block is run, and has no point.
 bool PeckWords::read_haas_depth() {
   const Word* k = peek('K');
   if (modal_.drill.number != 73 || !is(Dialect::fanuc) || !k || !k->point) return true;
@@ -57,7 +57,7 @@ bool PeckWords::fill(Hole& hole, bool haas_words) {
   const double depth = std::abs(hole.safe - hole.bottom);
   const double along = hole.bottom < hole.safe ? -1 : 1;
   if (modal_.okuma)
-    for (const char c : {'I', 'J'}) take(c);  // how far back
+    for (const char c : {'I', 'J'}) take(c);  // how far the tool goes back
   else if (haas_words && !modal_.drill.fagor && peek('I'))
     read_haas_strokes();
   if (modal_.drill.first != 0) return haas_pecks(hole);
@@ -79,8 +79,8 @@ bool PeckWords::fill(Hole& hole, bool haas_words) {
   return true;
 }
 
-// Haas: the first stroke is I, each next one less by J, the least K. They hold for the points that
-// follow, too.
+// Haas: I is the first stroke, each next one is shorter by J, and K is the shortest. They stay in
+// force for the points that follow.
 void PeckWords::read_haas_strokes() {
   DrillCycle& cycle = modal_.drill;
   const auto value = [&](char c, double otherwise) {

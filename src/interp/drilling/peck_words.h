@@ -9,10 +9,10 @@ class PeckWords : public ControlPart {
  public:
   explicit PeckWords(Control& control) : ControlPart(control) {}
 
-  /// Q, which stays in force. False: an error was reported.
+  /// Reads Q, which stays in force. False: an error was reported.
   bool read(const Word& q);
-  /// The strokes of the cycle in force, between the levels of `hole`; `haas_words`: I J K may say
-  /// them. False: an error was reported.
+  /// Fills in the strokes of the cycle in force, between the levels of `hole`. `haas_words`: I J K
+  /// may give them. False: an error was reported.
   bool fill(Hole& hole, bool haas_words);
 
  private:

@@ -13,7 +13,7 @@
 namespace mrsim {
 namespace {
 
-// A coordinate without a point from which on its author may have meant least increments.
+// From this value on, a coordinate without a point may be meant in least increments.
 constexpr double kLongWithoutPoint = 500;
 constexpr double kFarWithoutPoint = 10'000;  // mm: no machine travels so far
 
@@ -41,7 +41,7 @@ bool AxisWords::has_move() const {
               Address::i1, Address::j1, Address::k1, Address::turn});
 }
 
-// Controls of other kinds that count thousandths, too: Deckel's Dialog, Bridgeport's BOSS.
+// Controls of other kinds also count thousandths: Deckel's Dialog, Bridgeport's BOSS.
 void AxisWords::warn_of_increments(const Word& word) {
   reporter_.once(
       Severity::warning, "number-without-point",
@@ -51,7 +51,7 @@ void AxisWords::warn_of_increments(const Word& word) {
       word, "point far");
 }
 
-// X50000 is 50 m where 50 mm may be meant; sheets of 2.5 m are cut by numbers without points.
+// X50000 is 50 m, and 50 mm may be meant. Sheets of 2.5 m are cut by numbers without points, too.
 void AxisWords::tell_of_point(const Word& word) {
   const double size = std::abs(word.value);
   if (word.point || options_.least_increments || size < kLongWithoutPoint) return;
@@ -68,8 +68,8 @@ void AxisWords::tell_of_point(const Word& word) {
       word, far ? "point far" : "point");
 }
 
-// LinuxCNC starts in G8; Mach's lathes may be set to diameters without a word. Lathes of no named
-// control may be either's.
+// X of a lathe may be a radius: LinuxCNC starts in G8, while lathes of Mach may be set to diameters
+// without a word. A lathe whose control is not named may be either.
 void AxisWords::tell_of_radius(int axis, const Word& word) {
   if (axis != 0 || !lathe() || modal_.diameter_told || word.value == 0) return;
   if (is(Dialect::iso))
@@ -109,12 +109,12 @@ bool AxisWords::axis_word(Target& out, int axis, const Word& word, bool incremen
   double base = 0;
   if (incremental) {
     base = component(out.programmed, axis);
-    // SD42440 = 1: the first increment after a change of frame travels the new offset too.
+    // Setting SD42440 = 1: the first increment after a change of frame also travels the new offset.
     if (is(Dialect::sinumerik) && (position_.moved_frame >> axis & 1U) && !block_.suppress_frames)
       base = component(position_.retained, axis);
     const bool known = (position_.known >> axis & 1U) != 0;
     if (!known && !block_.oneshot && word.value == 0) return true;  // "G28 U0", and "W0" behind it
-    // G28 G91 Z0: where from is of no matter.
+    // G28 G91 Z0 needs no known start.
     if (!known && !block_.oneshot)
       reporter_.once(Severity::warning, "start-unknown",
                      "an increment from a position that was never given: it is counted from 0; say "
@@ -139,7 +139,7 @@ bool AxisWords::target(Target& out, const Vec3& from) {
   for (int i = 0; i < 3; ++i) {
     const Word* word = take("XYZ"[i]);
     const Word* relative = lathe() && is(Dialect::fanuc) ? take("UVW"[i]) : nullptr;
-    if (word && relative) {  // the later one counts
+    if (word && relative) {  // the later word counts
       const bool last = relative->column > word->column;
       (last ? word : relative) = nullptr;
       warning("address-twice",
@@ -155,7 +155,7 @@ bool AxisWords::target(Target& out, const Vec3& from) {
   return true;
 }
 
-// LinuxCNC: @ distance and ^ angle about the zero of G17; what is not given stays.
+// LinuxCNC: @ is the distance and ^ the angle about the zero of G17. The one not given stays.
 bool AxisWords::ngc_polar_target(Target& out, const Vec3& from) {
   const Word* radius = take('@');
   const Word* angle = take('^');
@@ -184,7 +184,7 @@ bool AxisWords::ngc_polar_target(Target& out, const Vec3& from) {
   return true;
 }
 
-// AP= RP= about the pole, in the plane.
+// AP= and RP= are angle and radius about the pole, in the plane.
 bool AxisWords::polar_target(Target& out) {
   const Word* ap = take(Address::ap);
   const Word* rp = take(Address::rp);
@@ -240,8 +240,8 @@ double AxisWords::last_polar_radius(const Basis& b) const {
   return length(in_plane(b, position_.programmed - position_.pole));
 }
 
-// G16: the plane's first axis is the radius, the second the angle. A radius in G91 counts from the
-// position, the first angle beside it from the plane's first axis.
+// G16: the word of the plane's first axis is the radius, that of the second the angle. A radius in
+// G91 counts from the position; the first angle beside it counts from the plane's first axis.
 bool AxisWords::fanuc_polar_target(Target& out, const Vec3& from) {
   const Basis b = basis();
   static constexpr int kFirst[] = {0, 2, 1, 0}, kSecond[] = {1, 0, 2, 1}, kNormal[] = {2, 1, 0, 2};
@@ -278,7 +278,7 @@ const Word* AxisWords::motion_word(const Target& to) const {
   return to.first ? to.first : &block_.words.front();
 }
 
-// ANG= with one coordinate: the other follows.
+// ANG= with one coordinate gives the other one.
 bool AxisWords::angle_target(Target& out, const Vec3& from) {
   const Word* ang = take(angle_address());
   const Basis b = basis();

@@ -1,5 +1,5 @@
-// Where a block goes: axis words, diameters, increments, polar coordinates, angles. Changes polar
-// values alone; moving there is for Moves. Private to src/interp.
+// Where a block goes: axis words, diameters, increments, polar coordinates, angles. The only state
+// that it changes is the last polar values; Moves goes there. Private to src/interp.
 #pragma once
 
 #include "interp/control/control.h"
@@ -9,8 +9,8 @@ namespace mrsim {
 /// Where a move goes, in the frame in force.
 struct Target {
   Vec3 programmed;
-  unsigned named = 0;     ///< axes with a word
-  unsigned absolute = 0;  ///< ... of which absolute
+  unsigned named = 0;     ///< a bit for each axis with a word
+  unsigned absolute = 0;  ///< those of them whose value is absolute
   const Word* first = nullptr;
 };
 

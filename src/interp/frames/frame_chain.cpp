@@ -2,7 +2,7 @@
 
 namespace mrsim {
 
-// The pieces in the order the control applies them: innermost last.
+// Composes the frames in the order in which the control applies them, the innermost last.
 void FrameChain::rebuild() {
   Frame total = shift_frame(frames_.work + frames_.position_shift + frames_.local);
   if (frames_.work_turn != 0)

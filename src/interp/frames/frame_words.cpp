@@ -20,7 +20,7 @@ void FrameWords::start() {
   rebuild();
 }
 
-// G15 H1 to H200 of Okuma.
+// G15 H1 to H200 of Okuma select a work offset.
 bool FrameWords::select_numbered(const Word& h) {
   if (h.value < 1 || h.value > 200 || h.value != std::floor(h.value))
     return error("value-range", "G15 needs H1 to H200, a work offset of Okuma's OSP", h);
@@ -28,7 +28,7 @@ bool FrameWords::select_numbered(const Word& h) {
   return use_work(fmt::format("G15H{:g}", h.value), h);
 }
 
-// E1 to E48 of Fadal and Centroid; E0 is the machine's own zero.
+// E1 to E48 of Fadal and Centroid select a work offset; E0 is the machine's own zero.
 bool FrameWords::select_fixture() {
   const bool engraves = block_.oneshot && block_.oneshot_code == Code::engrave;
   if (!is(Dialect::fanuc) || lathe() || engraves || !block_.unused(letter('E'))) return true;
@@ -47,7 +47,7 @@ const Word* FrameWords::offset_number() {
 }
 
 bool FrameWords::select_work(const CodeEntry& entry, const Word& word) {
-  if (modal_.okuma && word.value == 56 && peek('H')) {  // the length of the tool, along Z
+  if (modal_.okuma && word.value == 56 && peek('H')) {  // the length of the tool along Z
     modal_.length = Code::length_plus;
     block_.length_changed = true;
     return true;
@@ -71,7 +71,8 @@ bool FrameWords::select_work(const CodeEntry& entry, const Word& word) {
 }
 
 bool FrameWords::use_work(const std::string& name, const Word& word) {
-  if (is(Dialect::ngc) && name == frames_.work_name) return true;  // numbers set since do not count
+  if (is(Dialect::ngc) && name == frames_.work_name)
+    return true;  // values set since then do not count
   save();
   if (!set_work(name))
     note_once("work-offset-unset",
@@ -83,8 +84,8 @@ bool FrameWords::use_work(const std::string& name, const Word& word) {
   return true;
 }
 
-// G54 P2 of FANUC is G54.1 P2, G59 P7 of Mach the offset that G10 L2 P7 sets, where no other word
-// of the block asks for P.
+// G54 P2 of FANUC is G54.1 P2, and G59 P7 of Mach is the offset that G10 L2 P7 sets; but only where
+// no other word of the block needs the P.
 bool FrameWords::extends_work() const {
   const Word* p = block_.offset_number ? block_.offset_number : peek('P');
   if (!p || is(Dialect::sinumerik) || is(Dialect::codesys)) return false;
@@ -129,7 +130,7 @@ bool FrameWords::set_work(const std::string& written) {
   return frames_.work_given || name == "G54";
 }
 
-// ROT: axis angles (about Z, then the new Y, then the new X) or RPL= in the plane.
+// ROT turns about Z, then about the new Y, then about the new X; RPL= turns in the plane.
 void FrameWords::rotation_arguments(Frame& frame) {
   static constexpr int kNormal[] = {2, 1, 0, 2};
   if (const Word* rpl = take(Address::rpl)) {
@@ -182,7 +183,7 @@ bool FrameWords::sinumerik_step(const Vec3& values, unsigned named) {
   return true;
 }
 
-// Scales that compound beyond all measure would end in positions that are no numbers.
+// Scales that multiply again and again would end in positions that are no numbers.
 bool FrameWords::in_range() {
   const double d = std::abs(determinant(frames_.total));
   if (d >= 1 / kMostScale && d <= kMostScale && length(frames_.total.shift) <= kMostShift)
@@ -260,8 +261,8 @@ bool FrameWords::codesys() {
   return true;
 }
 
-// G110 from the last position, G111 from workpiece zero, G112 from the last pole; G90 and G91 are
-// ignored.
+// G110 gives the pole from the last position, G111 from workpiece zero, G112 from the last pole.
+// G90 and G91 have no effect on it.
 bool FrameWords::pole() {
   const Basis b = basis();
   Vec3 from;

@@ -12,17 +12,17 @@ class FrameWords : public FrameChain {
  public:
   explicit FrameWords(Control& control) : FrameChain(control), transforms_(control) {}
 
-  /// What is in force before the first block.
+  /// Puts the frame in force that holds before the first block.
   void start();
   /// The frame word of the block. False: an error was reported.
   bool run();
-  /// G54 and its kin.
+  /// G54 to G59, G54.1 P and their kin. False: an error was reported.
   bool select_work(const CodeEntry& entry, const Word& word);
-  /// E1 beside the words of a place. False: an error was reported.
+  /// E1 of Fadal and Centroid, a work offset. False: an error was reported.
   bool select_fixture();
-  /// G15 H of Okuma.
+  /// G15 H of Okuma. False: an error was reported.
   bool select_numbered(const Word& h);
-  /// The work offset in force may have new values.
+  /// Takes over new values of the work offset in force.
   void renew_work();
   /// The frames that G words and CYCLE800 turn, scale and mirror.
   TransformWords& transforms() { return transforms_; }

@@ -9,8 +9,8 @@
 namespace mrsim {
 namespace {
 
-constexpr int kSharedLength = 2;     // kind of length beside those of L10 and L11, 0 and 1
-constexpr double kGeometry = 10000;  // P of G10 from there on: geometry of a lathe's tool
+constexpr int kSharedLength = 2;     // a kind of length; those of L10 and L11 are 0 and 1
+constexpr double kGeometry = 10000;  // from this P of G10 on: geometry of a lathe's tool
 
 WorkOffset& work_entry(std::vector<WorkOffset>& list, const std::string& name) {
   for (WorkOffset& offset : list)
@@ -44,14 +44,14 @@ bool OffsetWords::run() {
   return error("not-supported", fmt::format("G10 L{:g} is not supported yet", l->value), *l);
 }
 
-// G10 L3 to G11: groups of tools and how long each of them lasts.
+// Blocks from G10 L3 to G11 set groups of tools and their lives.
 bool OffsetWords::tool_life(const Word& where) {
   control_.skips_data = true;
   note_once("tool-life", "G10 L3: how long tools last is not read, up to G11", where, "life");
   return true;
 }
 
-// G10 L50 to G11, L52 of newer controls.
+// Blocks from G10 L50 to G11 set parameters; newer controls write L52.
 bool OffsetWords::parameters(const Word& where) {
   control_.skips_data = true;
   reporter_.once(Severity::warning, "parameter-set",
@@ -60,7 +60,8 @@ bool OffsetWords::parameters(const Word& where) {
   return true;
 }
 
-// G10 P0 X Z of a lathe shifts the zero; which way, its parameters say. To 0 it may be set.
+// G10 P0 X Z of a lathe shifts the zero. Its direction depends on the machine's parameters, so that
+// only a shift of 0 is read.
 bool OffsetWords::work_shift(const Word& where) {
   for (const char c : {'X', 'Y', 'Z', 'U', 'V', 'W', 'C'})
     if (const Word* word = take(c); word && word->value != 0)
@@ -72,14 +73,15 @@ bool OffsetWords::work_shift(const Word& where) {
   return turned_offset(where);
 }
 
-// G10 P X Z of a lathe: where the tool's tip is, which positions have anyway. R is its nose, to be
-// compared with that of the tool; Q, on which side the nose lies, follows from the tool.
+// G10 P X Z of a lathe says where the tool's tip is. Positions of a program are those of the tip,
+// so X and Z have no effect. R is the nose radius, to be compared with that of the tool; Q is the
+// side on which the nose lies, which follows from the tool.
 bool OffsetWords::turned_offset(const Word& where) {
   const Word* p = peek('P');
   if (const Word* r = take('R'); r && p && r->value > 0)
     control_.told_noses[static_cast<long>(p->value) % 100] = r->value * length_unit(*r);
   const double number = p ? p->value : 0;
-  const bool wear = number < kGeometry;  // P10001 is the place of the tip, P1 its wear
+  const bool wear = number < kGeometry;  // P10001 is the place of the tip, P1 the wear of it
   for (const char c : {'X', 'Z', 'U', 'W'})
     if (const Word* word = take(c); word && number > 0 && number < 2 * kGeometry)
       keep_length(static_cast<int>(number) % 100, 2 * wear + (c == 'Z' || c == 'W'), wear,
@@ -92,8 +94,8 @@ bool OffsetWords::turned_offset(const Word& where) {
   return true;
 }
 
-// The offset that P means. P0: of LinuxCNC the one in force, of FANUC the external one that is part
-// of all; L20 of FANUC is G54.1.
+// The offset that P means. P0 of LinuxCNC is the one in force, P0 of FANUC the external offset,
+// which is part of all others. L20 of FANUC is G54.1.
 std::string OffsetWords::work_name(int l, int p) const {
   if (l == 20 && !is(Dialect::ngc)) return fmt::format("G54.1P{}", p);
   if (p == 0) return is(Dialect::ngc) ? frames_.work_name : "EXT";
@@ -131,7 +133,8 @@ bool OffsetWords::work(int l, int p) {
   return true;
 }
 
-// G10 L2 counts from the machine's zero: only a zero in [machine] ties that to the stock.
+// G10 L2 counts from the machine's zero. Only a zero in [machine] says where that lies in the
+// stock.
 void OffsetWords::tell_of_machine(const WorkOffset& offset) {
   const Vec3& at = offset.shift;
   if (at.x == 0 && at.y == 0 && at.z == 0) return;
@@ -143,7 +146,7 @@ void OffsetWords::tell_of_machine(const WorkOffset& offset) {
             *block_.oneshot, "work-set");
 }
 
-// G10 L20: the offset in which the position of now has the coordinates of the block.
+// G10 L20 gives the offset in which the current position has the coordinates of the block.
 Vec3 OffsetWords::shift_to_here(const Vec3& old, const std::string& name) {
   const auto angle = control_.work_turns.find(name);
   const Frame turned = rotation_frame(2, angle == control_.work_turns.end() ? 0 : angle->second);
@@ -155,7 +158,8 @@ Vec3 OffsetWords::shift_to_here(const Vec3& old, const std::string& name) {
   return position_.physical - turn(turned, at + inner);
 }
 
-// An axis whose place is unknown, as behind a probe, has the coordinate in the offset as it is.
+// An axis whose place is unknown, as behind a probe, is taken to stand where the offset as it is
+// puts the coordinate of the block.
 void OffsetWords::meet_unknown(const Frame& frame) {
   Vec3 at = apply_inverse(frame, position_.physical);
   unsigned met = 0;
@@ -176,10 +180,10 @@ void OffsetWords::meet_unknown(const Frame& frame) {
   position_.known |= met;
 }
 
-// L12 and L13: radius and its wear. Lengths (L10, L11) are taken to be those of the real tools: the
-// program's positions are those of the tip. P and R alone, of controls with one offset a number
-// for H and D (memory A): read as a radius, since as a length it has no effect. LinuxCNC: P is the
-// tool, R its radius.
+// L12 and L13 are the radius and its wear. Lengths (L10, L11) are taken to be those of the real
+// tools, since positions of the program are those of the tip. Controls with one offset for H and D
+// of a number (memory A) write P and R alone: that is read as a radius, because a length has no
+// effect. On LinuxCNC P is the tool and R its radius.
 bool OffsetWords::tool_register(int l, int p, const Word& where) {
   const Word* r = take('R');
   const Word* z = peek('Z');
@@ -199,7 +203,7 @@ bool OffsetWords::tool_register(int l, int p, const Word& where) {
           {r->value * length_unit(*r), modal_.incremental, fmt::format("G10 L{} P{}", l, p)});
     return true;
   }
-  if (!peek('L'))  // memory A: one offset a number, for H and D
+  if (!peek('L'))  // memory A: one offset for H and D
     keep_length(p, kSharedLength, false,
                 {r->value * length_unit(*r), modal_.incremental, fmt::format("G10 P{}", p)});
   const std::string name = fmt::format("D{}", p);
@@ -209,8 +213,8 @@ bool OffsetWords::tool_register(int l, int p, const Word& where) {
   return true;
 }
 
-// LinuxCNC: in force from the next G43 of that tool on. L10 and L11 touch off: the tip is where it
-// was, and the length becomes another one.
+// Lengths of LinuxCNC hold from the next G43 of that tool on. L10 and L11 touch off: the tip stays
+// where it is, and the length changes.
 void OffsetWords::table_lengths(int l, int tool) {
   const SetLengths::Register which{SetLengths::kTable, tool};
   for (int i = 0; i < 3; ++i) {
@@ -226,7 +230,7 @@ void OffsetWords::table_lengths(int l, int tool) {
   }
 }
 
-// Lengths move nothing here. What one was before the program's first setting is not known; a wear
+// Lengths move nothing here. What a length was before the program first set it is not known; a wear
 // is taken to have been 0.
 void OffsetWords::keep_length(int number, int kind, bool wear, const Length& length) {
   const SetLengths::Register which{0, number};

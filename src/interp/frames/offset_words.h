@@ -1,4 +1,4 @@
-// G10: work offsets and registers set by the program. What it sets lies over the tool table.
+// G10: the program sets work offsets and registers, which take precedence over the tool table.
 // Private to src/interp.
 #pragma once
 

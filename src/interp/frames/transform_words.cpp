@@ -9,11 +9,11 @@
 namespace mrsim {
 namespace {
 
-constexpr int kNormalOf[] = {2, 1, 0, 2};  // the axis across a plane, by Modal::plane
+constexpr int kNormalOf[] = {2, 1, 0, 2};  // the axis across each plane, by Modal::plane
 
 }  // namespace
 
-// G68 R, G51 P or I J K, G51.1, G52: about a centre in the plane's axes.
+// X Y Z of the block are the centre in the plane, or the shift of G52 and G11.
 bool TransformWords::run(const Word& word) {
   Vec3 values = position_.programmed;
   unsigned named = 0;
@@ -72,7 +72,7 @@ bool TransformWords::run(const Word& word) {
   return true;
 }
 
-// G68.2 whose angles tilt nothing: its X Y Z are the zero, its angles turn about Z.
+// G68.2 without a tilt: its X Y Z are the zero, its angles turn about Z.
 bool TransformWords::untilted_plane(Vec3 zero, unsigned named, const Word& word) {
   double angle = 0;
   for (const char c : {'I', 'J', 'K'})
@@ -128,7 +128,7 @@ bool TransformWords::turn_locally(Vec3 zero, unsigned named, const Word& word) {
   return true;
 }
 
-// The manuals forbid G52 between G68 and G69; what machines make of it differs.
+// The manuals forbid G52 between G68 and G69, and machines differ in how they read it.
 void TransformWords::shift_locally(const Vec3& values, unsigned named, const Word& word) {
   if (is(Dialect::ngc)) {  // the shift of G92, which G92.1 to G92.3 act on
     const double x = modal_.diameter == Code::diameter_on ? values.x / 2 : values.x;
@@ -147,7 +147,8 @@ void TransformWords::shift_locally(const Vec3& values, unsigned named, const Wor
             word);
 }
 
-// I J K of G68, the direction of an axis: that of Z turns the plane G17 as no words do.
+// I J K of G68 are the direction of an axis. The direction of Z turns the plane G17, as G68 without
+// these words does.
 bool TransformWords::turns_in_space() {
   if (peek('A') || peek('B') || !(peek('I') || peek('J') || peek('K'))) return false;
   const auto value = [&](char c) {
@@ -169,7 +170,7 @@ bool TransformWords::center_of_mach(Vec3& center, const Word& word) {
   return true;
 }
 
-// In G91, and beside I of Mach, the angle adds to the rotation in force, where there is one.
+// In G91, and beside I of Mach, the angle is added to that of the rotation in force.
 void TransformWords::turn_about(double angle, int axis, const Vec3& center, bool adds,
                                 const Word& word) {
   if (adds && frames_.rotation_angle != 0) {

@@ -16,26 +16,26 @@ bool has(const Tokens& tokens, std::string_view word) {
                      [&](const CommentToken& t) { return t.is(word); });
 }
 
-// "N10" or "P5" as a word and a number that is glued to it.
+// Whether an address such as N10 or P5 stands there: a letter and a number without a blank between.
 bool is_address(const Tokens& tokens, std::size_t at, std::string_view letter) {
   return at + 1 < tokens.size() && tokens[at].is(letter) && tokens[at + 1].is_number() &&
          tokens[at + 1].glued;
 }
 
-// N10, N(P1*10) or NP1: a block.
+// Whether N10, N(P1*10) or NP1, the number of a block, stands there.
 bool is_block(const Tokens& tokens, std::size_t at) {
   if (is_address(tokens, at, "N") || is_address(tokens, at, "NP")) return true;
   return at + 1 < tokens.size() && tokens[at].is("N") && tokens[at + 1].is("(");
 }
 
-// A comparison, as every condition has one.
+// Whether there is a comparison, as in every condition.
 bool asks(const Tokens& tokens) {
   const std::array comparisons{"EQ", "NE", "GT", "GE", "LT", "LE"};
   return std::any_of(comparisons.begin(), comparisons.end(),
                      [&](std::string_view word) { return has(tokens, word); });
 }
 
-// (ORGX54=5), (TOR1=4.98), (GUP 100=2): values of the control's tables.
+// Whether the statement sets a value of the control's tables: (ORGX54=5), (TOR1=4.98), (GUP 100=2).
 bool sets_table(const Tokens& tokens) {
   if (tokens.size() < 4 || !tokens[1].is_number() || !tokens[2].is("=")) return false;
   const std::string_view name = tokens.front().text;

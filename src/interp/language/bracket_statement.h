@@ -1,5 +1,5 @@
 // Statements in brackets, as controls of the ISO family (Fagor 8055) write them: (P1=5),
-// (IF P1 EQ 2 GOTO N10), (RPT N10,N20). Separates them from comments, which stand in brackets too.
+// (IF P1 EQ 2 GOTO N10), (RPT N10,N20). Tells them from comments, which also stand in brackets.
 #pragma once
 
 #include <string>

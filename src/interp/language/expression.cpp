@@ -28,7 +28,7 @@ bool Evaluator::expression(std::string_view line, std::size_t& p, Value& out) {
   return finish(p, ok);
 }
 
-// A sign in front of a vacant variable belongs to the address: "X-#1" counts as not written.
+// A sign before a vacant variable belongs to the address, so that "X-#1" counts as not written.
 bool Evaluator::operand(std::string_view line, std::size_t& p, Value& out) {
   start(line, p);
   skip_blanks();
@@ -107,7 +107,7 @@ bool Evaluator::binary(int least_level, Value& out) {
   }
 }
 
-// An operator with an operand that is no number: comparisons with #0 ask whether one is vacant.
+// Applies an operator where an operand is no number. Comparisons with #0 ask whether one is vacant.
 bool Evaluator::combine(const OperatorRow& row, std::size_t from, Value& left, Value& right) {
   using Kind = Value::Kind;
   const bool asks = (left.kind == Kind::vacant && !left.never_set) ||

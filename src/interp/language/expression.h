@@ -1,7 +1,7 @@
 // Computes the expressions of NC programs straight from the text of the line: `#1+2`, `SIN[30]`,
 // `R1*(R2-1)`. One evaluator for all controls; what differs is in ExpressionRules.
 // Guarantees: the nesting of brackets is bounded; a fault has its place; nothing is printed.
-// Does not: know where variables live (VariableReader) or what the value is for.
+// Does not know where variables live (VariableReader) or what the value is for.
 #pragma once
 
 #include "interp/language/operands.h"
@@ -19,11 +19,11 @@ class Evaluator final : public Operands {
   bool expression(std::string_view line, std::size_t& p, Value& out);
   /// One operand at `p` ("#1", "-[2+3]", "SIN[30]"), as it stands behind an address.
   bool operand(std::string_view line, std::size_t& p, Value& out);
-  /// As operand(), and a number that is not vacant.
+  /// As operand(); the value must be a number that is not vacant.
   bool number_operand(std::string_view line, std::size_t& p, double& out);
-  /// As expression(), and a number that is not vacant.
+  /// As expression(); the value must be a number that is not vacant.
   bool number_expression(std::string_view line, std::size_t& p, double& out);
-  /// The number of a variable behind its #: a whole one.
+  /// The number of a variable behind its #, which must be whole.
   bool variable_number(std::string_view line, std::size_t& p, double& out);
 
  private:

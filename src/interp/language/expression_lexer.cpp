@@ -10,7 +10,7 @@
 
 namespace mrsim {
 
-// A comment that is not closed stays for its own error.
+// A comment that is not closed is not skipped: it gets its own error later.
 void ExpressionLexer::skip_comments() {
   for (std::size_t end; at(p_) == '(' && (end = line_.find(')', p_)) != line_.npos;)
     p_ = std::min(line_.find_first_not_of(" \t\r", end + 1), line_.size());
@@ -21,7 +21,7 @@ bool ExpressionLexer::fail(const char* code, std::string text, std::size_t from,
   return false;
 }
 
-// "CALL O300 PX=3 LEN=20": LEN is no LE.
+// Whether a name with "=" stands there: in "CALL O300 PX=3 LEN=20" LEN is not the operator LE.
 bool ExpressionLexer::assigned_here() const {
   std::size_t end = p_;
   while (is_name(at(end))) ++end;
@@ -98,7 +98,7 @@ bool ExpressionLexer::number(Value& out) {
   return true;
 }
 
-// 'HFF' and 'B101'
+// Numbers to the bases 16 and 2: 'HFF' and 'B101'.
 bool ExpressionLexer::radix(Value& out) {
   const std::size_t from = p_, end = line_.find('\'', p_ + 1);
   const char kind = upper(at(p_ + 1));

@@ -27,7 +27,7 @@ std::string digits_at(std::string_view line, std::size_t& p) {
 struct Keyword {
   std::string_view name;
   FlowWord word;
-  FlowWord ends = FlowWord::none;  ///< the loop that it ends
+  FlowWord ends = FlowWord::none;  ///< the kind of loop that it ends
 };
 
 constexpr Keyword kOwords[] = {
@@ -81,7 +81,7 @@ bool has_jump(std::string_view rest) {
   return false;
 }
 
-// A part of a structure that no control sees where it stands.
+// A part of a structure at a place where no control looks for it.
 FoundWord stray(std::size_t at) {
   FoundWord found;
   found.at = at;
@@ -143,7 +143,7 @@ std::size_t behind_number(std::string_view line, std::size_t from, long& number)
   if (!is_digit(at(line, q))) return p;
   const std::string digits = digits_at(line, q);
   if (digits.size() <= 9) number = std::stol(digits);
-  if (at(line, q) == '.') {  // LinuxCNC: fractions of block numbers
+  if (at(line, q) == '.') {  // block numbers of LinuxCNC may have fractions
     ++q;
     digits_at(line, q);
   }
@@ -203,8 +203,8 @@ std::string oword_keyword(std::string_view line, std::size_t& p) {
 
 namespace {
 
-// Behind an IF or ELSEIF: a condition and a THEN that nothing follows, as branches of several
-// lines have it.
+// Whether a condition and a THEN with nothing behind it follow an IF or ELSEIF, as in a branch of
+// several lines.
 bool opens_lines(std::string_view line, std::size_t& p) {
   p = behind_comments(line, p);
   const std::size_t close = at(line, p) == '[' ? closing_bracket(line, p) : std::string_view::npos;
@@ -214,13 +214,13 @@ bool opens_lines(std::string_view line, std::size_t& p) {
   return name.size() >= 2 && std::string_view("THEN").starts_with(name) && ends_block(line, p);
 }
 
-// Words that can be nothing but a slip in ELSEIF, ELSE or ENDIF: "ELSIF", "ELSEG1", "ENDIFG1".
+// Whether the name can only be a misspelt ELSEIF, ELSE or ENDIF: "ELSIF", "ELSEG1", "ENDIFG1".
 bool resembles_branch(std::string_view name) {
   const bool abbreviates = name.size() >= 2 && std::string_view("ELSEIF").starts_with(name);
   return abbreviates || name.starts_with("ELS") || name == "ELIF" || name.starts_with("ENDI");
 }
 
-// IF, ELSEIF, ELSE and ENDIF, well formed or not: a jump must not pass over one that is not.
+// Finds IF, ELSEIF, ELSE and ENDIF, also malformed ones, because a jump must not pass over them.
 bool scan_branch(std::string_view line, const std::string& name, FoundWord& found) {
   std::size_t& p = found.behind;
   for (const Keyword& known : kMacroBranches) {
@@ -277,8 +277,8 @@ FoundWord scan_macro_block(std::string_view line, std::size_t p) {
   return found;
 }
 
-// Behind all that may stand before the words of a block: comments, N words and "/2", whose level
-// counts for the rest of the line. "//" begins a comment.
+// The place behind all that may stand before the words of a block: comments, N words and "/2",
+// whose level holds for the rest of the line. "//" begins a comment.
 std::size_t behind_head(std::string_view line, std::size_t p, int& skip) {
   for (long number = -1;;) {
     p = behind_comments(line, p);

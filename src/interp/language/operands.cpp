@@ -79,7 +79,7 @@ bool Operands::bracketed(Value& out) {
   return true;
 }
 
-// "#", then a number, a name in < > or any operand that gives the number.
+// A variable: "#", then a number, a name in < >, or any operand that gives the number.
 bool Operands::hash_variable(Value& out) {
   const std::size_t from = p_++;
   skip_blanks();
@@ -123,7 +123,8 @@ bool Operands::word(Value& out) {
   const std::size_t end = p_;
   skip_blanks();
   const FunctionRow* const row = function_named(name);
-  const bool system = rules_.plain_names && name.starts_with('V');  // VTOFH[1] of Okuma
+  const bool system =
+      rules_.plain_names && name.starts_with('V');  // a system variable of Okuma, VTOFH[1]
   if (at(p_) == rules_.open && !system) {
     if (row) return call(*row, from, out);
     return fail("function-unknown", fmt::format("{} is no function of this control", name), from,
@@ -147,7 +148,8 @@ bool Operands::word(Value& out) {
   return name_variable(from, line_.substr(from, end - from), out);
 }
 
-// NOT and B_NOT. Fagor's NOT is one of bits and one of conditions, which agree on neither number.
+// NOT and B_NOT. Fagor's NOT is for bits and for conditions; for other numbers than 0 and 1 it is
+// refused, because the two differ.
 bool Operands::negation(std::size_t from, bool bits, Value& out) {
   if (++depth_ > kDeepest) return fail("expression-deep", "too many NOT in a row", from, p_);
   if (!unary(out) || !usable(out, from)) return false;
@@ -159,7 +161,7 @@ bool Operands::negation(std::size_t from, bool bits, Value& out) {
   return true;
 }
 
-// SIN 30, ABS -8: a function of one operand without brackets.
+// A function of one operand without brackets: SIN 30, ABS -8.
 bool Operands::bare_call(const FunctionRow& row, std::size_t from, Value& out) {
   if (row.least > 1)
     return fail("function-arguments",
@@ -174,7 +176,7 @@ bool Operands::bare_call(const FunctionRow& row, std::size_t from, Value& out) {
   return true;
 }
 
-// $NAME$ of the controller, #NAME of the program.
+// Variables of CODESYS: $NAME$ of the controller, #NAME of the program.
 bool Operands::plc_variable(Value& out) {
   const std::size_t from = p_++;
   const bool global = line_[from] == '$';
@@ -189,7 +191,7 @@ bool Operands::plc_variable(Value& out) {
   return answered(from, out);
 }
 
-// P12
+// A parameter of Fagor: P12.
 bool Operands::parameter_variable(Value& out) {
   const std::size_t from = p_++;
   const std::size_t digits = p_;
@@ -201,7 +203,7 @@ bool Operands::parameter_variable(Value& out) {
   return answered(from, out);
 }
 
-// R1, R[2], a name with up to three indices, TRUE, FALSE.
+// Names of SINUMERIK: R1, R[2], a name with up to three indices, TRUE, FALSE.
 bool Operands::name_variable(std::size_t from, std::string_view name, Value& out) {
   std::array<Value, kMostIndices> indices;
   std::size_t count = 0;
@@ -239,7 +241,7 @@ bool Operands::name_variable(std::size_t from, std::string_view name, Value& out
   return answered(from, out);
 }
 
-// Values between the brackets of a function, `p_` on the opening one.
+// The values between the brackets of a function; `p_` is at the opening one.
 bool Operands::arguments(std::vector<Value>& values, std::size_t most) {
   const std::size_t from = p_;
   if (++depth_ > kDeepest) return fail("expression-deep", "too many brackets", from, p_);
@@ -289,7 +291,7 @@ bool Operands::call(const FunctionRow& row, std::size_t from, Value& out) {
          fail("number-too-large", "the result is too large", from, p_);
 }
 
-// EXISTS[#<name>], EXISTS[#1]: asks without reading.
+// EXISTS[#<name>] and EXISTS[#1] ask for a variable without reading it.
 bool Operands::exists_call(std::size_t from, Value& out) {
   ++p_;
   skip_blanks();
@@ -313,7 +315,7 @@ bool Operands::exists_call(std::size_t from, Value& out) {
   return true;
 }
 
-// ISVAR("NAME"), ISVAR("NAME[]"): what the machine's maker has defined is not known.
+// ISVAR("NAME"), ISVAR("NAME[]"). Variables that the machine's maker has defined are not known.
 bool Operands::is_variable(const Value& name, std::size_t from, Value& out) {
   const std::string key = upper_case(name.text.substr(0, name.text.find('[')));
   if (key.empty() || key[0] == '$')
@@ -323,7 +325,7 @@ bool Operands::is_variable(const Value& name, std::size_t from, Value& out) {
   return true;
 }
 
-// CTRANS(X, 10, Y, 5), CROT(Z, 30), CMIRROR(X): axes and values in turn.
+// CTRANS(X, 10, Y, 5), CROT(Z, 30), CMIRROR(X): each axis is followed by its value, if it has one.
 bool Operands::frame_call(const FunctionRow& row, std::size_t from, Value& out) {
   FrameParts parts;
   const bool mirror = row.function == Function::frame_mirror;
@@ -366,7 +368,7 @@ bool Operands::frame_call(const FunctionRow& row, std::size_t from, Value& out) 
   return true;
 }
 
-// VC1 and V1 of Okuma, whose digits end them, and local names.
+// VC1 and V1 of Okuma, which end with their digits, and local names.
 bool Operands::plain_variable(std::size_t from, Value& out) {
   p_ = from;
   while (is_letter(at(p_))) ++p_;

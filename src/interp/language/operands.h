@@ -12,16 +12,16 @@
 
 namespace mrsim {
 
-/// Answers what an expression asks for. False: `why` has a sentence for the user.
+/// Gives the values of the variables in an expression. False: `why` has a sentence for the user.
 class VariableReader {
  public:
   virtual ~VariableReader() = default;
-  /// #number or R number. A vacant value is an answer.
+  /// #number or an R parameter. The value may be vacant.
   virtual bool numbered(double number, Value& out, std::string& why) = 0;
   /// #<name>, a SINUMERIK name or $ name with its indices. The name as written.
   virtual bool named(std::string_view name, std::span<const Value> indices, Value& out,
                      std::string& why) = 0;
-  /// EXISTS[#...]
+  /// EXISTS[#...]: whether the variable has a value.
   virtual bool exists(double number) = 0;
   virtual bool exists(std::string_view name) = 0;
 };
@@ -40,7 +40,8 @@ class Operands : public ExpressionLexer {
 
  protected:
   static constexpr const char* kNotWhole = "the number of a variable is a whole number";
-  static constexpr double kNearWhole = 1e-4;  // of the number of a variable
+  static constexpr double kNearWhole =
+      1e-4;  // how far the number of a variable may be from a whole one
 
   Operands(const ExpressionRules& rules, VariableReader& variables)
       : ExpressionLexer(rules), variables_(variables) {}
@@ -55,7 +56,7 @@ class Operands : public ExpressionLexer {
     return value.is_number() || number_of_vacant(value, from);
   }
 
-  int depth_ = 0;  ///< of brackets, signs and functions inside one another at p_
+  int depth_ = 0;  ///< how many brackets, signs and functions are open at p_
   ValuesRead read_;
 
  private:

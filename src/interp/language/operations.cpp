@@ -129,15 +129,15 @@ bool trigonometric(const ExpressionRules& rules, Function function, double x, do
   return true;
 }
 
-// An angle as the control's functions give it.
+// The angle in the unit of the control's functions.
 double angle_of(const ExpressionRules& rules, double radians) {
   return rules.radians ? radians : degrees(radians);
 }
 
-// Exact for the powers of ten.
+// The logarithm to the base 10, exact for powers of ten.
 double logarithm_ten(double x) {
   const double log = natural_logarithm(x) / natural_logarithm(10), whole = nearest_whole(log);
-  constexpr double kNearWhole = 1e-12;  // more than the quotient of the logarithms is rounded
+  constexpr double kNearWhole = 1e-12;  // more than the rounding of the quotient of logarithms
   return std::abs(log - whole) < kNearWhole && power(10, std::abs(whole)) == (whole < 0 ? 1 / x : x)
              ? whole
              : log;
@@ -156,7 +156,7 @@ bool arc_function(const ExpressionRules& rules, Function function, double x, dou
   return true;
 }
 
-// Between binary-coded decimal and number: each digit is four bits.
+// Converts between a number and binary-coded decimal, in which each digit has four bits.
 bool coded_decimal(bool decode, double x, double& out, std::string& why) {
   const double limit = decode ? 4294967295.0 : 99999999.0;
   if (x < 0 || x > limit || x != std::floor(x))

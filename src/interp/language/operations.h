@@ -11,18 +11,18 @@
 
 namespace mrsim {
 
-/// `left` op `right` into `left`. False: `why` says what is wrong (a sentence without place).
-/// Vacant operands have been dealt with by the caller.
+/// Sets `left` to `left` op `right`. False: `why` says what is wrong (a sentence without a place).
+/// Requires: no operand is vacant.
 bool apply_operator(const ExpressionRules& rules, Operator op, Value& left, const Value& right,
                     std::string& why);
 
-/// The function of `arguments` into `out`. `round_step`: what ROUND rounds to.
-/// Not for the functions of frames and EXISTS, whose arguments are no values.
+/// Sets `out` to the function of `arguments`. `round_step`: what ROUND rounds to. Functions of
+/// frames and EXISTS are not for this, because their arguments are no values.
 bool apply_function(const ExpressionRules& rules, Function function,
                     std::span<const Value> arguments, double round_step, Value& out,
                     std::string& why);
 
-/// Says why, and returns false.
+/// Sets `why` and returns false.
 inline bool fail(std::string& why, std::string text) {
   why = std::move(text);
   return false;
@@ -31,7 +31,7 @@ inline bool fail(std::string& why, std::string text) {
 /// Nearest whole number, halves away from 0.
 double nearest_whole(double x);
 
-/// A value for the user.
+/// The value as the user is shown it.
 std::string value_shown(const Value& value);
 
 /// A number as text, as SINUMERIK's << and messages write it.

@@ -36,7 +36,7 @@ const char* shown(FlowWord word) {
   }
 }
 
-// What goes on with a structure or ends it, as it is written.
+// The word that continues or ends a structure, as programs write it.
 std::string shown_end(const FlowEntry& entry) {
   switch (entry.word) {
     case FlowWord::branch_else_if:
@@ -73,7 +73,7 @@ ProgramOutline::ProgramOutline(const std::string& file, OutlineForm form) : name
     const Place start{offset, source.line_number() - 1, 0};
     const bool tape = form == OutlineForm::owords && line.starts_with('%') &&
                       line.find_first_not_of("% \t\r") == line.npos;
-    if (tape && ++tape_marks == 2) break;  // nothing behind it is read
+    if (tape && ++tape_marks == 2) break;  // nothing behind the second mark is read
     if (form == OutlineForm::sinumerik && upper_case(line.substr(0, 4)) == "%_N_")
       begin_section(start, open);
     scan_flow(form, line, found);
@@ -156,7 +156,8 @@ void ProgramOutline::add(FlowEntry entry, std::vector<Open>& open) {
   }
 }
 
-// The structure that entry `index` goes on with or ends: the innermost, or that of its name.
+// Ties entry `index` to the structure that it continues or ends: the innermost, or the one of its
+// name.
 void ProgramOutline::chain(int index, std::vector<Open>& open, bool last) {
   FlowEntry& entry = entries_[static_cast<std::size_t>(index)];
   const bool branch = entry.word >= FlowWord::branch && entry.word <= FlowWord::branch_end;
@@ -191,7 +192,7 @@ void ProgramOutline::chain(int index, std::vector<Open>& open, bool last) {
   open.erase(std::next(at).base(), open.end());
 }
 
-// Why `entry` neither goes on with nor ends what is open.
+// Why `entry` neither continues nor ends an open structure.
 std::string ProgramOutline::unmatched(const FlowEntry& entry, const std::vector<Open>& open) const {
   for (auto one = open.rbegin(); one != open.rend(); ++one)
     if (one->name == entry.name)
@@ -203,7 +204,7 @@ std::string ProgramOutline::unmatched(const FlowEntry& entry, const std::vector<
 
 void ProgramOutline::close(int index, std::vector<Open>& open) { chain(index, open, true); }
 
-// break and continue of LinuxCNC name their loop.
+// break and continue of LinuxCNC name the loop that they leave.
 void ProgramOutline::leave_loop(int index, const std::vector<Open>& open) {
   FlowEntry& entry = entries_[static_cast<std::size_t>(index)];
   for (auto one = open.rbegin(); one != open.rend(); ++one)

@@ -1,7 +1,7 @@
 // The control structures of a program file, found in one scan: where loops, branches, labels and
 // subprograms are, and which belong together. Expressions are not read here.
 // Guarantees: memory grows with the number of structures, not with the length of the program.
-// Does not: know block numbers (ProgramPlaces::find_blocks scans for them).
+// Does not know block numbers (ProgramPlaces::find_blocks scans for them).
 #pragma once
 
 #include <cstdint>
@@ -12,11 +12,11 @@
 
 namespace mrsim {
 
-/// A spot in a file where reading can go on.
+/// A place in a file where reading can go on.
 struct Place {
   std::uint64_t offset = 0;  ///< of the start of a line
   int line = 0;              ///< number of the line before it
-  std::size_t position = 0;  ///< in the line
+  std::size_t position = 0;  ///< byte of the line
   friend auto operator<=>(const Place& a, const Place& b) {
     return a.offset != b.offset ? a.offset <=> b.offset : a.position <=> b.position;
   }
@@ -59,11 +59,11 @@ struct FlowEntry {
   int skip = -1;  ///< level of the "/" before it, -1 = none; FANUC
 };
 
-/// How structures are written: FANUC WHILE DO END, LinuxCNC's O words, SINUMERIK's names, the
-/// SUB of Fagor (a label), the SUBPROGRAM of CODESYS (a section).
+/// How a control writes structures: FANUC by WHILE DO END, LinuxCNC by O words, SINUMERIK by names.
+/// SUB of Fagor is a label, SUBPROGRAM of CODESYS a section.
 enum class OutlineForm : std::uint8_t { macro, owords, sinumerik, fagor, codesys };
 
-/// A fault of the structure as a whole: something is not closed, or closes nothing.
+/// A fault of the whole structure: a part is not closed, or closes nothing.
 struct OutlineFault {
   Place at;
   std::string text;
@@ -71,7 +71,7 @@ struct OutlineFault {
 
 class ProgramOutline {
  public:
-  /// Throws Error "file-...".
+  /// Scans the file. Throws Error "file-...".
   ProgramOutline(const std::string& file, OutlineForm form);
 
   /// The entry that starts at a place, or -1.
@@ -79,9 +79,10 @@ class ProgramOutline {
   const FlowEntry& entry(int i) const { return entries_[static_cast<std::size_t>(i)]; }
   std::size_t size() const { return entries_.size(); }
   const std::string& name(const FlowEntry& entry) const { return names_[entry.name]; }
-  /// The sub or label of a name (upper case) in a section, or anywhere with section -1; or -1.
+  /// The sub or label of a name (upper case) in a section, or in any section if that is -1. -1:
+  /// there is none.
   int find_name(FlowWord word, std::string_view name, int section) const;
-  /// Labels of a name between two places, in order of the text: the first, or the last.
+  /// The first or the last label of a name between two places in the text; -1: there is none.
   int find_label(std::string_view name, const Place& from, const Place& to, bool last) const;
   /// The section that holds a place, and where it begins and ends.
   int section_at(const Place& at) const;

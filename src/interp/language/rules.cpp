@@ -6,8 +6,8 @@ namespace {
 using O = Operator;
 using F = Function;
 
-// LinuxCNC: ** before * / MOD before + - before comparisons before AND OR XOR; equal ones from the
-// left.
+// LinuxCNC: ** binds before * / MOD, these before + -, these before comparisons, these before AND
+// OR XOR. Operators of one level are evaluated from the left.
 constexpr OperatorRow kLinuxcnc[] = {
     {"**", O::power, 5},         {"*", O::multiply, 4}, {"/", O::divide, 4},
     {"MOD", O::remainder_up, 4}, {"+", O::add, 3},      {"-", O::subtract, 3},
@@ -24,7 +24,7 @@ constexpr FunctionRow kLinuxcncFunctions[] = {
     {"SQRT", F::square_root}, {"TAN", F::tangent},
 };
 
-// FANUC: * / AND MOD before + - OR XOR before comparisons.
+// FANUC: * / AND MOD bind before + - OR XOR, and these before comparisons.
 constexpr OperatorRow kFanucOperators[] = {
     {"*", O::multiply, 3},    {"/", O::divide, 3},      {"AND", O::bits_and, 3},
     {"MOD", O::remainder, 3}, {"+", O::add, 2},         {"-", O::subtract, 2},
@@ -43,8 +43,9 @@ constexpr FunctionRow kFanucFunctions[] = {
     {"ADP", F::tool_decimals},
 };
 
-// SINUMERIK: NOT and B_NOT (operands), * / DIV MOD, + -, B_AND, B_XOR, B_OR, AND, XOR, OR, <<,
-// comparisons; the colon of frames binds most closely.
+// SINUMERIK, from the closest binding on: the colon of frames, NOT and B_NOT (operands), * / DIV
+// MOD,
+// + -, B_AND, B_XOR, B_OR, AND, XOR, OR, <<, comparisons.
 constexpr OperatorRow kSinumerikOperators[] = {
     {":", O::chain, 12},       {"*", O::multiply, 10},
     {"/", O::divide, 10},      {"DIV", O::divide_whole, 10},
@@ -96,7 +97,8 @@ constexpr FunctionRow kSinumerikFunctions[] = {
     {"INVFRAME", F::frame_inverse},
 };
 
-// Fagor 8055: NOT, functions and signs (operands), EXP MOD, * /, + -, comparisons, AND XOR, OR.
+// Fagor 8055, from the closest binding on: NOT, functions and signs (operands), EXP MOD, * /, + -,
+// comparisons, AND XOR, OR.
 constexpr OperatorRow kFagor[] = {
     {"EXP", O::power, 6},        {"MOD", O::remainder, 6}, {"*", O::multiply, 5},
     {"/", O::divide, 5},         {"+", O::add, 4},         {"-", O::subtract, 4},
@@ -113,7 +115,8 @@ constexpr FunctionRow kFagorFunctions[] = {
     {"FUP", F::next_whole},     {"BCD", F::to_decimal},  {"BIN", F::from_decimal},
 };
 
-// CODESYS: NOT and functions (operands), MOD, * /, + -, comparisons, AND, XOR, OR.
+// CODESYS, from the closest binding on: NOT and functions (operands), MOD, * /, + -, comparisons,
+// AND, XOR, OR.
 constexpr OperatorRow kCodesysOperators[] = {
     {"MOD", O::remainder, 14}, {"*", O::multiply, 13},
     {"/", O::divide, 13},      {"+", O::add, 12},

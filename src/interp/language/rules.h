@@ -76,7 +76,7 @@ enum class Function : std::uint8_t {
   frame_scale,
   frame_mirror,
   frame_inverse,
-  tool_decimals,  ///< FANUC ADP: the value itself
+  tool_decimals,  ///< FANUC ADP: gives the value unchanged
   join_text,      ///< CODESYS CONCAT
 };
 
@@ -100,7 +100,7 @@ struct FunctionRow {
   int least = 1, most = 1;  ///< arguments
 };
 
-/// What the arithmetic of one control looks like.
+/// The arithmetic of one control.
 struct ExpressionRules {
   char open = '[', close = ']';
   std::span<const OperatorRow> operators;
@@ -117,7 +117,7 @@ struct ExpressionRules {
   bool full_turn = false;       ///< the arc tangent of two arguments is 0 to 360
   bool arc_sine_full = false;   ///< ASIN is 270 to 90, written as 0 to 360
   double equal_within = 0;      ///< absolute tolerance of = and its opposite
-  double equal_relative = 0;    ///< relative one
+  double equal_relative = 0;    ///< relative tolerance of =, too
   std::string_view zero_divide_alarm, range_alarm;
 };
 

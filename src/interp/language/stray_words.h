@@ -1,5 +1,5 @@
-// Parts of branches and loops that stand behind the words of a block ("G1 X1 ELSE"), where no
-// control looks for them: a branch that passes over one would run other blocks than meant.
+// Finds parts of branches and loops behind the words of a block ("G1 X1 ELSE"), where no control
+// looks for them. A branch that passes over one would run other blocks than its author meant.
 #pragma once
 
 #include <cstddef>

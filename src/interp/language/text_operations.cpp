@@ -14,7 +14,8 @@ namespace {
 constexpr std::size_t kLongestText = 1000;
 constexpr double kLongestPart = 1e9;
 
-// INDEX, RINDEX: of a character; MINDEX: of the first of several; MATCH: of a text. -1: not there.
+// The place of a character (INDEX, RINDEX), of the first of several (MINDEX), of a text (MATCH).
+// -1: it is not there.
 double index_of(const std::string& text, const std::string& sought, Function how) {
   std::size_t at = std::string::npos;
   if (how == Function::text_match) at = text.find(sought);

@@ -9,10 +9,11 @@
 
 namespace mrsim {
 
-/// `left` op `right` into `left`, where one of them is a text. False: `why` says what is wrong.
+/// Sets `left` to `left` op `right`, where one of them is a text. False: `why` says what is wrong.
 bool text_operator(Operator op, Value& left, const Value& right, std::string& why);
 
-/// The function of `arguments`, of which the first is a text, into `out`. False: `why`.
+/// Sets `out` to the function of `arguments`, of which the first is a text. False: `why` says what
+/// is wrong.
 bool text_function(Function function, std::span<const Value> arguments, Value& out,
                    std::string& why);
 

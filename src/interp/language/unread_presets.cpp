@@ -3,7 +3,7 @@
 namespace mrsim {
 namespace {
 
-// A local number of a call is another one than that of the main program.
+// A number that is local to a call is another variable than that of the main program.
 bool is_meant(const UnreadPresets::Preset& one, double number, const VariableArray* named,
               bool local) {
   if (named != nullptr || one.named != nullptr) return one.named == named;

@@ -1,4 +1,4 @@
-// Variables that have a value before the program starts: which of them it has not read. Private to
+// Which variables that had a value before the program started it has not read. Private to
 // src/interp.
 #pragma once
 
@@ -12,9 +12,9 @@ struct VariableArray;
 class UnreadPresets {
  public:
   struct Preset {
-    std::string given;  ///< its name as it came
+    std::string given;  ///< its name as the user wrote it
     double number = -1;
-    const VariableArray* named = nullptr;  ///< instead of a number
+    const VariableArray* named = nullptr;  ///< the variable, where it has no number
     bool is_replaced = false;              ///< the program has set it
   };
 
@@ -22,7 +22,7 @@ class UnreadPresets {
   bool empty() const { return list_.empty(); }
   const std::vector<Preset>& list() const { return list_; }
 
-  /// The program reads or sets a variable; `local`: that number is local to a call.
+  /// The program reads or sets a variable. `local`: its number is local to a call.
   void note_read(double number, const VariableArray* named, bool local);
   void note_replaced(double number, const VariableArray* named, bool local);
 

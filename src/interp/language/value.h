@@ -1,4 +1,4 @@
-// What an expression gives, and what can be wrong with it. Plain values, no logic.
+// The value of an expression, and the faults of one. Plain values, no logic.
 #pragma once
 
 #include "interp/path/frames.h"
@@ -15,11 +15,11 @@ struct Value {
     text,
     frame,   ///< SINUMERIK
     vacant,  ///< FANUC: holds nothing, like #0
-    faulty,  ///< its computation failed and was reported: whatever reads it fails in silence
+    faulty,  ///< it could not be computed, which was reported: readers fail silently
   };
   Kind kind = Kind::number;
   bool never_set = false;  ///< vacant, and no assignment ever gave it a value
-  bool letter = false;     ///< a number that is the code of a CHAR: in texts it is the character
+  bool letter = false;     ///< the code of a CHAR; in texts it is the character
   double number = 0;
   std::string text;                    ///< of Kind::text
   std::shared_ptr<const Frame> frame;  ///< of Kind::frame

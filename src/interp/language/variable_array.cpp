@@ -75,13 +75,13 @@ bool VariableArray::store(std::size_t at, const Value& value, VariableForm form,
   return true;
 }
 
-// FR[X,TR]: the last two indices are an axis and a part of the frame.
+// Whether the last two indices name an axis and a part of a frame, as in FR[X,TR].
 bool VariableArray::names_part(std::span<const Value> indices) const {
   return type == VariableType::frame && indices.size() >= 2 &&
          indices.back().kind == Value::Kind::text;
 }
 
-// VS[2], counted from 0, of a text that is no array: one of its characters.
+// Whether the index names a character, counted from 0, of a text that is no array: VS[2].
 bool VariableArray::names_character(std::span<const Value> indices) const {
   return type == VariableType::text && dimensions[0] == 0 && indices.size() == 1 &&
          indices[0].is_number();
@@ -112,7 +112,7 @@ bool VariableArray::read(std::string_view name, std::span<const Value> indices, 
   return value.has_value();
 }
 
-// Of a text that has one there.
+// Changes a character that the text has.
 bool VariableArray::write_character(const Value& index, const Value& value, std::string& why) {
   Value& out = elements[0];
   if (out.kind == Value::Kind::faulty || value.kind == Value::Kind::faulty) {

@@ -1,4 +1,4 @@
-// A variable that DEF and its kin define: its elements, and the parts of frames and texts. Private
+// A variable that DEF and its kin define, with its elements, and parts of frames and texts. Private
 // to src/interp.
 #pragma once
 
@@ -24,20 +24,20 @@ enum class VariableForm : unsigned char {
 /// Types of SINUMERIK's DEF.
 enum class VariableType : unsigned char { real, integer, boolean, character, text, axis, frame };
 
-/// A defined variable; dimensions of 0 stand for none. `why` says what is wrong where a function
-/// returns false.
+/// A defined variable. A dimension that it does not have is 0. Where a function returns false,
+/// `why` says what is wrong.
 struct VariableArray {
   VariableType type = VariableType::real;
   std::array<int, 3> dimensions{};
   std::vector<Value> elements;
-  std::size_t longest = std::string::npos;  ///< of a text: STRING[20]
+  std::size_t longest = std::string::npos;  ///< most characters of a text, STRING[20]
 
-  /// The element that the indices name. `name`: of the variable, for `why`.
+  /// Finds the element that the indices name. `name` is that of the variable, for `why`.
   bool place_of(std::string_view name, std::span<const Value> indices, std::size_t& at,
                 std::string& why) const;
-  /// Changes the value to the variable's type.
+  /// Sets an element to the value, converted to the variable's type.
   bool store(std::size_t at, const Value& value, VariableForm form, std::string& why);
-  /// An element, a part of a frame (FR[X,TR]) or a character of a text (VS[2]).
+  /// Reads an element, a part of a frame (FR[X,TR]) or a character of a text (VS[2]).
   bool read(std::string_view name, std::span<const Value> indices, Value& out,
             std::string& why) const;
   bool write(std::string_view name, std::span<const Value> indices, const Value& value,

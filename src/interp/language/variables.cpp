@@ -14,7 +14,7 @@ namespace {
 constexpr int kMostR = 32536;
 constexpr int kLinuxcncLast = 5602, kLinuxcncSystem = 5001, kLinuxcncLocals = 30;
 constexpr int kFanucLast = 1000, kFanucLocals = 33;
-// More common variables of FANUC's 30i; as cells they stand behind #999.
+// More common variables of FANUC's 30i. Their cells follow that of #999.
 constexpr int kFanucMore[][2] = {{98000, 98499}, {900000, 907399}};
 constexpr int kFagorLast = 2256, kFagorLocals = 25;
 
@@ -25,7 +25,7 @@ int locals_of(VariableForm form) {
                                         : -1;
 }
 
-// One more than the highest number.
+// How many cells a control has: one more than the highest number.
 int count_of(VariableForm form) {
   switch (form) {
     case VariableForm::linuxcnc:
@@ -48,7 +48,7 @@ std::string shown(VariableForm form, double number) {
   return fmt::format("{}{:.0f}", letter, number);
 }
 
-// The number of its cell, where the control has more common variables than #100 to #999.
+// The number of the cell of a variable, where the control has more common ones than #100 to #999.
 double folded(VariableForm form, double number) {
   if (form != VariableForm::fanuc) return number;
   double behind = kFanucLast;
@@ -92,7 +92,7 @@ bool Variables::is_local_of_call(double number) const {
 
 void Variables::enter_level() {
   levels_.push_back(std::make_unique<Level>());
-  if (form_ == VariableForm::fanuc)  // what the call does not give is vacant
+  if (form_ == VariableForm::fanuc)  // a variable that the call does not give is vacant
     for (Cell& cell : levels_.back()->cells) cell.state = State::vacant;
 }
 
@@ -101,7 +101,7 @@ void Variables::leave_level() {
   levels_.pop_back();
 }
 
-// The cell of a number that is no system variable; nullptr with or without `why`.
+// The cell of a number that is no system variable. Null: `why` may say why not.
 Variables::Cell* Variables::cell(double number, std::string& why) {
   const double last = count_of(form_) - 1;
   const bool linuxcnc_zero = form_ == VariableForm::linuxcnc && number == 0;
@@ -125,7 +125,7 @@ Variables::Cell* Variables::cell(double number, std::string& why) {
 
 void Variables::answer(const Cell& cell, double number, Value& out) const {
   if (cell.state == State::number || form_ == VariableForm::linuxcnc) {
-    out = Value::of(cell.number);  // LinuxCNC: 0 when never set
+    out = Value::of(cell.number);  // 0 on LinuxCNC when it was never set
     if (cell.state == State::faulty) out.kind = Value::Kind::faulty;
     return;
   }
@@ -189,7 +189,7 @@ bool Variables::exists(double number) {
   return number >= 1 && number < kLinuxcncLast;
 }
 
-// Names differ in no case and have no blanks.
+// Names are the same in upper and in lower case. They have no blanks.
 std::string Variables::key(std::string_view name) const { return upper_case(name); }
 
 Variables::Array* Variables::find(std::string_view name) {
@@ -222,7 +222,8 @@ bool Variables::named(std::string_view name, std::span<const Value> indices, Val
     return system_->read(name, indices, out, why);
   const std::string text = to_utf8(name.substr(0, 60));
   const bool of_machine = name[0] == 'V' && !is_common(name);
-  if (form_ == VariableForm::fanuc && !of_machine) {  // of Okuma: what is not set is EMPTY
+  if (form_ == VariableForm::fanuc &&
+      !of_machine) {  // a variable of Okuma that is not set is EMPTY
     out = Value::nothing(name != "EMPTY");
     if (out.never_set)
       out.text = fmt::format("{} was never set: assign it first{}", text,

@@ -1,6 +1,6 @@
 // Where the variables of a program live: by number and by name, local to a call or common to all.
-// Guarantees: reading what was never set says how to set it; counts and sizes are bounded.
-// Does not: know the state of the control, which SystemVariables answers for.
+// Guarantees: the fault of a variable that was never set says how to set it; counts and sizes are
+// bounded. Does not know the state of the control: SystemVariables gives the variables of that.
 #pragma once
 
 #include "interp/language/expression.h"
@@ -23,7 +23,7 @@ namespace mrsim {
 class SystemVariables {
  public:
   virtual ~SystemVariables() = default;
-  /// False: `why` says that this variable is not answered, by name.
+  /// False: `why` names the variable and says that it is not read here.
   virtual bool read(double number, Value& out, std::string& why) = 0;
   virtual bool read(std::string_view name, std::span<const Value> indices, Value& out,
                     std::string& why) = 0;
@@ -51,29 +51,32 @@ class Variables : public VariableReader {
   bool assign(double number, const Value& value, std::string& why);
   bool assign(std::string_view name, std::span<const Value> indices, const Value& value,
               std::string& why);
-  /// DEF: dimensions of 0 stand for none. Elements hold 0, "" or the identity.
+  /// DEF defines a variable. A dimension that it does not have is 0. Its elements begin as 0, "" or
+  /// the identity.
   bool define(std::string_view name, VariableType type, std::array<int, 3> dimensions, bool global,
               std::string& why);
   void limit_texts(std::string_view name, std::size_t longest) { find(name)->longest = longest; }
-  /// Elements of a defined variable in order, from the element at `indices`: SET, a value that is
-  /// left out leaves its element; or with `repeats` REP, so often the first value.
+  /// Sets elements of a defined variable in order, from the element at `indices` on. For SET, a
+  /// value that is left out leaves its element as it is. For REP, `repeats` elements get the first
+  /// value.
   bool fill(std::string_view name, std::span<const Value> indices,
             std::span<const std::optional<Value>> values, std::size_t repeats, std::string& why);
-  /// The whole array of a name, nullptr: there is none.
+  /// The array of a name; null: there is none.
   const Array* array(std::string_view name);
-  /// Gives a defined variable the type, size and elements of an array.
+  /// Gives a defined variable type, size and elements of an array.
   void set_array(std::string_view name, const Array& values);
   bool is_defined(std::string_view name) { return find(name) != nullptr; }
-  /// VC1 and V1 of Okuma, common to all programs.
+  /// Whether the name is that of a variable of Okuma that all programs share, VC1 or V1.
   static bool is_common(std::string_view name);
-  /// A variable from outside: "R1", "#100", "#<_name>", "NAME". False: not a variable of this
-  /// control.
+  /// Sets a variable before the program starts: "R1", "#100", "#<_name>", "NAME". False: the
+  /// control has no such variable.
   bool preset(std::string_view name, const Value& value, std::string& why);
-  /// Those of preset() that the program has not read. Variables that are the control's state are
-  /// not watched.
+  /// The variables of preset() that the program has not read, without those that are the control's
+  /// state.
   const std::vector<UnreadPresets::Preset>& unread() const { return unread_.list(); }
 
-  /// A call begins or ends: its locals. `arguments`: bit n = local n is given, else it is vacant.
+  /// A call begins or ends, and with it its local variables. `arguments`: bit n says that local n
+  /// is given; else it is vacant.
   void enter_level();
   void leave_level();
   std::size_t levels() const { return levels_.size(); }
@@ -87,7 +90,7 @@ class Variables : public VariableReader {
   };
 
  public:
-  /// Of FANUC's macros, to be put back into another run of the same command.
+  /// Local variables of FANUC's macros, which another run of the same command gets back.
   using Locals = std::array<Cell, kLocals>;
   const Locals& locals() const { return levels_.back()->cells; }
   void set_locals(const Locals& locals) { levels_.back()->cells = locals; }

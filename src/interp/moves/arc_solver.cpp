@@ -11,21 +11,21 @@
 namespace mrsim {
 namespace {
 
-// How far the radii at start and end may differ: the larger of a length and a share of the radius
+// The radii at start and end may differ by the larger of a length and a share of the radius
 // (SINUMERIK's MD21000 and MD21010 at their defaults).
 constexpr double kRadiiApart = 0.01, kRadiiShare = 0.001;  // mm; of the radius
-// LinuxCNC: 2 sqrt(2) times 0.01 mm or 0.001 inch, beside the share above; a hundred times it is
-// always a fault.
+// On LinuxCNC they may differ by 2 sqrt(2) times 0.01 mm or 0.001 inch, or by the share above. A
+// hundred times that is always a fault.
 constexpr double kSpiralApart = 0.0282842712, kSpiralApartInch = 0.00282842712 * 25.4;  // mm
-// sqrt(0.001) radians, 1.8 degrees: by how much moving the centre may turn the start of an arc
-// (SINUMERIK, alarm 14040).
+// Moving the centre may turn the start of an arc by sqrt(0.001) radians, 1.8 degrees (SINUMERIK,
+// alarm 14040).
 constexpr double kMostTurn = 0.0316227766;
 constexpr double kNoRadius = 1e-6;       // mm: a centre this near to the start is the start
 constexpr double kLeastDivisor = 1e-12;  // mm: no division by the radius 0
-constexpr double kMostMoved = 0.10;      // of the radius: how far other controls move the centre
-// A radius may be less than half the chord. Up to the first share of it that is the rounding of
-// numbers, which arc_by_radius() takes; up to the larger of a length (mm) and the second share,
-// posts have rounded it (docs/interp.md).
+constexpr double kMostMoved = 0.10;  // share of the radius: how far other controls move the centre
+// A radius may be less than half the chord. A difference up to the first share of it is rounding of
+// numbers, which arc_by_radius() accepts. A difference up to the larger of a length (mm) and the
+// second share comes from posts that round (docs/interp.md).
 constexpr double kRadiusRounding = 1e-6, kRadiusShort = 0.005, kRadiusShortShare = 0.0005;
 constexpr double kExactHalf = 1e-6;  // rad: an arc this near to half a turn is meant to be one
 
@@ -46,7 +46,7 @@ bool ArcSolver::solve(const Vec3& from, const Frame& frame, SolvedArc& out) {
   return ok && (out.kind != SolvedArc::Kind::arc || turns_.add(out));
 }
 
-// Which words give the circle: a centre, a radius or an angle.
+// Solves the circle by the words that the block has: a centre, a radius or an angle.
 bool ArcSolver::solve_form(ArcBlock& arc, SolvedArc& out) {
   const bool polar = find(Address::ap) || find(Address::rp);
   Vec2 center;
@@ -83,7 +83,7 @@ bool ArcSolver::solve_form(ArcBlock& arc, SolvedArc& out) {
   return error("arc-no-center", text, *arc.where);
 }
 
-// G2 X Z L5 of Okuma's lathes.
+// L5 of "G2 X Z L5" is the radius on Okuma's lathes.
 const Word* ArcSolver::okuma_radius() {
   const Word* word = lathe() && is(Dialect::fanuc) ? take('L') : nullptr;
   if (word)
@@ -94,7 +94,7 @@ const Word* ArcSolver::okuma_radius() {
   return word;
 }
 
-// CODESYS and FANUC go straight where they cannot make a circle.
+// CODESYS and FANUC move on a straight line where they cannot make a circle.
 bool ArcSolver::straight(const char* code, const std::string& text, const ArcBlock& arc,
                          SolvedArc& out) {
   warning(code, text + ": a straight line is run instead", *arc.where);
@@ -103,8 +103,8 @@ bool ArcSolver::straight(const char* code, const std::string& text, const ArcBlo
   return true;
 }
 
-// I J K: offsets from the start, or absolute by AC() and CODESYS G98. `given`: at least one word in
-// the plane.
+// I J K are offsets from the start, or absolute by AC() and CODESYS G98. `given`: the block has at
+// least one of them in the plane.
 bool ArcSolver::center_words(const ArcBlock& arc, Vec2& center, bool& given) {
   Vec3 at = arc.from;
   if (!is(Dialect::sinumerik) && modal_.center_absolute) at = from_plane(arc.basis, {}, 0);
@@ -139,7 +139,7 @@ bool ArcSolver::center_words(const ArcBlock& arc, Vec2& center, bool& given) {
   return !given || center_complete(arc);
 }
 
-// A place needs both coordinates; as offsets, the one that is left out is 0.
+// A centre as a place needs both coordinates. An offset that is left out is 0.
 bool ArcSolver::center_complete(const ArcBlock& arc) {
   if (!is(Dialect::ngc) || !modal_.center_absolute) return true;
   for (int i = 0; i < 3; ++i)
@@ -183,7 +183,7 @@ bool ArcSolver::radius_arc(ArcBlock& arc, const Word& word, SolvedArc& out) {
   return true;
 }
 
-// A radius without a new end point.
+// The block has a radius and no new end point.
 bool ArcSolver::same_point_radius(ArcBlock& arc, const Word& word, double radius, SolvedArc& out) {
   if (is(Dialect::fanuc)) {
     note_once("arc-no-motion", "radius without a new end point: an arc of 0 degrees, no motion",
@@ -203,7 +203,7 @@ bool ArcSolver::same_point_radius(ArcBlock& arc, const Word& word, double radius
       word);
 }
 
-// A radius that rounding made too small for its chord is half the chord: half a turn.
+// A radius that rounding has made smaller than half the chord becomes half the chord: half a turn.
 std::optional<PlaneArc> ArcSolver::arc_of_radius(const ArcBlock& arc, double radius,
                                                  const Word& word) {
   const double half = length(arc.end - arc.start) / 2;
@@ -219,7 +219,7 @@ std::optional<PlaneArc> ArcSolver::arc_of_radius(const ArcBlock& arc, double rad
   return arc_by_radius(arc.start, arc.end, radius < 0 ? -half : half, arc.ccw);
 }
 
-// Near 180 degrees the centre of a radius arc runs away with the last digit.
+// Near 180 degrees the last digit of the radius moves the centre far.
 bool ArcSolver::near_half_circle(const PlaneArc& arc, const Word& word) {
   const double off = std::abs(std::abs(arc.sweep) - kPi);
   const bool exact = off < kExactHalf;
@@ -249,7 +249,8 @@ bool ArcSolver::center_arc(ArcBlock& arc, Vec2 center, SolvedArc& out) {
   return true;
 }
 
-// Both radii must agree; how far the control bends, and to what, is in docs/interp.md.
+// The radii at both ends must agree. docs/interp.md says how much each control accepts, and what it
+// does then.
 bool ArcSolver::check_center(ArcBlock& arc, Vec2 c, SolvedArc& out) {
   const Vec2 s = arc.start, e = arc.end;
   const double rs = length(s - c), re = length(e - c), differ = std::abs(rs - re);
@@ -282,8 +283,8 @@ bool ArcSolver::check_center(ArcBlock& arc, Vec2 c, SolvedArc& out) {
             fmt::format("{}: the centre is moved by {:.3g} mm to the bisector", radii(), shift),
             *arc.where);
   } else if (shift > tolerance) {
-    // Nearly a full or an empty circle: the bisector says nothing about the centre. Keep it, and
-    // close the hair's breadth to the end with a line.
+    // Nearly a full or an empty circle: the bisector of its ends says nothing about the centre, so
+    // the centre stays, and a line closes the small gap to the end.
     const PlaneArc kept = arc_about(s, e, c, arc.ccw);
     set_plane_arc(arc, kept, out);
     out.closing = true;
@@ -296,7 +297,7 @@ bool ArcSolver::check_center(ArcBlock& arc, Vec2 c, SolvedArc& out) {
   return true;
 }
 
-// AR=: opening angle with the end point, or with the centre.
+// AR= is the opening angle, given with the end point or with the centre.
 bool ArcSolver::angle_arc(ArcBlock& arc, const Word& word, bool centered, Vec2 center,
                           SolvedArc& out) {
   if (!(word.value > 0 && word.value < 360))
@@ -318,7 +319,7 @@ bool ArcSolver::angle_arc(ArcBlock& arc, const Word& word, bool centered, Vec2 c
   return true;
 }
 
-// The end follows from centre and angle.
+// The end of the arc follows from centre and angle.
 bool ArcSolver::turned_arc(ArcBlock& arc, Vec2 center, double angle, SolvedArc& out) {
   if (length(arc.start - center) <= kNoRadius) {
     if (is(Dialect::codesys))

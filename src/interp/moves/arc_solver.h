@@ -1,6 +1,5 @@
-// Circular blocks: which form a block uses, and what each control does with bad data. Takes the
-// words of the block, gives the arc in the frame in force; changes no state.
-// Private to src/interp.
+// Circular blocks: which form a block uses, and what each control does with bad data. Makes the
+// words of the block an arc in the frame in force, and changes no state. Private to src/interp.
 #pragma once
 
 #include "interp/moves/arc_turns.h"
@@ -14,7 +13,7 @@ class ArcSolver : public ControlPart {
   ArcSolver(Control& control, AxisWords& axes)
       : ControlPart(control), axes_(axes), points_(control), hints_(control), turns_(control) {}
 
-  /// The arc from `from` on. False: an error was reported.
+  /// The arc that begins at `from`. False: an error was reported.
   bool solve(const Vec3& from, const Frame& frame, SolvedArc& out);
 
  private:

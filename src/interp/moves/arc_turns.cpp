@@ -14,13 +14,13 @@ constexpr double kPitchApart = 0.01;  // turns: how far the pitch of a helix may
 
 }  // namespace
 
-// Fagor: K of a helix in G17 is its pitch (I in G19, J in G18).
+// On Fagor K of a helix in G17 is its pitch (I in G19, J in G18).
 bool ArcTurns::is_pitch(const Target& to, const Vec3& normal) const {
   return is(Dialect::iso) && named_along(to, normal);
 }
 
-// P: how many turns in all, the programmed one among them. On Mitsubishi and Mazak P full turns
-// come beside an arc that is none itself.
+// P is the number of all turns, with the programmed one. On Mitsubishi and Mazak P full turns are
+// added to an arc that is no full turn itself.
 bool ArcTurns::add_p_turns(SolvedArc& arc) {
   if (const Word* l = block_.unused(letter('L')) ? peek('L') : nullptr; l && !is(Dialect::ngc))
     return error(
@@ -48,7 +48,7 @@ bool ArcTurns::add_p_turns(SolvedArc& arc) {
   return true;
 }
 
-// As many full turns as lead to the end with that pitch.
+// Adds as many full turns as lead to the end with the pitch of the block.
 bool ArcTurns::add_pitch_turns(SolvedArc& arc) {
   const Vec3 normal = cross(arc.u, arc.v);
   const int along = normal.z != 0 ? 2 : normal.y != 0 ? 1 : 0;
@@ -67,7 +67,7 @@ bool ArcTurns::add_pitch_turns(SolvedArc& arc) {
   return true;
 }
 
-// TURN=: full circles before the programmed arc.
+// TURN= is the number of full circles before the programmed arc.
 bool ArcTurns::add(SolvedArc& arc) {
   if (!is(Dialect::sinumerik) && !is(Dialect::codesys)) return add_p_turns(arc);
   const Word* word = take(Address::turn);

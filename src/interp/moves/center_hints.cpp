@@ -9,7 +9,7 @@
 namespace mrsim {
 namespace {
 
-constexpr double kAgree = 0.01;                             // mm: two radii are one
+constexpr double kAgree = 0.01;  // mm: two radii that differ by less are the same
 constexpr int kFirst[] = {0, 2, 1}, kSecond[] = {1, 0, 2};  // axes of G17, G18, G19
 
 }  // namespace
@@ -20,8 +20,8 @@ void CenterHints::full_circle(const ArcBlock& arc, Vec2 center) {
   if (!is(Dialect::sinumerik) && !modal_.center_told) absolute_center(arc, center);
 }
 
-// A full circle whose centre would fall on the zero point with the other sign: "I12.5 puts the
-// centre at X25; I-12.5 would close on X0".
+// Warns of a full circle whose centre, with the other sign, would lie on the zero point: "I12.5
+// puts the centre at X25; I-12.5 would close on X0".
 void CenterHints::sign(const ArcBlock& arc, Vec2 center) {
   const Vec2 d = center - arc.start, zero = arc.start - d;
   const double far = length(center);
@@ -35,12 +35,13 @@ void CenterHints::sign(const ArcBlock& arc, Vec2 center) {
             *arc.where, fmt::format("{}:{}", block_.file, block_.line_number));
 }
 
-// I and J name the place that the tool comes from: the middle of the hole that it is in. As offsets
-// they are about a point where it never was. "X85.8381 Y47.6087 I49.2642 J47.6087" is a place, too.
+// Warns where I and J are probably a place: they name the place that the tool comes from, the
+// middle of the hole that it is in. As offsets they would lead to a point where it never was. I and
+// J of "X85.8381 Y47.6087 I49.2642 J47.6087" are a place, too.
 void CenterHints::absolute_center(const ArcBlock& arc, Vec2 center) {
   const Vec2 at = center - arc.start, from = in_plane(arc.basis, position_.before);
   const double radius = length(at);
-  if (length(arc.start) <= kAgree) return;  // offset and place are one
+  if (length(arc.start) <= kAgree) return;  // offset and place are the same
   const bool comes_from = position_.has_before && length(from - at) <= kAgree;
   if (comes_from && std::abs(length(from - center) - radius) <= kAgree) return;  // across
   if (!comes_from && !repeats_the_start(arc.start, at)) return;
@@ -60,7 +61,7 @@ void CenterHints::absolute_center(const ArcBlock& arc, Vec2 center) {
       *arc.where, "arc-center-place");
 }
 
-// Whether one of I and J has the number of the tool's own place, and no round one.
+// Whether I or J repeats a coordinate of the tool's own place that is no round number.
 bool CenterHints::repeats_the_start(Vec2 start, Vec2 at) {
   constexpr double kSame = 1e-6, kRound = 0.1;  // mm
   const auto repeats = [](double number, double place) {
@@ -72,8 +73,7 @@ bool CenterHints::repeats_the_start(Vec2 start, Vec2 at) {
 
 const char* CenterHints::absolute_mode() const { return is(Dialect::codesys) ? "G98" : "G90.1"; }
 
-// "I12.5 puts the centre at X25; I-12.5 would close on X0": what makes the radii agree, which
-// differ by `apart`: a sign, or the centre as a place.
+// Says what would make radii agree that differ by `apart`: another sign, or the centre as a place.
 std::string CenterHints::for_radii(const ArcBlock& arc, Vec2 c, double apart) const {
   const Vec2 d = c - arc.start;
   const int first = kFirst[modal_.plane % 3], second = kSecond[modal_.plane % 3];

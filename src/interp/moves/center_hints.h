@@ -1,5 +1,5 @@
-// What the words of a centre may have meant: another sign, or a place instead of an offset.
-// Private to src/interp.
+// What the author of a centre's words may have meant: another sign, or a place instead of an
+// offset. Private to src/interp.
 #pragma once
 
 #include "interp/moves/point_arcs.h"
@@ -11,9 +11,9 @@ namespace mrsim {
 class CenterHints : public ControlPart {
  public:
   explicit CenterHints(Control& control) : ControlPart(control) {}
-  /// Doubts about a full circle, which has no end point to contradict its centre.
+  /// Warns of doubts about a full circle: it has no end point that could contradict its centre.
   void full_circle(const ArcBlock& arc, Vec2 center);
-  /// What would make radii agree that differ by `apart`; empty: nothing simple.
+  /// Says what would make radii agree that differ by `apart`, mm; empty: nothing simple.
   std::string for_radii(const ArcBlock& arc, Vec2 center, double apart) const;
 
  private:

@@ -7,7 +7,7 @@
 
 namespace mrsim {
 
-// Runs for every motion: what others have cut is looked up where tool or mode change.
+// Runs for every motion, so the depths of other modes are looked up only where tool or mode change.
 bool LengthSwitch::contradicts(int tool, int mode, const Motion& motion, bool incremental) {
   if (mode != mode_ || tool != tool_) change(tool, mode);
   const double from = motion.start.z, to = motion.end.z;

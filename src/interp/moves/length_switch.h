@@ -1,6 +1,6 @@
-// Cuts of one tool with its length (G43) and without it (G49): on the machine they are as far apart
-// as the tool is long, and here they are not, where that length is unknown. Private to src/interp.
-// Does not: ask what a length is; `mode` is one number for each way of counting it.
+// Finds tools that cut both with their length (G43) and without it (G49). On the machine these cuts
+// are as far apart as the tool is long; here they are not, because that length is unknown. It does
+// not ask what a length is: `mode` is a number for each way of counting it. Private to src/interp.
 #pragma once
 
 #include <mrsim/types.h>
@@ -13,8 +13,9 @@ namespace mrsim {
 
 class LengthSwitch {
  public:
-  /// After each motion of the tool, in absolute coordinates or not. True: it goes down to where the
-  /// tool has cut by another mode. What goes up, or stays above the cuts of that mode, is none.
+  /// Called after each motion of the tool; `incremental`: it was not in absolute coordinates. True:
+  /// it goes down to where the tool has cut in another mode. A motion that goes up, or stays above
+  /// the cuts of that mode, contradicts nothing.
   bool contradicts(int tool, int mode, const Motion& motion, bool incremental);
 
  private:
@@ -27,9 +28,9 @@ class LengthSwitch {
 
   std::map<int, std::map<int, Depths>> cuts_;  ///< by tool and mode
   int tool_ = -2, mode_ = -1;
-  bool told_ = false;           ///< Z was programmed since tool and mode are these
-  Depths* own_ = nullptr;       ///< of this mode, once it has cut
-  std::vector<Depths> others_;  ///< of the other modes
+  bool told_ = false;           ///< Z was programmed since the last change of tool or mode
+  Depths* own_ = nullptr;       ///< the depths of this mode, once it has cut
+  std::vector<Depths> others_;  ///< the depths of the other modes
 };
 
 }  // namespace mrsim

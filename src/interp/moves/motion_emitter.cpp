@@ -72,7 +72,7 @@ void MotionEmitter::change_tool() {
   event(std::move(change));
 }
 
-// Events that were programmed before this move go out before it.
+// Emits a move. Events that were programmed before it go out first.
 void MotionEmitter::give(const PathMove& move) {
   if (!events_.empty()) give_events(move.order);
   send(move.motion, move.checked_axes);
@@ -155,9 +155,9 @@ void MotionEmitter::emit(Motion motion, const CornerSpec& corner) {
   if (idle_) give_events(kAllMoves);
 }
 
-// An insert that works at X below 0, beyond the axis as seen from the others, points to +X. Turned
-// about the axis by half a turn it cuts the same, as a tool at X above 0: so inserts need to be
-// known for one side only.
+// An insert that works at X below 0, on the other side of the axis, points to +X. Turned about the
+// axis by half a turn it cuts the same as a tool at X above 0, so that inserts are needed for one
+// side only.
 void MotionEmitter::turn_to_plus(Motion& motion) {
   ToolState& tool = control_.tool;
   const bool before = tool.below;
@@ -166,7 +166,8 @@ void MotionEmitter::turn_to_plus(Motion& motion) {
   else if (motion.kind == MotionKind::rapid && motion.end.x < -kBeyondAxis && may_stand_below())
     tool.below = true;
   const bool whole = motion.kind == MotionKind::arc;
-  const bool turned = before || (tool.below && motion.start.x < 0);  // where another tool left it
+  const bool turned =
+      before || (tool.below && motion.start.x < 0);  // at the place where another tool has ended
   if (whole ? tool.below : turned) motion.start.x = -motion.start.x;
   if (!tool.below) return;
   motion.end.x = -motion.end.x;
@@ -180,7 +181,7 @@ void MotionEmitter::turn_to_plus(Motion& motion) {
               block_.words.front(), tool.current);
 }
 
-// A tip that the tool table gives is that on the side where the tool works.
+// The orientation of a tip in the tool table is that on the side where the tool works.
 bool MotionEmitter::may_stand_below() const {
   const ToolState& state = control_.tool;
   if (state.index >= 0 && !is_turning(program_.tools[static_cast<std::size_t>(state.index)].type))
@@ -191,8 +192,8 @@ bool MotionEmitter::may_stand_below() const {
   });
 }
 
-// On a lathe TRANS and G52 lead from the chuck to the part's face, on a mill to a place on the
-// part.
+// On a lathe TRANS and G52 shift the zero from the chuck to the face of the part; on a mill they
+// shift it to a place on the part.
 void MotionEmitter::note_zero() {
   double height = frames_.work.z + frames_.position_shift.z;
   if (lathe() && frames_.program.plain) height += frames_.program.shift.z + frames_.local.z;
@@ -200,7 +201,7 @@ void MotionEmitter::note_zero() {
   ++control_.cuts;
 }
 
-// H or D of the length in force, 0: none; of a lathe the offset of T0101.
+// The number (H or D) of the length in force, 0: none. On a lathe it is the offset of T0101.
 double MotionEmitter::length_number() const {
   if (is(Dialect::sinumerik)) return modal_.edge;
   if (lathe()) return std::fmod(std::max(0.0, control_.tool.written), 100);
@@ -209,7 +210,8 @@ double MotionEmitter::length_number() const {
   return modal_.length == Code::length_off ? 0 : modal_.length_number;
 }
 
-// Loops that make a tool longer cut deeper on the machine, and here all at one depth.
+// A loop that makes a tool longer cuts deeper each time on the machine, but always at one depth
+// here.
 void MotionEmitter::check_length() {
   const bool siemens = is(Dialect::sinumerik);
   const double number = length_number();
@@ -228,7 +230,7 @@ void MotionEmitter::check_length() {
         set.at, fmt::format("length {} {}", set.at.file, set.at.line));
 }
 
-// G49 between cuts, and G44 or G43.2 behind G43.
+// Reports cuts of a tool with other lengths: G49 between cuts, or G44 or G43.2 behind G43.
 void MotionEmitter::check_length_mode(const Motion& motion) {
   if (lathe() || is(Dialect::sinumerik) || is(Dialect::codesys) || block_.suppress_frames ||
       modal_.length_told)
@@ -245,7 +247,7 @@ void MotionEmitter::check_length_mode(const Motion& motion) {
       motion, "length mode " + control_.tool.current);
 }
 
-// Cuts from an unknown place are not swept. One alone is the way to the first point.
+// A cut from an unknown place is not swept. If there is only one, it is the way to the first point.
 void MotionEmitter::warn_unknown_start(const Motion& motion) {
   if (++unknown_starts_ != 2 || reporter_.errors() > 0) return;
   std::string axes;
@@ -259,8 +261,9 @@ void MotionEmitter::warn_unknown_start(const Motion& motion) {
                     motion, "start");
 }
 
-// The insert that tools without data are taken to have would cut another part; so would one for the
-// outside, "T6 CCMT 32.5", in a bore.
+// A tool without data is taken to have a usual insert. Where its motions show that it is another
+// tool, that insert would cut another part; so would one for the outside, "T6 CCMT 32.5", in a
+// bore.
 void MotionEmitter::refuse_undescribed_tool(const Motion& motion) {
   const UndescribedTool::Kind kind = undescribed_.told_by(motion, program_.zero_height);
   if (kind.does.empty() || motion.tool < 0) return;
@@ -278,11 +281,12 @@ void MotionEmitter::refuse_undescribed_tool(const Motion& motion) {
                     control_.tool.place, "drill:" + tool.id);
 }
 
-// A cutter that turns by itself leaves a body of revolution on the axis only.
+// A cutter that rotates leaves a body of revolution only on the axis.
 void MotionEmitter::refuse_live_tool(const Motion& motion) {
   if (motion.tool < 0) return;
   const Tool& tool = program_.tools[static_cast<std::size_t>(motion.tool)];
-  if (is_turning(tool.type) || tool.diameter == 0) return;  // without data: reported at its T word
+  if (is_turning(tool.type) || tool.diameter == 0)
+    return;  // a tool without data was reported at its T word
   const double beside =
       std::max(motion.assumed_start ? 0.0 : std::abs(motion.start.x), std::abs(motion.end.x));
   if (beside <= kOnAxis) return;
@@ -295,9 +299,8 @@ void MotionEmitter::refuse_live_tool(const Motion& motion) {
       motion, "live-tool:" + tool.id);
 }
 
-// FANUC lathes: a corner without a comma. R stands beside an axis or an angle; C, and I and K in
-// the direction of the next block, beside one axis alone. In cycles they have meanings of their
-// own.
+// FANUC lathes write corners without a comma: R beside an axis or an angle; C, or I and K in the
+// direction of the next block, beside one axis alone. In cycles these words mean other things.
 void MotionEmitter::turned_corner(const Word*& round, const Word*& leg) {
   if (modal_.turn.number != 0 || modal_.drill.number != 0 || block_.turn_cycle != 0) return;
   const bool x = peek('X') || peek('U'), z = peek('Z') || peek('W');

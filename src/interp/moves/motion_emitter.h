@@ -1,4 +1,4 @@
-// The way out for finished moves: tool length, corner rounding, radius compensation, sink.
+// Passes finished moves on: tool length, then corner rounding, radius compensation, and the sink.
 // Private to src/interp.
 #pragma once
 
@@ -18,34 +18,34 @@ class MotionEmitter : public ControlPart {
  public:
   MotionEmitter(Control& control, CompensationWords& compensation, MotionSink& sink);
 
-  /// Gives a move on, with the corner words of its block.
+  /// Emits a move with the corner words of its block.
   void emit(const Motion& motion);
   void emit(Motion motion, const CornerSpec& corner);
-  /// The control does something behind the motions so far; in contours of cycles nothing. Place
-  /// and tool are those of the block.
+  /// Emits an event behind the motions so far, with place and tool of the block. While the contour
+  /// of a cycle is read, there are no events.
   void event(Event event);
-  /// The tool stays for `seconds`, where these are above 0.
+  /// The tool stays for `seconds`; nothing happens where they are not above 0.
   void dwell(double seconds);
-  /// The event of another tool in the spindle, once it is there.
+  /// Emits the event of another tool in the spindle, once for each change.
   void change_tool();
-  /// RND CHF CHR of the block, else RNDM.
+  /// The corner that RND, CHF or CHR of the block, else RNDM, asks for.
   CornerSpec corner_spec();
-  /// What is held back goes out: the program ends.
+  /// Emits what was held back, at the end of the program.
   void flush();
-  /// Motions of a contour that are kept.
+  /// The most motions of a contour that are kept.
   static constexpr std::size_t kMostCaptured = 1'000'000;
-  /// From now on motions go to `contour`, corners inserted and without compensation; null: they go
-  /// on again. Motions before it are given on.
+  /// From now on motions go to `contour`, with corners inserted and without compensation; null: to
+  /// the sink again. Motions before this call go to the sink.
   void capture(std::vector<Motion>* contour);
   bool captures() const { return captured_ != nullptr; }
-  /// Motions that blocks have made so far, those of contours that are kept among them.
+  /// How many motions blocks have made so far, including those of contours that are kept.
   std::size_t made() const { return made_; }
-  /// Lines and arcs given on.
+  /// How many lines and arcs have been emitted.
   std::size_t cuts() const { return control_.cuts; }
-  /// The largest coordinate at which one of them ends, mm.
+  /// The largest coordinate at which a line or an arc ends, mm.
   double farthest_cut() const { return farthest_cut_; }
-  /// The least that the spindle of a lathe turns in a cut under G96, rev/min, its limit left out;
-  /// infinite: there is none.
+  /// The lowest speed of a lathe's spindle in a cut under G96, rev/min, without its limit;
+  /// infinite: there was no such cut.
   double slowest_turn() const { return slowest_turn_; }
 
  private:
@@ -72,7 +72,7 @@ class MotionEmitter : public ControlPart {
   double farthest_cut_ = 0, slowest_turn_ = std::numeric_limits<double>::infinity();
   std::size_t made_ = 0;
   CornerStage captured_corners_;
-  /// An event behind the first `moves` of those that were held back.
+  /// An event behind the first `moves` of the moves that were held back.
   struct HeldEvent {
     std::size_t moves = 0;
     Event event;

@@ -63,8 +63,8 @@ bool Moves::run() {
   return line(to, frame);
 }
 
-// G53 SUPA: in machine coordinates. Without a machine zero only the machine knows where that is:
-// the move is neither swept nor checked.
+// G53 and SUPA move in machine coordinates. Without a machine zero only the machine knows where
+// that is, so the move is neither swept nor checked.
 bool Moves::machine_move() {
   const Frame machine = shift_frame(control_.machine_shift);
   Target to;
@@ -80,7 +80,7 @@ bool Moves::machine_move() {
   return true;
 }
 
-// G38.2 and its kin, G31: the tool stops somewhere on its way.
+// G38.2 and its kin, and G31: the tool stops somewhere on its way.
 bool Moves::probe() {
   Target to;
   if (!axes_.target(to, position_.programmed)) return false;
@@ -292,7 +292,8 @@ Motion Moves::motion_template(const Word& where, MotionKind kind, double lead, d
     tools_.require(where, modal_.comp != Code::comp_off);  // its radius counts from here on
   else
     begin_cut(where, feed > 0 || lead != 0);
-  if (kind != MotionKind::rapid && retract_guessed_) {  // a cut begins where Z was
+  if (kind != MotionKind::rapid &&
+      retract_guessed_) {  // the cut begins where Z was, so M25 was no retract
     position_.known |= 4U;
     retract_guessed_ = false;
   }
@@ -315,7 +316,7 @@ Motion Moves::motion_template(const Word& where, MotionKind kind, double lead, d
   return m;
 }
 
-// What a cut needs: a tool, and once a feed.
+// Checks what a cut needs: a tool, and a feed, which is asked for once.
 void Moves::begin_cut(const Word& where, bool has_feed) {
   tools_.require(where, true);
   if (!frames_.work_given) compare_origins(where);
@@ -327,7 +328,7 @@ void Moves::begin_cut(const Word& where, bool has_feed) {
       where);
 }
 
-// Two vises, or two sides of a part, one on the other.
+// Warns of two work offsets without entries: two vises, or two sides of a part, in the same place.
 void Moves::compare_origins(const Word& where) {
   if (assumed_origin_.empty()) assumed_origin_ = frames_.work_name;
   if (assumed_origin_ == frames_.work_name) return;
@@ -340,7 +341,7 @@ void Moves::compare_origins(const Word& where) {
       where, "origins-coincide");
 }
 
-// Moves the position to the target; motion.end becomes the physical end.
+// Moves the position to the target. motion.end becomes its place in the stock's coordinates.
 void Moves::commit(const Target& to, const Frame& frame, Motion& motion) {
   Vec3 end = position_.physical;
   if (frame.plain) {

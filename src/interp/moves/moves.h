@@ -1,5 +1,5 @@
-// From the words of a block to Motions: lines, rapids, threads, arcs, and what every motion
-// carries. Moves the position. Private to src/interp.
+// Makes the words of a block Motions: lines, rapids, threads, arcs, with feed, speed and tool.
+// Moves the position. Private to src/interp.
 #pragma once
 
 #include "interp/frames/frame_words.h"
@@ -26,39 +26,39 @@ class Moves : public ControlPart {
         splines_(control, axes),
         threads_(control) {}
 
-  /// The move of the block. False: an error was reported.
+  /// Carries out the move of the block. False: an error was reported.
   bool run();
-  /// A rapid or line to `to`, whatever motion is in force; `lead` of a tap; `feed` 0 = the one in
-  /// force.
+  /// A rapid or line to `to`, whatever motion is in force. `lead`: of a tap, mm per revolution.
+  /// `feed` 0: the one in force.
   void step(const Target& to, const Word& where, MotionKind kind, double lead = 0, double feed = 0);
-  /// As step(); compensation may begin or end with it.
+  /// As step(), but radius compensation may begin or end with it. False: an error was reported.
   bool compensated_step(const Target& to, const Word& where, double feed,
                         MotionKind kind = MotionKind::line);
-  /// Radius and point of the tool, for a cycle that moves its contour aside by itself.
+  /// Radius and point of the tool, for a cycle that offsets its contour by itself.
   Compensation of_tool() { return compensation_.of_tool(); }
-  /// An arc that has been worked out, in the frame in force; `feed` 0 = the one in force. False: an
-  /// error was reported.
+  /// Emits an arc in the frame in force. `feed` 0: the one in force. False: an error was reported.
   bool solved_arc(const SolvedArc& arc, double feed = 0) {
     return emit_arc(arc, frame_words_.now(), feed);
   }
-  /// A motion of a contour once more, `shift` aside and from where the tool is, with the feed in
-  /// force; its place in the text stays.
+  /// Repeats a motion of a contour from where the tool is, shifted by `shift` (mm), with the feed
+  /// in force. It keeps its place in the text.
   void follow(const Motion& like, const Vec3& shift, const Word& where);
-  /// A rapid of `axes` to a place in machine coordinates, or to where only the machine knows.
+  /// A rapid of `axes` to a place in machine coordinates; null: to a place that only the machine
+  /// knows.
   void to_place(const Vec3* place, unsigned axes, const Word& where);
   /// As to_place(), to a place in the stock's coordinates.
   void to_stored(const Vec3& place, unsigned axes, const Word& where);
-  /// `axes` went to where only the machine knows.
+  /// `axes` have gone to a place that only the machine knows.
   void unknown(unsigned axes, const Word& where);
   /// Z has perhaps gone up: it is unknown, unless the next cut goes on without it.
   void guess_retract(const Word& where);
-  /// The tool stays where it is; no time where `seconds` is not above 0.
+  /// The tool stays where it is for `seconds`; nothing happens where they are not above 0.
   void dwell(double seconds) { out_.dwell(seconds); }
   /// The position becomes `to`, without a path.
   void jump(const Target& to);
   /// Whether the first of two blocks with ANG= is held until the second one is read.
   bool waits() const { return pending_angle_.active; }
-  /// The program ends.
+  /// Reports what is still open at the end of the program.
   void finish();
 
  private:
@@ -78,7 +78,7 @@ class Moves : public ControlPart {
   bool emit_arc(const SolvedArc& arc, const Frame& frame, double feed = 0);
   bool hold_angle(const Word& ang);
   bool two_angle_lines(const Target& to, const Vec3& from, const Frame& frame);
-  /// Of a thread or a tap; else 0.
+  /// The lead where the motion in force is a thread or a tap; else 0.
   double lead_in_force() const { return is_thread(current_motion()) ? modal_.lead : 0; }
   Motion motion_template(const Word& where, MotionKind kind, double lead = 0, double feed = 0);
   void begin_cut(const Word& where, bool has_feed);
@@ -94,9 +94,9 @@ class Moves : public ControlPart {
   SplineWords splines_;
   ThreadWords threads_;
   PendingAngle pending_angle_;
-  std::string assumed_origin_;  ///< the first work offset that cuts without an entry
+  std::string assumed_origin_;  ///< the first work offset without an entry that cut
   bool feed_warned_ = false;
-  bool retract_guessed_ = false;  ///< by M25, see guess_retract()
+  bool retract_guessed_ = false;  ///< M25 has perhaps retracted Z, see guess_retract()
 };
 
 }  // namespace mrsim

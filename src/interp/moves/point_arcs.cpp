@@ -18,7 +18,8 @@ void set_plane_arc(const ArcBlock& arc, const PlaneArc& solved, SolvedArc& out) 
   out.sweep = solved.sweep;
 }
 
-// The intermediate point: I1= J1= K1=, G90/G91 as for the end point, both from the start.
+// I1= J1= K1= are the intermediate point. G90 and G91 hold for it as for the end point; in G91 both
+// count from the start.
 bool PointArcs::via_point(const ArcBlock& arc, Vec3& via) {
   via = arc.from;
   bool any = false;
@@ -31,7 +32,7 @@ bool PointArcs::via_point(const ArcBlock& arc, Vec3& via) {
     if (word->form == Form::ac) relative = false;
     if (word->form == Form::ic) relative = true;
     double value = word->value * scale();
-    // As PRIMER's turning family prints it: absolute X is a diameter, increments are radii.
+    // An absolute X is a diameter and increments are radii, as PRIMER's turning programs print it.
     if (i == 0 && !relative && modal_.diameter != Code::diameter_off) value /= 2;
     component(via, i) = (relative ? component(arc.from, i) : 0) + value;
   }
@@ -69,8 +70,8 @@ bool PointArcs::through_point(const ArcBlock& arc, SolvedArc& out) {
   return true;
 }
 
-// CT: in the active plane, tangent to the previous element; a tangent out of the plane is
-// projected.
+// CT is an arc in the active plane, tangent to the previous element. A tangent that leaves the
+// plane is projected onto it.
 bool PointArcs::tangent(const ArcBlock& arc, SolvedArc& out) {
   if (!position_.has_tangent)
     return error("arc-no-tangent", "CT needs an element before it to be tangent to (alarm 14045)",

@@ -1,5 +1,5 @@
-// Arcs that are not bound to centre or radius words: CIP through a point in space, CT tangent to
-// the element before. Private to src/interp.
+// Arcs without centre or radius: CIP through a point in space, CT tangent to the element before.
+// Private to src/interp.
 #pragma once
 
 #include "interp/frames/axis_words.h"
@@ -7,7 +7,7 @@
 
 namespace mrsim {
 
-/// A circular block while it is being worked out, in the frame in force.
+/// A circular block while it is being solved, in the frame in force.
 struct ArcBlock {
   Target to;
   Vec3 from;
@@ -18,7 +18,7 @@ struct ArcBlock {
   const Word* where = nullptr;
 };
 
-/// What a circular block comes to, in the frame in force.
+/// The result of a circular block, in the frame in force.
 struct SolvedArc {
   enum class Kind { arc, line, none };
   Kind kind = Kind::none;
@@ -28,18 +28,18 @@ struct SolvedArc {
   Vec3 u, v;  ///< unit axes of its plane
   double radius = 0, sweep = 0;
   bool spatial = false;  ///< not in the plane in force
-  /// The end is not on the arc by a hair's breadth: the arc ends at `arc_end`, a line closes.
+  /// The end lies slightly beside the arc: the arc ends at `arc_end`, and a line leads to the end.
   bool closing = false;
   Vec3 arc_end;
 };
 
-/// `solved` as the result of `arc`.
+/// Fills `out` with `solved` as the result of `arc`.
 void set_plane_arc(const ArcBlock& arc, const PlaneArc& solved, SolvedArc& out);
 
 class PointArcs : public ControlPart {
  public:
   explicit PointArcs(Control& control) : ControlPart(control) {}
-  /// CIP, CT. False: an error was reported.
+  /// CIP and CT. False: an error was reported.
   bool through_point(const ArcBlock& arc, SolvedArc& out);
   bool tangent(const ArcBlock& arc, SolvedArc& out);
 

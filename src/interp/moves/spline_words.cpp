@@ -13,7 +13,8 @@ constexpr std::size_t kMostPoints = 100'000;
 
 }  // namespace
 
-// Two words that go together. False: one is missing, which was reported; both missing: `out` stays.
+// Takes two words that belong together; `out` stays where both are missing. False: one is missing,
+// which was reported.
 bool SplineWords::offset(char first, char second, const Word& where, Vec2& out) {
   const Word* a = take(first);
   const Word* b = take(second);
@@ -73,8 +74,8 @@ void SplineWords::pieces(const std::vector<CurvePiece>& curve, const Target& to,
   }
 }
 
-// G5.2 P L, then X Y P: the first point is where the tool is, with the weight of a block without
-// axes.
+// G5.2 P L opens the NURBS, and X Y P follow. The first control point is where the tool is; its
+// weight is the P of a block without axes.
 bool SplineWords::control_point(const Vec3& from) {
   const Word& where = block_.motion_code ? *block_.motion_code : block_.words.front();
   if (modal_.plane != 0) return error("spline-plane", "a NURBS needs the plane G17", where);

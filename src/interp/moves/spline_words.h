@@ -14,11 +14,11 @@ class SplineWords : public ControlPart {
   /// The lines and arcs of the block's spline. False: an error was reported.
   bool solve(const Vec3& from, std::vector<SolvedArc>& out);
 
-  /// A block of a NURBS: G5.2 and those behind it give control points.
+  /// Takes a control point of a NURBS from G5.2 or a block behind it. False: an error was reported.
   bool control_point(const Vec3& from);
-  /// G5.3: the lines and arcs of the NURBS.
+  /// G5.3: the lines and arcs of the NURBS. False: an error was reported.
   bool close(const Vec3& from, std::vector<SolvedArc>& out);
-  /// A NURBS has been opened and not closed.
+  /// Whether a NURBS has been opened and not closed.
   bool under_way() const { return !nurbs_.empty(); }
   void forget() { nurbs_.clear(); }
 

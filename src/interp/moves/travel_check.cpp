@@ -14,9 +14,10 @@
 namespace mrsim {
 namespace {
 
-constexpr double kAtLimit = 1e-4;  // mm beyond a limit that rounding explains
+constexpr double kAtLimit = 1e-4;  // mm: so far beyond a limit is rounding
 
-// Least and largest coordinate on the way, its start excepted, which ended another motion.
+// The least and the largest coordinate of the motion, without its start, where another motion
+// ended.
 std::pair<double, double> reach(const Motion& m, int axis) {
   const double end = component(m.end, axis);
   std::pair<double, double> found{end, end};
@@ -38,8 +39,8 @@ std::pair<double, double> reach(const Motion& m, int axis) {
 
 }  // namespace
 
-// Whether the block's coordinates can be turned into the machine's: they are given in these, or in
-// a work offset whose zero is known.
+// Whether machine coordinates of the block are known: it is written in them, or in a work offset
+// whose zero is known.
 bool TravelCheck::knows_offset() const {
   const bool to_reference =
       block_.home || (block_.oneshot && (block_.oneshot_code == Code::reference ||

@@ -1,7 +1,8 @@
-// Whether the machine reaches the places that a program leads it to: travel limits in machine
-// coordinates. Checked is the tool's point on finished motions, compensation applied; heights are
-// those of its tip, without its length. Not checked: motions in work offsets whose place on the
-// machine is unknown, and X of tools that a lathe has beyond its axis. Private to src/interp.
+// Checks travel limits: whether the machine reaches the places that a program leads it to, in
+// machine coordinates. It checks the tool's point on finished motions, with compensation; heights
+// are those of the tip, without the tool's length. It does not check motions in work offsets whose
+// place on the machine is unknown, nor X of tools that a lathe has beyond its axis. Private to
+// src/interp.
 #pragma once
 
 #include "interp/control/control.h"
@@ -29,7 +30,7 @@ class TravelCheck : public ControlPart {
   };
   bool knows_offset() const;
 
-  unsigned known_ = 0;         ///< axes whose position was known before
+  unsigned known_ = 0;         ///< axes whose position was known before this block
   std::size_t unchecked_ = 0;  ///< motions in a work offset whose place is not known
   std::array<std::array<Excess, 2>, 3> found_;  ///< by axis: below and above
 };

@@ -27,7 +27,7 @@ UndescribedTool::Kind UndescribedTool::told_by(const Motion& motion, double face
   return {};
 }
 
-// In along the axis with the feed and back.
+// The tool goes in along the axis with the feed, and back.
 bool UndescribedTool::drills(const Motion& motion, bool feeds) {
   const double away = motion.end.z - motion.start.z;
   const bool axial = std::abs(motion.start.x) < kAtAxis && std::abs(motion.end.x) < kAtAxis;
@@ -36,7 +36,7 @@ bool UndescribedTool::drills(const Motion& motion, bool feeds) {
   return told;
 }
 
-// Out of a cut along -Z with a rapid that is nearer to the axis.
+// The tool leaves a cut along -Z by a rapid that is nearer to the axis.
 bool UndescribedTool::bores(const Motion& motion, bool feeds) {
   const double away = motion.end.z - motion.start.z;
   const bool told = !feeds && away > kAtAxis && inmost_cut_ < kNothingCut &&
@@ -49,7 +49,8 @@ bool UndescribedTool::bores(const Motion& motion, bool feeds) {
   return told;
 }
 
-// From where a rapid has led along X with the feed, in strokes perhaps, and back at the same Z.
+// The tool feeds along X from where a rapid has led, perhaps in strokes, and goes back at the same
+// Z.
 bool UndescribedTool::plunges(const Motion& motion, bool feeds, double face) {
   const double along = motion.end.x - motion.start.x;
   if (motion.kind == MotionKind::arc || std::abs(motion.end.z - motion.start.z) > kSamePlace ||

@@ -1,4 +1,5 @@
-// What the motions of a lathe's tool show of it, where no data describe it. Private to src/interp.
+// What motions of a lathe's tool show of its kind, where no data describe it. Private to
+// src/interp.
 #pragma once
 
 #include <mrsim/types.h>
@@ -7,14 +8,14 @@
 
 namespace mrsim {
 
-/// Such a tool, or an insert alone, is taken to be for the outside. Its motions show where it
-/// cannot be one: where it drills, bores, or plunges as a blade does.
+/// A tool without data, or with only an insert, is taken to turn the outside. Its motions show
+/// where that cannot be: it drills, bores, or plunges as a blade does.
 class UndescribedTool {
  public:
   struct Kind {
     std::string_view does;     ///< "plunges and goes back, as a blade does"; empty: nothing
-    std::string_view option;   ///< what --tool 3= may have
-    std::string_view comment;  ///< what a comment may say of it
+    std::string_view option;   ///< an example of what to write behind --tool 3=
+    std::string_view comment;  ///< an example of what to write in a comment
     bool bores = false;
   };
 
@@ -29,8 +30,8 @@ class UndescribedTool {
   static constexpr double kNothingCut = 1e99;
   bool drilled_ = false;                      ///< the last motion fed along the axis
   double inmost_cut_ = kNothingCut;           ///< how near to the axis the last feeds along -Z were
-  bool rapid_ = false;                        ///< the last motion was one
-  bool plunging_ = false;                     ///< fed along X from where a rapid has led
+  bool rapid_ = false;                        ///< the last motion was a rapid
+  bool plunging_ = false;                     ///< feeds along X from where a rapid has led
   double plunged_from_ = 0, plunged_to_ = 0;  ///< X
 };
 

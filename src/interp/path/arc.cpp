@@ -9,7 +9,7 @@
 namespace mrsim {
 namespace {
 
-// Of a diameter: a chord up to this long is one whose ends the program has rounded.
+// Share of a diameter: a chord up to this long is a diameter whose ends the program has rounded.
 constexpr double kRoundedChord = 1 + 1e-6;
 
 }  // namespace
@@ -46,8 +46,9 @@ std::optional<PlaneArc> arc_by_radius(Vec2 start, Vec2 end, double radius, bool 
   const Vec2 chord = end - start;
   const double l = length(chord), r = std::abs(radius);
   if (l > 2 * r * kRoundedChord && l - 2 * r > kSamePoint) return std::nullopt;
-  const double used = std::max(r, l / 2);  // the chord wins over a radius that is rounded short
-  // A difference of squares below its rounding is none: half a circle.
+  const double used =
+      std::max(r, l / 2);  // a radius rounded to less than half the chord becomes that
+  // A difference of squares below its rounding counts as 0: half a circle.
   constexpr double kNoDifference = 1e-12;
   const double square = used * used - l * l / 4;
   const double h = square < kNoDifference * used * used ? 0 : std::sqrt(square);
@@ -92,8 +93,8 @@ Fit arc_through(const Vec3& start, const Vec3& via, const Vec3& end, SpatialArc&
   const Vec3 a = via - start, b = end - start;
   const Vec3 n = cross(a, b);
   const double n2 = dot(n, n), a2 = dot(a, a), b2 = dot(b, b);
-  // All three on a line, so that the arc has no plane: the sine between the two chords
-  // is up to 1e-9, or `via` lies within 1e-12 mm of the chord.
+  // The three points lie on a line, so that the arc has no plane, if the sine between the two
+  // chords is up to 1e-9 or `via` lies within 1e-12 mm of the chord.
   constexpr double kNoSineSquared = 1e-18, kNoHeightSquared = 1e-24;
   if (n2 <= kNoSineSquared * a2 * b2 + kNoHeightSquared * b2) {
     const double along = dot(a, b);
@@ -112,7 +113,7 @@ Fit arc_through(const Vec3& start, const Vec3& via, const Vec3& end, SpatialArc&
 void normalise_axis(Motion& arc) {
   constexpr double kZero = 1e-12;  // rounding of a unit vector that was turned
   Vec3& n = arc.axis;
-  for (int i = 0; i < 3; ++i)  // no -0, no noise beside a coordinate axis
+  for (int i = 0; i < 3; ++i)  // leaves no -0, and no rounding beside a coordinate axis
     if (std::abs(component(n, i)) < kZero) component(n, i) = 0;
   const double first = n.z != 0 ? n.z : n.y != 0 ? n.y : n.x;
   if (first >= 0) return;

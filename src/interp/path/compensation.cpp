@@ -1,5 +1,5 @@
-// G41 and G42: the contour moved aside by the tool radius. Each move needs to see the next ones: an
-// inside corner ends where the moved elements meet, and an element that has no room left is void.
+// G41 and G42 offset the contour by the tool radius. A move depends on the next ones: an inside
+// corner ends where the offset elements meet, and an element that has no room left is left out.
 #include "interp/path/compensation.h"
 
 #include "core/numbers/rounding.h"
@@ -16,9 +16,9 @@ namespace {
 
 constexpr double kNoTurn = 1e-9;      // mm^2: cross product of lines that are parallel
 constexpr double kFullCircle = 1e-6;  // rad: an arc this near to a turn is a full circle
-constexpr double kLeastUncut = 1e-4;  // rad: no less of a circle that is not cut is reported
+constexpr double kLeastUncut = 1e-4;  // rad: less of a circle that is not cut is not reported
 
-// An arc that the corner before it begins earlier on its circle.
+// Makes an arc begin at `cursor`, earlier on its circle, where the corner before it ends.
 void begin_at(PlanePiece& piece, Vec2 cursor) {
   if (!piece.arc || std::abs(length(cursor - piece.center) - piece.radius) > kTouch) return;
   const double late = progress(piece, piece.start, cursor);
@@ -45,7 +45,8 @@ void CompensationStage::push(const PathMove& move) {
   settle(false);
 }
 
-// A frame may turn or mirror the plane's axes on the way; corners need both elements in the same.
+// A frame may turn or mirror the plane's axes between two moves, but a corner needs both elements
+// in the same axes.
 void CompensationStage::same_axes(PathMove& move) const {
   const Basis& b = move.basis;
   if (length(b.w - basis_.w) > kTurnRounding) return;
@@ -103,7 +104,7 @@ void CompensationStage::send_line(const PathMove& like, Vec2 to, double end_heig
   cursor_ = to;
 }
 
-// The first compensated move: straight to the point square to the contour at the next start.
+// The first compensated move leads straight to the point square to the contour at the next start.
 void CompensationStage::enter() {
   const PathMove& first = ahead_.front();
   if (!takes_part(first)) {
@@ -132,7 +133,7 @@ void CompensationStage::enter() {
   run_corner(before, way);
 }
 
-// A move of an active compensation that is not itself compensated: infeeds, CUTCONON, G40.
+// Runs a move that is not itself compensated while compensation is on: infeeds, CUTCONON, G40.
 void CompensationStage::leave_or_shift() {
   PathMove first = ahead_.front();
   const Vec3 w = first.basis.w;
@@ -163,8 +164,8 @@ void CompensationStage::leave_or_shift() {
   next_(first);
 }
 
-// LinuxCNC: the entry is an element like others, and must be longer than the radius. A line may end
-// however far before its start, where the tool is not beside it.
+// On LinuxCNC the entry is an element like others, and must be longer than the radius. Where the
+// tool is not beside a line, that line may end any distance before its start.
 void CompensationStage::enter_beside(double h) {
   const PathMove first = ahead_.front();
   const Vec2 start = in_plane(first.basis, at_) + first.comp.tip;
@@ -189,7 +190,7 @@ void CompensationStage::enter_beside(double h) {
   run_corner(first, way);
 }
 
-// An arc behind so small a turn that the element before it ends beside its circle.
+// Leads to an arc behind so small a turn that the element before it ends beside its circle.
 void CompensationStage::step_onto(const PathMove& first, const PlanePiece& arc) {
   const Vec2 out = cursor_ - arc.center;
   send_line(first, arc.center + (arc.radius / length(out)) * out, dot(at_, first.basis.w));
@@ -225,7 +226,7 @@ void CompensationStage::follow() {
   run_corner(first, way);
 }
 
-// An arc that the tool is too large for.
+// Runs an arc for which the tool is too large.
 void CompensationStage::leave_void(const PathMove& first, double h) {
   reporter_.add_at(Severity::error, "comp-interference",
                    fmt::format("the tool of radius {:.6g} does not fit into the arc of radius "
@@ -235,7 +236,7 @@ void CompensationStage::leave_void(const PathMove& first, double h) {
   send_line(first, in_plane(first.basis, first.motion.end), h);
 }
 
-// Where the first element of the queue ends and what follows it up to the next one.
+// Decides where the first element of the queue ends, and which way leads to the next one.
 CornerWay CompensationStage::choose_end(const PlanePiece& piece) {
   CornerWay way;
   way.end = piece.end;
@@ -274,8 +275,9 @@ void CompensationStage::corner_too_tight(const Motion& next) {
                    next);
 }
 
-// G41 behind G42 or the other way round, without G40. FANUC: where the moved lines meet. Else the
-// element ends square to its end, and a line leads to the point square to the next one's start.
+// G41 follows G42, or G42 follows G41, without G40. FANUC goes to where the offset lines meet. Else
+// the element ends square to its end, and a line leads to the point square to the start of the next
+// one.
 bool CompensationStage::crosses_over(const PlanePiece& piece, CornerWay& way) {
   std::size_t k = 1;
   while (k < ahead_.size() && is_infeed(ahead_[k])) ++k;
@@ -297,7 +299,7 @@ bool CompensationStage::crosses_over(const PlanePiece& piece, CornerWay& way) {
   return true;
 }
 
-// The last element: square to its end, or with KONT round it to a point behind the contour.
+// The way out of the last element ends square to its end, or with KONT behind the contour.
 CornerWay CompensationStage::leaving(const PlanePiece& piece) const {
   CornerWay way;
   way.end = piece.end;
@@ -305,7 +307,7 @@ CornerWay CompensationStage::leaving(const PlanePiece& piece) const {
   while (k < ahead_.size() && is_infeed(ahead_[k])) ++k;
   if (k >= ahead_.size() || ahead_[k].comp.side != 0 || !ahead_[k].comp.around) return way;
   const PathMove& first = ahead_.front();
-  Compensation comp = ahead_[k].comp;  // the corner's form is that of the leaving block
+  Compensation comp = ahead_[k].comp;  // the block that leaves decides the form of the corner
   comp.side = first.comp.side;
   comp.radius = first.comp.radius;
   const Vec2 outer = corner_of(ahead_[k]) + first.comp.tip;
@@ -316,7 +318,7 @@ CornerWay CompensationStage::leaving(const PlanePiece& piece) const {
   return outside_corner(comp, corner_of(first), piece, line);
 }
 
-// The piece from where the tool is to `end`.
+// Runs the piece from where the tool is to `end`.
 void CompensationStage::run_piece(const PathMove& first, PlanePiece piece, Vec2 end, double h) {
   if (piece.arc) {
     const double full = std::abs(piece.sweep);
@@ -342,7 +344,7 @@ void CompensationStage::run_piece(const PathMove& first, PlanePiece piece, Vec2 
   cursor_ = end;
 }
 
-// Round a corner; that belongs to the next block.
+// Runs the way round a corner, which belongs to the next block.
 void CompensationStage::run_corner(const PathMove& before, const CornerWay& way) {
   if (way.count == 0) return;
   run_infeeds();

@@ -35,12 +35,12 @@ class CompensationStage {
 
   Reporter& reporter_;
   NextStage next_;
-  MovesAhead ahead_;  ///< the first is the one being run
-  Basis basis_;       ///< of the contour under way
+  MovesAhead ahead_;  ///< the moves not run yet; the first is run next
+  Basis basis_;       ///< the axes of the contour being run
   bool active_ = false;
-  bool resumes_ = false;  ///< the last one ran suspended (CUTCONON), or on the other side
-  Vec3 at_;               ///< where the last motion given on ended
-  Vec2 cursor_;           ///< the tool's centre there, in the plane
+  bool resumes_ = false;  ///< the last move ran with CUTCONON, or on the other side
+  Vec3 at_;               ///< where the last emitted motion ended
+  Vec2 cursor_;           ///< the tool's centre at that place, in the plane
 };
 
 }  // namespace mrsim

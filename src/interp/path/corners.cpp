@@ -12,10 +12,10 @@
 namespace mrsim {
 namespace {
 
-constexpr double kHair = 1e-8;           // mm, leftovers that are rounding
+constexpr double kHair = 1e-8;           // mm: a leftover shorter than this is rounding
 constexpr double kTangent = 1e-6;        // |t1 x t2| below which there is no corner
 constexpr double kLeastSize = 1e-6;      // mm: no smaller rounding or chamfer is inserted
-constexpr double kSameAxis = 1e-12;      // between unit vectors: both moves have the same plane
+constexpr double kSameAxis = 1e-12;      // distance of unit vectors: the moves have one plane
 constexpr std::size_t kMostBetween = 3;  // blocks without plane travel inside a corner
 
 // Where a rounding or chamfer touches its two elements.
@@ -23,7 +23,8 @@ struct Contact {
   Vec2 first, second, center;
 };
 
-// The point of a piece at a straight distance from its end (or start) that is the corner.
+// The point of a piece at a straight distance from the corner, its end or its start. False: it is
+// not so long.
 bool at_distance(const PlanePiece& piece, Vec2 corner, double distance, bool from_end, Vec2& out) {
   if (!piece.arc) {
     out = from_end ? corner - distance * end_tangent(piece)
@@ -61,7 +62,7 @@ bool on_piece(const PlanePiece& piece, Vec2 p) {
   return along >= -kRounding && along <= extent(piece) + kRounding;
 }
 
-// Contacts of an arc of radius r; false when it does not fit on the elements.
+// Finds where an arc of radius r touches both elements. False: it does not fit on them.
 bool round_contacts(const PlanePiece& a, const PlanePiece& b, double side, double r, Contact& out) {
   const PlanePiece oa = offset_piece(a, side * r), ob = offset_piece(b, side * r);
   if ((oa.arc && oa.radius <= kRounding) || (ob.arc && ob.radius <= kRounding)) return false;
@@ -92,7 +93,7 @@ bool contacts(const CornerSpec& spec, const PlanePiece& a, const PlanePiece& b, 
          at_distance(b, b.start, leg, false, out.second);
 }
 
-// The largest size below the wanted one that fits.
+// The largest size up to the wanted one that fits.
 double largest_fit(const CornerSpec& spec, const PlanePiece& a, const PlanePiece& b, double side,
                    Contact& out) {
   double low = 0, high = spec.size;
@@ -103,13 +104,14 @@ double largest_fit(const CornerSpec& spec, const PlanePiece& a, const PlanePiece
   return low > 0 && contacts(spec, a, b, side, low, out) ? low : 0;
 }
 
-// False: the corner has taken the whole element.
+// Whether something is left of the element. False: the corner has taken all of it.
 bool travels(const Motion& motion) {
   return distance(motion.start, motion.end) > kRounding ||
          (motion.kind == MotionKind::arc && motion.radius * std::abs(motion.sweep) > kRounding);
 }
 
-// The piece is in coordinates of `basis`; that of the move may be turned against it.
+// Shortens the move to `piece`, whose coordinates are those of `basis`. The basis of the move may
+// be turned against it.
 void shorten(PathMove& move, const Basis& basis, PlanePiece piece, bool at_end, Vec2 to) {
   const double start = dot(move.motion.start, basis.w);
   const double end = dot(move.motion.end, basis.w);
@@ -132,7 +134,7 @@ bool CornerStage::insert(PathMove& before, PathMove& after, PathMove& inserted) 
     return false;
   }
   const double side = turn > 0 ? 1 : -1;
-  // Along the normal between the two, in blocks of its own: that comes behind the inserted element.
+  // Travel along the normal between the two moves, in its own blocks, follows the inserted element.
   const double infeed = dot(after.motion.start - before.motion.end, before.basis.w);
   Contact c;
   if (!contacts(before.corner, a, b, side, before.corner.size, c)) {

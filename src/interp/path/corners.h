@@ -9,12 +9,12 @@
 
 namespace mrsim {
 
-/// What is put between a move and the next one.
+/// The element that is inserted between a move and the next one.
 struct CornerSpec {
   enum class Kind : std::uint8_t { none, round, leg, cut };  ///< RND, CHR, CHF
   Kind kind = Kind::none;
   double size = 0;  ///< mm
-  double feed = 0;  ///< of the inserted element, 0 = that of the move before
+  double feed = 0;  ///< of the inserted element; 0: the feed of the move before
 };
 
 /// Radius compensation in force for a move.
@@ -25,10 +25,10 @@ struct Compensation {
   Vec2 tip;                 ///< lathe: from the programmed point to the nose centre, in the plane
   bool arcs = false;        ///< outside corners are arcs about the corner, else intersections
   double disc = 0;          ///< DISC / 100: how far such arcs are sharpened
-  bool two_points = false;  ///< intersections of tangents; where they are too far, two points
+  bool two_points = false;  ///< intersection of tangents; if too far, two points
   double sharpest = 0;      ///< turns above this angle, radians, have no intersection
-  bool around = false;      ///< KONT: from and to points behind the contour round its end
-  bool stepwise = false;    ///< each element sees the next one alone, the entry too (LinuxCNC)
+  bool around = false;      ///< KONT: contours are approached and left round their ends
+  bool stepwise = false;    ///< an element, also the entry, depends on the next alone (LinuxCNC)
 };
 
 struct PathMove {
@@ -37,14 +37,14 @@ struct PathMove {
   CornerSpec corner;
   Compensation comp;
   std::size_t block = 0;      ///< running number of its block
-  unsigned checked_axes = 0;  ///< those whose travel limits are checked, a bit each
+  unsigned checked_axes = 0;  ///< axes whose travel limits are checked, a bit each
   std::size_t order = 0;      ///< running number among the moves that were held back
 };
 
 using NextStage = std::function<void(const PathMove&)>;
 
-/// Inserts roundings and chamfers (RND, CHF, CHR). Holds back one move, and the pure infeeds behind
-/// it.
+/// Inserts roundings and chamfers (RND, CHF, CHR). It holds back one move and the infeeds behind
+/// it, because a corner needs the move that follows.
 class CornerStage {
  public:
   CornerStage(Reporter& reporter, NextStage next) : reporter_(reporter), next_(std::move(next)) {}

@@ -12,10 +12,10 @@ namespace {
 
 constexpr double kLeastScale = 1e-100, kLargestTurn = 1e9;
 
-// As it was written, where that had nine digits behind the point.
+// The value as a program would write it, with nine digits behind the point.
 double written(double value) { return std::round(value * 1e9) / 1e9; }
 
-// Of a rotation Rz Ry Rx.
+// The angles of a rotation Rz Ry Rx, degrees.
 Vec3 turns_of(const std::array<Vec3, 3>& axis) {
   const double level = std::sqrt(axis[0].x * axis[0].x + axis[0].y * axis[0].y);
   Vec3 turns;
@@ -23,7 +23,7 @@ Vec3 turns_of(const std::array<Vec3, 3>& axis) {
   if (level > kTurnRounding) {
     turns.z = atan2(axis[0].y, axis[0].x);
     turns.x = atan2(axis[1].z, axis[2].z);
-  } else {  // X points up or down: a turn about it is one about Z
+  } else {  // X points up or down, so a turn about it is one about Z
     turns.z = atan2(-axis[1].x, axis[1].y);
   }
   return {written(degrees(turns.x)), written(degrees(turns.y)), written(degrees(turns.z))};
@@ -49,7 +49,7 @@ Frame frame_of(const FrameParts& parts) {
   return factors == Vec3{1, 1, 1} ? frame : compose(frame, scale_frame(factors));
 }
 
-// Which axis a left-handed frame mirrors is open: that which leaves the least turns.
+// A left-handed frame may mirror any axis. The one that leaves the smallest turns is chosen.
 std::optional<FrameParts> parts_of(const Frame& frame) {
   FrameParts parts;
   parts.shift = frame.shift;

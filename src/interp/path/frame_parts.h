@@ -16,17 +16,17 @@ struct FrameParts {
   unsigned mirrored = 0;  ///< bit per axis
 };
 
-/// 0 to 2 of X, Y, Z; -1 of another name.
+/// 0 to 2 for X, Y, Z; -1 for another name.
 int axis_named(std::string_view name);
 
 Frame frame_of(const FrameParts& parts);
-/// Nothing where the frame is sheared.
+/// The parts of a frame. Nothing where the frame is sheared.
 std::optional<FrameParts> parts_of(const Frame& frame);
 
 /// One part of one axis: TR the shift, RT the turn, SC the scale, MI 1 where it is mirrored.
 /// Nothing: the frame has no such part.
 std::optional<double> frame_part(const Frame& frame, int axis, std::string_view part);
-/// False: the frame has no such part, or the value is none for it.
+/// Sets such a part. False: the frame has no such part, or it cannot have that value.
 bool set_frame_part(Frame& frame, int axis, std::string_view part, double value);
 
 }  // namespace mrsim

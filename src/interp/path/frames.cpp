@@ -84,7 +84,7 @@ Basis plane_basis(int plane) {
 }
 
 Basis normal_basis(const Vec3& normal) {
-  // The world axis least along the normal, taken square to it, is the first axis.
+  // The first axis is the coordinate axis that is farthest from the normal, made square to it.
   const double ax = std::abs(normal.x), ay = std::abs(normal.y), az = std::abs(normal.z);
   Vec3 helper{1, 0, 0};
   if (ay < ax && ay <= az) helper = {0, 1, 0};

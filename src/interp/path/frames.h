@@ -25,17 +25,18 @@ Vec3 apply_inverse(const Frame& frame, const Vec3& p);
 Vec3 turn_inverse(const Frame& frame, const Vec3& v);
 /// Requires: determinant(frame) != 0.
 Frame inverse(const Frame& frame);
-/// Of the linear part: the factor on volumes, below 0 where it mirrors.
+/// The determinant of the linear part: the factor on volumes, below 0 where the frame mirrors.
 double determinant(const Frame& frame);
 
-/// First `inner`, then `outer`.
+/// The frame that applies first `inner`, then `outer`.
 Frame compose(const Frame& outer, const Frame& inner);
 
-/// Moves all by a vector, mm.
+/// A frame that moves everything by a vector, mm.
 Frame shift_frame(const Vec3& shift);
-/// About coordinate axis 0, 1 or 2, degrees, counter-clockwise seen from its positive end.
+/// A rotation about coordinate axis 0, 1 or 2, degrees, counter-clockwise seen from its positive
+/// end.
 Frame rotation_frame(int axis, double degrees);
-/// Scales each axis by a factor.
+/// A frame that scales each axis by a factor.
 Frame scale_frame(const Vec3& factors);
 /// `frame` with `center` as its fixed point instead of the origin.
 Frame about(const Frame& frame, const Vec3& center);
@@ -45,7 +46,7 @@ struct Basis {
   Vec3 u{1, 0, 0}, v{0, 1, 0}, w{0, 0, 1};
 };
 
-/// G17 (0), G18 (1: Z first), G19 (2).
+/// The axes of G17 (0), G18 (1, Z first) or G19 (2).
 Basis plane_basis(int plane);
 /// A right-handed basis about a unit normal.
 Basis normal_basis(const Vec3& normal);

@@ -8,9 +8,9 @@ namespace mrsim {
 namespace {
 
 constexpr std::size_t kLookAhead = 5;   // compensated moves seen at once
-constexpr std::size_t kMostAhead = 64;  // moves of any kind: no more are waited for
+constexpr std::size_t kMostAhead = 64;  // moves of any kind: no longer wait
 
-// An arc's sweep follows from its new ends.
+// Gives the piece new ends; the sweep of an arc follows from them.
 void cut_to(PlanePiece& piece, Vec2 start, Vec2 end) {
   piece.start = start;
   piece.end = end;
@@ -28,7 +28,6 @@ void run_on_to(PlanePiece& piece, Vec2 end) {
 
 }  // namespace
 
-// Index in the queue of the n-th following move that takes part (n >= 1), or queue size.
 std::size_t MovesAhead::following(std::size_t n) const {
   std::size_t i = 1;
   for (; i < moves_.size(); ++i) {
@@ -40,7 +39,6 @@ std::size_t MovesAhead::following(std::size_t n) const {
   return moves_.size();
 }
 
-// True when enough is known to move the first of the queue.
 bool MovesAhead::ready(bool last) const {
   if (moves_.empty()) return false;
   if (last || !takes_part(moves_.front()) || moves_.size() > kMostAhead) return true;
@@ -53,7 +51,6 @@ bool MovesAhead::ready(bool last) const {
   return false;
 }
 
-// The first move's own rounding, too small for the tool: the element after it is approached.
 void MovesAhead::skip_void_entry() {
   const std::size_t j = following(1), next = following(2);
   if (next >= moves_.size() || moves_[j].block != moves_.front().block) return;
@@ -63,7 +60,7 @@ void MovesAhead::skip_void_entry() {
   moves_.erase(moves_.begin() + static_cast<std::ptrdiff_t>(j));
 }
 
-// The moved element, run on to the intersection where its end is such an outside corner.
+// The offset element, extended to the intersection where its end is an outside corner of that form.
 PlanePiece MovesAhead::reach(std::size_t i, std::size_t next) const {
   PlanePiece piece = moved(moves_[i]);
   if (is_void(piece) || next >= moves_.size()) return piece;
@@ -73,7 +70,6 @@ PlanePiece MovesAhead::reach(std::size_t i, std::size_t next) const {
   return piece;
 }
 
-// A void element: between the meeting points with its neighbours nothing of it is left.
 bool MovesAhead::squeezed(std::size_t i, std::size_t next, Vec2 entered) const {
   const PlanePiece piece = moved(moves_[i]);
   if (is_void(piece)) return true;
@@ -85,15 +81,15 @@ bool MovesAhead::squeezed(std::size_t i, std::size_t next, Vec2 entered) const {
   if (n == 0) return false;
   Vec2 out = hits[0];
   if (n == 2 && length(hits[1] - piece.end) < length(hits[0] - piece.end)) out = hits[1];
-  Vec2 both;  // at a cusp of two arcs the other one is as near
+  Vec2 both;  // the other intersection; at a cusp of two arcs it is as near
   if (n == 2 && meeting(piece, after, piece.start, piece.end, both)) out = both;
   if (piece.arc && std::abs(piece.sweep) > kPi) return false;
   return progress(piece, entered, out) < -kTouch / (piece.arc ? piece.radius : 1);
 }
 
-// Whether `piece`, starting at `from`, meets the n-th following element, or else the path round the
-// outside corner after that element. Then `way` holds the rest of that path and `keep` the next
-// element to be moved.
+// Whether `piece`, from `from` on, meets the n-th following element, or else the path round the
+// outside corner after that element. Then `way` is the rest of that path and `keep` the next
+// element to be offset.
 bool MovesAhead::meets(const PlanePiece& piece, Vec2 from, std::size_t n, CornerWay& way,
                        std::size_t& keep) const {
   const std::size_t j = following(n), next = following(n + 1);
@@ -120,7 +116,7 @@ bool MovesAhead::meets(const PlanePiece& piece, Vec2 from, std::size_t n, Corner
   return way.count > 0;
 }
 
-// The elements before `keep` have no room and leave the queue.
+// Drops the elements before `keep`, which have no room.
 void MovesAhead::skip_before(std::size_t keep) {
   for (std::size_t k = keep; k-- > 1;) {
     if (is_infeed(moves_[k])) continue;
@@ -132,8 +128,6 @@ void MovesAhead::skip_before(std::size_t keep) {
   }
 }
 
-// The first of the following elements with room that `piece` meets. What lies between is void.
-// False, and `way` untouched: the tool does not fit.
 bool MovesAhead::meet_inside(const PlanePiece& piece, Vec2 from, std::size_t nearest,
                              CornerWay& way) {
   for (std::size_t n = nearest; n < kLookAhead; ++n) {
@@ -147,8 +141,6 @@ bool MovesAhead::meet_inside(const PlanePiece& piece, Vec2 from, std::size_t nea
   return false;
 }
 
-// The element after an outside corner has no room: `piece`, or the path round the corner, is
-// extended to where it meets a later element.
 void MovesAhead::close_over(const PlanePiece& piece, Vec2 from, CornerWay& way) {
   if (meet_inside(piece, from, 2, way)) return;
   for (std::size_t i = 0; i < way.count; ++i) {

@@ -1,5 +1,5 @@
-// The moves that radius compensation has been given and has not yet run: which of them take part in
-// the contour, where they meet at inside corners, and which the tool has no room for. Private to
+// The moves that radius compensation has received and not run yet: which of them belong to the
+// contour, where they meet at inside corners, and for which the tool has no room. Private to
 // src/interp.
 #pragma once
 
@@ -27,19 +27,18 @@ class MovesAhead {
   /// Index of the n-th move (n >= 1) behind the first that takes part in the same contour, or
   /// size().
   std::size_t following(std::size_t n) const;
-  /// Enough is known to run the first; `last`: no move follows.
+  /// Whether enough is known to run the first move. `last`: no move follows.
   bool ready(bool last) const;
   /// Drops the first move's own rounding where it is too small for the tool: the element after it
   /// is approached.
   void skip_void_entry();
-  /// Nothing is left of move `i` between `entered` and where it meets move `next`.
+  /// Whether nothing is left of move `i` between `entered` and where it meets move `next`.
   bool squeezed(std::size_t i, std::size_t next, Vec2 entered) const;
-  /// Finds the first of the moves from the one that is `nearest` on with room that `piece` meets,
-  /// run from `from`; those before it are dropped. False, and `way` untouched: the tool does not
-  /// fit.
+  /// Finds the move that `piece`, run from `from`, meets: the first one with room, `nearest` or
+  /// later. The moves before it are dropped. False, and `way` is unchanged: the tool does not fit.
   bool meet_inside(const PlanePiece& piece, Vec2 from, std::size_t nearest, CornerWay& way);
-  /// The element behind an outside corner has no room: `piece`, or what is run round the corner,
-  /// goes to where it meets a later one.
+  /// Where the element behind an outside corner has no room, extends `piece`, or the path round the
+  /// corner, to where it meets a later element.
   void close_over(const PlanePiece& piece, Vec2 from, CornerWay& way);
 
  private:

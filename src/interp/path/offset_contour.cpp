@@ -8,10 +8,10 @@
 namespace mrsim {
 namespace {
 
-constexpr double kStep = 5e-4;  // mm: what a program's last digit makes of one
-constexpr double kCusp = 0.1;   // |t1 x t2| from which on a path does not turn back
+constexpr double kStep = 5e-4;  // mm: a step that the rounding of a program's last digit makes
+constexpr double kCusp = 0.1;   // |t1 x t2| above which a path does not turn back
 
-// To the left above 0.
+// 1 / radius in 1 / mm, above 0 to the left; 0 for a line.
 double curvature(const PlanePiece& piece) {
   return !piece.arc ? 0 : piece.sweep > 0 ? 1 / piece.radius : -1 / piece.radius;
 }
@@ -32,7 +32,6 @@ bool takes_part(const PathMove& m) {
   return m.comp.side != 0 && !m.comp.suspended && !is_infeed(m) && !is_tilted(m);
 }
 
-// Inside: where two moved elements meet, nearest to the corner. `from` is where the first begins.
 bool meeting(const PlanePiece& a, const PlanePiece& b, Vec2 from, Vec2 corner, Vec2& out) {
   if (!a.arc && !b.arc && collinear(a, b)) {
     out = a.end;
@@ -65,7 +64,7 @@ Corner corner_kind(const PathMove& a, const PathMove& b) {
   double c = cross(t1, t2);
   if (dot(t1, t2) < 0 && std::abs(c) < kCusp && (p.arc || q.arc))
     c -= a.comp.radius * (curvature(p) + curvature(q));
-  const double step = std::abs(c) * a.comp.radius;  // between the moved ends
+  const double step = std::abs(c) * a.comp.radius;  // between the offset ends
   if ((std::abs(c) < kTurnRounding || step < kStep) && dot(t1, t2) > 0) return Corner::smooth;
   if (std::abs(c) < kTurnRounding) return Corner::outside;  // straight back
   return a.comp.side * c > 0 ? Corner::inside : Corner::outside;

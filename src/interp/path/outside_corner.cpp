@@ -16,7 +16,7 @@ double half_tangent(double turn) {
   return half.sin / half.cos;
 }
 
-// Where both meet when the first is run on and the second is begun earlier.
+// Finds where both meet when the first is extended and the second begins earlier.
 bool run_on(const PlanePiece& a, const PlanePiece& b, Vec2& out) {
   std::array<Vec2, 2> hits;
   const int n = intersect(a, b, hits);
@@ -33,7 +33,7 @@ bool run_on(const PlanePiece& a, const PlanePiece& b, Vec2& out) {
   return best < kInfinity;
 }
 
-// Straight on from both ends, by the same length.
+// Goes straight on from both ends by the same length.
 void along_tangents(CornerWay& way, const PlanePiece& a, const PlanePiece& b, double out,
                     bool meets) {
   const Vec2 first = a.end + out * end_tangent(a);

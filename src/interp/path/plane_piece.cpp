@@ -13,7 +13,7 @@ namespace {
 
 constexpr double kParallel = 1e-12;  // sine between two lines that never meet
 constexpr double kConcentric =
-    1e-12;  // mm: between the centres of circles that are one, or none meets
+    1e-12;  // mm: distance of centres below which two circles are concentric
 
 // +1 when u x v points along the arc's axis, -1 when the basis is seen from behind or mirrored.
 double sense(const Motion& motion, const Basis& basis) {
@@ -177,8 +177,7 @@ double nearest_along(const PlanePiece& piece, Vec2 p) {
   return length(p - piece.start) <= length(p - piece.end) ? 0 : extent(piece);
 }
 
-// The least distance lies at an end of one of the two, at the foot of the centre, or where both
-// meet.
+// The least distance is at an end of one of the two, at the foot of the centre, or where both meet.
 double distance_between(const PlanePiece& way, const PlanePiece& piece) {
   double least = std::min(distance_to(piece, way.start), distance_to(piece, way.end));
   least = std::min({least, distance_to(way, piece.start), distance_to(way, piece.end)});

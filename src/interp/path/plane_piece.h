@@ -17,9 +17,9 @@ struct PlanePiece {
 };
 
 PlanePiece to_plane(const Motion& motion, const Basis& basis);
-/// A motion without travel in the plane (an infeed).
+/// Whether the motion has no travel in the plane (an infeed).
 bool is_infeed(const PathMove& move);
-/// An arc whose axis is not the plane's normal.
+/// Whether the move is an arc whose axis is not the plane's normal.
 bool is_tilted(const PathMove& move);
 
 Vec2 start_tangent(const PlanePiece& piece);
@@ -38,20 +38,21 @@ int intersect(const PlanePiece& a, const PlanePiece& b, std::array<Vec2, 2>& out
 double progress(const PlanePiece& piece, Vec2 from, Vec2 to);
 /// progress() from the start of the piece, arcs in [0, 2 pi).
 double position_on(const PlanePiece& piece, Vec2 p);
-/// Its value at the end of the piece.
+/// position_on() of the end of the piece.
 double extent(const PlanePiece& piece);
-/// The point there.
+/// The point of the piece at the value `along` of position_on().
 Vec2 point_at(const PlanePiece& piece, double along);
 
-/// `motion` as the piece says, at heights of its own: start, end, centre, radius, sweep.
+/// Sets start, end, centre, radius and sweep of `motion` as in the piece, at these heights over the
+/// plane, mm.
 void from_piece(const PlanePiece& piece, const Basis& basis, double start_height, double end_height,
                 Motion& motion);
 
-/// Of a point from a piece, mm.
+/// The distance of a point from a piece, mm.
 double distance_to(const PlanePiece& piece, Vec2 p);
-/// Where along the piece, from 0 to extent(), it is nearest to a point.
+/// The value of position_on(), from 0 to extent(), where the piece is nearest to a point.
 double nearest_along(const PlanePiece& piece, Vec2 p);
-/// Of a straight way from a piece, mm; 0 where they meet.
+/// The distance of a straight way from a piece, mm; 0 where they meet.
 double distance_between(const PlanePiece& way, const PlanePiece& piece);
 
 }  // namespace mrsim

@@ -11,12 +11,13 @@
 namespace mrsim {
 namespace {
 
-constexpr double kKeeps = 1e-4;  // mm: by how much a place may be too near at most
-// mm: by how much pieces of the offset border may be too near, tried in turn until they make loops.
+constexpr double kKeeps = 1e-4;  // mm: a place may be too near by at most this
+// mm: pieces of the offset border may be too near by this. The values are tried in turn until the
+// pieces make loops.
 constexpr double kTooNear[] = {1e-7, 1e-5, kKeeps};
 constexpr double kSameSpot = 1e-6;    // mm
-constexpr double kJoins = 2e-3;       // mm: what rounded programs leave between two pieces
-constexpr double kOutwards = 0.0137;  // of a step, where loops cannot be joined
+constexpr double kJoins = 2e-3;       // mm: the gap that rounding leaves between two pieces
+constexpr double kOutwards = 0.0137;  // share of a step, where loops cannot be joined
 constexpr std::size_t kMostLoops = 20'000;
 
 double travel_of(const PlanePiece& piece) {
@@ -45,7 +46,7 @@ PieceBounds bounds_of(const PlanePiece& piece) {
           {std::max(piece.start.x, piece.end.x), std::max(piece.start.y, piece.end.y)}};
 }
 
-// The pieces moved aside, and arcs about the corners that the area reaches around.
+// The pieces offset, and arcs about the corners that the area reaches around.
 std::vector<PlanePiece> moved_border(const std::vector<Loop>& contours, double distance) {
   std::vector<PlanePiece> out;
   for (const Loop& loop : contours)
@@ -68,7 +69,7 @@ std::vector<PlanePiece> moved_border(const std::vector<Loop>& contours, double d
   return out;
 }
 
-// Where other pieces meet this one, as places along it, in order.
+// Where other pieces meet this one: values of position_on() in order.
 std::vector<double> cuts_of(std::size_t i, const std::vector<PlanePiece>& pieces,
                             const std::vector<PieceBounds>& bounds) {
   const PlanePiece& piece = pieces[i];
@@ -94,7 +95,8 @@ std::vector<double> cuts_of(std::size_t i, const std::vector<PlanePiece>& pieces
   return cuts;
 }
 
-using Parts = std::vector<std::pair<PlanePiece, double>>;  // and how far they stay from contours
+using Parts =
+    std::vector<std::pair<PlanePiece, double>>;  // each with its distance from the contours
 
 bool same_piece(const PlanePiece& a, const PlanePiece& b) {
   return a.arc == b.arc && length(a.start - b.start) < kSameSpot &&
@@ -102,7 +104,7 @@ bool same_piece(const PlanePiece& a, const PlanePiece& b) {
          length(point_at(a, extent(a) / 2) - point_at(b, extent(b) / 2)) < kSameSpot;
 }
 
-// Pieces of two contours that have become the same count once.
+// Pieces of two contours that coincide are kept once.
 void drop_twins(Parts& parts) {
   std::stable_sort(parts.begin(), parts.end(),
                    [](const auto& a, const auto& b) { return a.first.start.x < b.first.start.x; });
@@ -119,7 +121,7 @@ void drop_twins(Parts& parts) {
   parts = std::move(once);
 }
 
-// Pieces to closed loops, from end to start. False: one leads nowhere.
+// Joins pieces to closed loops, from end to start. False: a piece has no successor.
 bool join_loops(std::vector<PlanePiece> pieces, std::vector<Loop>& out) {
   while (!pieces.empty()) {
     Loop loop{pieces.back()};
@@ -160,7 +162,7 @@ std::vector<Vec2> polygon_of(const Loop& loop, double far) {
     int n = 1;
     if (piece.arc) {
       const double share = std::min(1.0, far / piece.radius);
-      const double step = std::sqrt(8 * share);  // a little less than the sagitta asks for
+      const double step = std::sqrt(8 * share);  // a little less than the sagitta allows
       n = 1 + static_cast<int>(std::min(1e5, std::ceil(extent(piece) / std::min(step, 1.0))));
     }
     for (int i = 0; i < n; ++i) out.push_back(point_at(piece, extent(piece) * i / n));
@@ -232,7 +234,7 @@ bool Region::contains(Vec2 p, const std::vector<std::vector<Vec2>>& polygons) co
   return true;
 }
 
-// Nothing is gained by knowing more of what is nearer than `enough`.
+// A distance below `enough` is not needed exactly, so the search ends at the first such one.
 double Region::distance_from_contours(Vec2 p, double enough) const {
   double least = kInfinity;
   std::size_t at = 0;
@@ -248,8 +250,8 @@ double Region::distance_from_contours(Vec2 p, double enough) const {
   return least;
 }
 
-// A piece that ends in a cusp, or where the contours' roundings leave a gap, is in doubt: first
-// only what keeps the distance exactly counts, then what does nearly.
+// A piece that ends in a cusp, or at a gap that the rounding of contours leaves, is in doubt. So
+// first only pieces that keep the distance exactly are taken, then those that nearly do.
 bool Region::inset(double distance, std::vector<Loop>& out) const {
   const std::vector<PlanePiece> border = moved_border(contours_, distance);
   std::vector<PieceBounds> bounds;
@@ -328,7 +330,7 @@ bool clearing_loops(const Region& region, double radius, double aside, double st
     if (nodes.size() > kMostLoops) return false;
     level = std::move(now);
   }
-  // From the innermost loops outwards: a loop stands behind those within it.
+  // Orders loops from the inside out: a loop follows those within it.
   std::vector<std::size_t> waiting(outer.rbegin(), outer.rend()), order;
   while (!waiting.empty()) {
     const std::size_t at = waiting.back();

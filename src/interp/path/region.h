@@ -1,7 +1,7 @@
 // An area between contours, as cutters clear it: inside of one contour and outside of islands, both
 // of lines and arcs. Guarantees: the loops of inset() keep their distance from every contour to
 // within 0.1 um and are exact lines and arcs; where the pieces do not close to loops, inset() says
-// so. Does not: check that a contour crosses itself. Cost: pieces squared.
+// so. Does not check whether a contour crosses itself. Cost: the square of the number of pieces.
 #pragma once
 
 #include "interp/path/clearing.h"
@@ -14,7 +14,7 @@ namespace mrsim {
 /// The signed area of a closed loop, counter-clockwise positive, mm^2.
 double signed_area(const Loop& loop);
 
-/// The loop from its place nearest to `p` on.
+/// The same loop, begun at its place nearest to `p`.
 Loop begun_near(const Loop& loop, Vec2 p);
 
 struct PieceBounds {
@@ -26,10 +26,10 @@ class Region {
   /// Closed contours in either direction. Without an outer one the area has no end.
   Region(const std::optional<Loop>& outer, const std::vector<Loop>& islands);
 
-  /// The border of all places that keep `distance` from the contours, the places to its left.
+  /// The border of all places that keep `distance` from the contours; these places lie to its left.
   /// False: its pieces could not be joined.
   bool inset(double distance, std::vector<Loop>& out) const;
-  /// Whether the straight way between two places of an inset keeps `distance`, too.
+  /// Whether the straight way between two places of an inset also keeps `distance`.
   bool keeps(Vec2 from, Vec2 to, double distance) const;
   std::size_t pieces() const;
 
@@ -38,7 +38,7 @@ class Region {
   double distance_from_contours(Vec2 p, double enough) const;
 
   std::vector<Loop> contours_;  ///< the area to their left; the outer one first, where there is one
-  std::vector<PieceBounds> bounds_;  ///< of their pieces
+  std::vector<PieceBounds> bounds_;  ///< of the contours' pieces
   bool has_outer_ = false;
 };
 

@@ -9,9 +9,9 @@ namespace mrsim {
 namespace {
 
 constexpr double kSameCorner = 1e-6;  // mm
-constexpr double kFalls = 2e-3;       // of a unit tangent: rounded ends of arcs
+constexpr double kFalls = 2e-3;       // slope of a unit tangent that rounded ends of arcs may have
 
-// Where the piece passes u, in order, between its start and its end.
+// The places v where the piece passes the level u, in order from its start to its end.
 std::vector<double> crossings(const PlanePiece& piece, double u) {
   std::vector<double> out{0, extent(piece)};
   const auto add = [&](Vec2 p) {
@@ -70,7 +70,7 @@ double RoughContour::deepest() const {
   return rise_ * low;
 }
 
-// A flat piece at the level is run along.
+// A flat piece at the level belongs to a stretch.
 std::vector<FreeStretch> RoughContour::free_at(double u) const {
   std::vector<FreeStretch> out;
   bool free = false;

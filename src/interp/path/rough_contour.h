@@ -1,7 +1,7 @@
-// The contour that a roughing cycle leaves: where a level lies above it. Works in two coordinates:
-// u, along which the levels lie, and v, along which the tool cuts. Guarantees: a contour that runs
-// on in v is a height over v, so that the stretches of a level that lie above it are found in
-// order. It may rise and fall (pockets, type II).
+// The contour that a roughing cycle leaves, and the stretches of a level that lie above it, in two
+// coordinates: each level has one u, and the tool cuts along v. Guarantees: a contour that never
+// runs back in v has one height for each v, so that the stretches are found in order. It may rise
+// and fall (pockets, type II).
 #pragma once
 
 #include "interp/path/plane_piece.h"
@@ -13,16 +13,16 @@ namespace mrsim {
 /// A stretch of a level that lies above the contour.
 struct FreeStretch {
   double from = 0, to = 0;  ///< v
-  bool first = false;       ///< it begins where the contour does
+  bool first = false;       ///< the stretch begins where the contour does
 };
 
-/// A motion of a turning contour in the coordinates (u, v), axes 0 (X) and 2 (Z), `shift` aside.
+/// A motion of a turning contour in the coordinates (u, v), axes 0 (X) and 2 (Z), moved by `shift`.
 PlanePiece turned_piece(const Motion& motion, int u, int v, const Vec3& shift);
 
 class RoughContour {
  public:
-  /// `pieces` from the end of the approach on; `rise` and `along` (1 or -1): away from the
-  /// material, and the direction in which the contour runs.
+  /// `pieces` begin at the end of the approach. `rise`, 1 or -1, is the direction in u away from
+  /// the material; `along`, 1 or -1, the direction in v in which the contour runs.
   RoughContour(std::vector<PlanePiece> pieces, double rise, double along)
       : pieces_(std::move(pieces)), rise_(rise), along_(along) {}
 

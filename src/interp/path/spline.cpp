@@ -11,7 +11,7 @@ namespace {
 
 constexpr double kNoLength = 1e-12;  // mm: shorter ways have no direction
 constexpr int kDeepest = 14;         // halvings of the parameter
-constexpr int kSamples = 12;         // points of the curve that are measured in each span
+constexpr int kSamples = 12;         // points that are measured in each span of the curve
 
 /// A stretch of a curve, over a parameter that begins at 0 and ends at 1.
 struct PlaneCurve {
@@ -26,7 +26,8 @@ class Approximation {
   void span(double from, double to, int depth) {
     const Vec2 a = point(from), b = point(to);
     std::vector<CurvePiece> pieces;
-    // The first halvings are made blindly: an S could pass through all samples of one biarc.
+    // The first halving is made without measuring: an S could pass through all samples of one
+    // biarc.
     const bool made = depth > 0 && biarc(a, tangent(from, to), b, tangent(to, from), pieces);
     if ((made && error(from, to, a, pieces) <= tolerance_) || depth >= kDeepest) {
       if (!made) pieces = {{b, {}}};
@@ -53,7 +54,8 @@ class Approximation {
     return l > 0 ? (1 / l) * d : Vec2{1, 0};
   }
 
-  // Two arcs with the tangents of the curve at both ends, the control legs equally long.
+  // Makes two arcs that have the tangents of the curve at both ends, with control legs of one
+  // length.
   static bool biarc(Vec2 a, Vec2 ta, Vec2 b, Vec2 tb, std::vector<CurvePiece>& pieces) {
     const Vec2 v = b - a, t = ta + tb;
     const double vt = dot(v, t), denominator = 2 * (1 - dot(ta, tb)), vv = dot(v, v);
@@ -123,10 +125,10 @@ PlaneCurve bezier(const std::array<Vec2, 4>& c) {
   return {point, derivative};
 }
 
-/// One stretch between two knots, by de Boor's scheme on (w x, w y, w).
+/// One stretch of a NURBS between two knots, by de Boor's scheme on (w x, w y, w).
 class NurbsStretch {
  public:
-  /// `first`: of the `order` control points that count in it.
+  /// `first`: the first of the `order` control points that have an effect on it.
   NurbsStretch(const std::vector<NurbsPoint>& control, int order, std::size_t first)
       : degree_(order - 1), first_(static_cast<int>(first)) {
     last_knot_ = static_cast<int>(control.size()) - degree_;

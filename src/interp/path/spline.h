@@ -22,14 +22,16 @@ struct NurbsPoint {
   double weight = 1;
 };
 
-/// What a NURBS may come to; a curve of more pieces ends early.
+/// The most pieces of a NURBS; a curve of more pieces ends early.
 inline constexpr std::size_t kMostCurvePieces = 1'000'000;
 
-/// Requires: order from 2 to the number of points. A curve that is one point gives nothing.
+/// The arcs of a NURBS. Requires: order from 2 to the number of points. A curve that is one point
+/// gives nothing.
 std::vector<CurvePiece> nurbs_arcs(const std::vector<NurbsPoint>& control, int order,
                                    double tolerance);
 
-/// Control points in order. A curve that is one point gives nothing.
+/// The arcs of a cubic Bezier curve, by its control points in order. A curve that is one point
+/// gives nothing.
 std::vector<CurvePiece> bezier_arcs(const std::array<Vec2, 4>& control, double tolerance);
 
 }  // namespace mrsim

@@ -10,9 +10,9 @@
 namespace mrsim {
 namespace {
 
-constexpr double kNoCorner = 0.05;  // radians: smaller turns have none
+constexpr double kNoCorner = 0.05;  // radians: a smaller turn is no corner
 
-// The tool runs outside of the circle.
+// Whether the tool runs outside of the circle.
 bool outside_circle(const PlanePiece& piece, int side) { return piece.sweep * side < 0; }
 
 // A full turn back is an outside corner, up to kNoCorner before it. Where the tool runs outside of
@@ -27,7 +27,7 @@ Corner stepwise_kind(const PathMove& a, const PathMove& b) {
   return (turn < 0 ? turn + kTwoPi : turn) < back ? Corner::inside : Corner::outside;
 }
 
-// Where both meet before the end of the first, or failing that behind it.
+// Finds where both meet: before the end of the first, else behind it.
 bool meets_inside(const PlanePiece& piece, const PlanePiece& next, Vec2& out) {
   std::array<Vec2, 2> hits;
   const int n = intersect(piece, next, hits);
@@ -70,7 +70,7 @@ CornerWay stepwise_way(const PathMove& first, const PlanePiece& piece, const Pat
   const PlanePiece next = moved(after);
   CornerWay way;
   way.end = piece.end;
-  if (is_void(next)) return way;  // reported in its turn
+  if (is_void(next)) return way;  // it is reported when it is run
   const Corner kind = stepwise_kind(first, after);
   if (kind == Corner::inside && !meets_inside(piece, next, way.end)) {
     too_tight = true;

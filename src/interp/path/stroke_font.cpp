@@ -9,7 +9,7 @@ namespace {
 constexpr double kCapitalHeight = 21;
 constexpr int kBaseLine = 9;
 
-// Points begin behind the glyph's two edges.
+// Adds the strokes of a glyph. Its points stand behind its two edges.
 void add_glyph(std::string_view glyph, TextStrokes& out) {
   const int left = glyph[0] - 'R';
   bool down = false;

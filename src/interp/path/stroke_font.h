@@ -1,5 +1,5 @@
-// Letters of one line: text as strokes of a tool that engraves. A plain font (Hershey's simplex),
-// as those of controls are not published. ASCII alone.
+// Text as strokes of a tool that engraves, in a plain font (Hershey's simplex), because the fonts
+// of controls are not published. Only ASCII.
 #pragma once
 
 #include "core/numbers/vec.h"
@@ -16,12 +16,13 @@ extern const std::string_view kStrokeFont[kStrokeFontSize];
 
 struct TextStrokes {
   std::vector<std::vector<Vec2>> strokes;  ///< each in one go
-  double width = 0;                        ///< to where a next letter would begin
+  double width = 0;                        ///< to the beginning of the next letter
 };
 
 inline bool font_has(char c) { return c >= ' ' && c <= '~'; }
 
-/// `text` on the line y = 0 from {0, 0}; capitals have the height 1. What is not ASCII is left out.
+/// `text` on the line y = 0 from {0, 0}; capitals have the height 1. Other characters than ASCII
+/// are left out.
 TextStrokes text_strokes(std::string_view text);
 
 /// One letter without the space on its sides: its strokes begin at x = 0. A blank is as wide as it

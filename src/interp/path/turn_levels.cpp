@@ -10,9 +10,9 @@ namespace {
 constexpr double kNoMove = 1e-3;      // arcs shorter than this are not run
 constexpr double kBottomless = -1e9;  // a level below everything
 constexpr std::size_t kMostSteps = 200'000;
-constexpr std::size_t kMostLooks = 200'000'000;  // at pieces
+constexpr std::size_t kMostLooks = 200'000'000;  // how often pieces are looked at
 
-/// Where a piece passes a height, in x, the first two of which count.
+/// Where a piece passes a height: up to two places in x.
 struct Crossings {
   double x[2] = {0, 0};
   int count = 0;
@@ -23,7 +23,7 @@ struct Crossings {
   double last() const { return x[count - 1]; }
 };
 
-// Whether a point of the circle lies between the ends of an arc of up to half a turn.
+// Whether a point of the circle lies on an arc of up to half a turn.
 bool within(const ProfilePiece& arc, Vec2 p) {
   const double sense = arc.ccw ? 1 : -1;
   const Vec2 q = p - arc.center;
@@ -70,7 +70,7 @@ void LevelCuts::arc(const ProfilePiece& piece, Vec2 to) {
   at_ = to;
 }
 
-// Goes down piece `i`, at most to the level. False: the piece does not fall here.
+// Follows piece `i` down, at most to the level. False: the piece does not fall here.
 bool LevelCuts::falls(std::size_t i, double level) {
   const ProfilePiece& piece = pieces_[i];
   if (piece.arc) return arc_falls(i, level);
@@ -91,17 +91,17 @@ bool LevelCuts::falls(std::size_t i, double level) {
 
 bool LevelCuts::arc_falls(std::size_t i, double level) {
   const ProfilePiece& piece = pieces_[i];
-  if (at_.x - piece.end.x <= kSameTurnPlace) {  // it has been run
+  if (at_.x - piece.end.x <= kSameTurnPlace) {  // it has been cut
     at_ = piece.end;
     return true;
   }
   Crossings found = crossings(piece, level);
   if (found.count == 0) found = crossings(piece, level - kSameTurnPlace);
   if (piece.ccw ? at_.x - kSameTurnPlace > piece.center.x : at_.x <= piece.center.x) return false;
-  if (piece.ccw) {  // falls behind its top
+  if (piece.ccw) {  // the arc falls behind its top
     const bool below = found.count == 0 || found.last() > piece.center.x;
     arc(piece, below ? piece.end : Vec2{found.last(), level});
-  } else if (found.count == 0) {  // falls to its bottom, and rises again
+  } else if (found.count == 0) {  // the arc falls to its bottom, and rises again
     arc(piece, piece.end);
   } else if (found.first() >= piece.center.x) {
     arc(piece, {found.first(), level});
@@ -109,7 +109,7 @@ bool LevelCuts::arc_falls(std::size_t i, double level) {
   return true;
 }
 
-// Goes up along piece `i`. False: it falls from here on, or a round top has been reached.
+// Follows piece `i` up. False: it falls from here on, or the top of an arc has been reached.
 bool LevelCuts::rises(std::size_t i) {
   const ProfilePiece& piece = pieces_[i];
   if (!piece.arc) {
@@ -131,7 +131,8 @@ bool LevelCuts::rises(std::size_t i) {
   return !piece.ccw;
 }
 
-// Over the pockets: to where the piece rises above the height of the tool, and up along it.
+// Passes over pockets: goes to where the piece rises above the height of the tool, and follows it
+// up.
 void LevelCuts::rise_only(std::size_t i) {
   const ProfilePiece& piece = pieces_[i];
   if (!piece.arc && piece.end.y < piece.start.y) return;
@@ -153,7 +154,7 @@ void LevelCuts::rise_only(std::size_t i) {
   at_ = to;
 }
 
-// Along the level to the contour, away from it and back to where the cut began.
+// Cuts along the level to the contour, leaves it, and goes back to where the cut began.
 void LevelCuts::cut_to(std::size_t i, double end) {
   const double travel = at_.x - end;
   const double away = how_.retract > 0 ? std::min(how_.retract, travel / 2) : 0;
@@ -183,7 +184,7 @@ LevelCuts::Cut LevelCuts::cut(std::size_t& i) {
   return Cut::none;
 }
 
-// Up along the contour until it falls. False: it has been run to its end.
+// Follows the contour up until it falls. False: its end has been reached.
 bool LevelCuts::to_next_pocket(std::size_t& i) {
   while (i < pieces_.size() && rises(i)) ++i;
   if (i >= pieces_.size() || !fault_.text.empty()) return false;
@@ -197,7 +198,7 @@ bool LevelCuts::to_next_pocket(std::size_t& i) {
 ProfileFault LevelCuts::run() {
   tops_.assign(1, at_);
   std::size_t i = 0;
-  if (how_.pockets == Pockets::rest)  // what the first passes have cut is run down at once
+  if (how_.pockets == Pockets::rest)  // goes down at once where the first passes have cut
     while (i < pieces_.size() && falls(i, kBottomless)) ++i;
   double level = tops_.back().y;
   for (std::size_t steps = 0; i < pieces_.size() && fault_.text.empty(); ++steps) {

@@ -7,7 +7,7 @@
 
 namespace mrsim {
 
-inline constexpr double kSameTurnPlace = 1e-6;  ///< of the program's unit
+inline constexpr double kSameTurnPlace = 1e-6;  ///< in the program's unit
 
 class LevelCuts {
  public:
@@ -37,7 +37,8 @@ class LevelCuts {
   const Roughing& how_;
   std::vector<ProfileMove>& out_;
   Vec2 at_;
-  std::vector<Vec2> tops_;  ///< where levels are counted from: the start, then a pocket's rim
+  std::vector<Vec2>
+      tops_;  ///< heights from which levels count: the start, then the rims of pockets
   std::size_t looks_ = 0;
   ProfileFault fault_;
 };

@@ -12,11 +12,11 @@ namespace {
 
 using Pieces = std::vector<ProfilePiece>;
 
-constexpr double kSmall = 1e-3;  // pieces below this are left out
-constexpr double kGap = 1e-2;    // between pieces set aside: an arc closes larger ones
+constexpr double kSmall = 1e-3;  // shorter pieces are left out
+constexpr double kGap = 1e-2;    // between offset pieces: an arc closes a larger gap
 constexpr std::size_t kMostWork = 10'000'000;
 
-/// The contour as it is worked on: it runs towards -x, and its end is not below its begin.
+/// The contour turned so that it runs towards -x, and its end is not below its beginning.
 struct View {
   bool across = false;
   double along = 1, up = 1;
@@ -56,8 +56,8 @@ double size_of(const ProfilePiece& piece) {
   return piece.arc ? std::min(chord, length(piece.start - piece.center)) : chord;
 }
 
-// Whether the piece leads towards -x all the way: of an arc, whether it keeps to one side of its
-// centre's height.
+// Whether the piece leads towards -x all the way: an arc does if it stays on one side of the height
+// of its centre.
 bool runs_on(const ProfilePiece& piece) {
   const double travel = piece.end.x - piece.start.x;
   if (piece.corner != ProfilePiece::Corner::none) return true;
@@ -94,8 +94,8 @@ Vec2 lines_meet(const ProfilePiece& a, const ProfilePiece& b) {
   return a.start + (cross(b.start - a.start, e) / det) * d;
 }
 
-// Where line and circle meet, else where they are nearest to each other. The circle's radius is
-// that of the arc's end.
+// The place where line and circle meet, else where they are nearest to each other. The radius of
+// the circle is taken at the arc's end.
 Vec2 line_meets_circle(const ProfilePiece& line, const ProfilePiece& arc, Vec2 near) {
   const Vec2 d = line.end - line.start;
   const Vec2 unit = (1 / length(d)) * d;
@@ -114,7 +114,7 @@ Vec2 circles_meet(const ProfilePiece& a, const ProfilePiece& b) {
   const double half = std::sqrt(std::max(0.0, ra * ra - along * along));
   const Vec2 unit = (1 / apart) * d, foot = a.center + along * unit;
   const Vec2 side = half * Vec2{-unit.y, unit.x};
-  // Two hollows meet in a ridge; other arcs on the side from which the tool comes.
+  // Two hollow arcs meet in a ridge, other arcs on the side from which the tool comes.
   return a.ccw || b.ccw ? foot - side : nearer(near, foot - side, foot + side);
 }
 
@@ -127,7 +127,7 @@ void join(ProfilePiece& a, ProfilePiece& b) {
                                    : lines_meet(a, b);
 }
 
-// A fillet or chamfer of the piece's size between its neighbours. False: they leave no place.
+// Makes a fillet or chamfer of the piece's size between its neighbours. False: there is no room.
 bool make_corner(ProfilePiece& corner, ProfilePiece& before, ProfilePiece& behind) {
   double size = corner.size;
   ProfilePiece a, b;
@@ -173,7 +173,7 @@ ProfileFault check_direction(Pieces& pieces, const View& view) {
   return {};
 }
 
-// Pieces whose ends have moved apart get an arc between them.
+// Puts an arc between pieces whose ends have moved apart.
 void close_gaps(Pieces& pieces, double step) {
   for (std::size_t i = 0; i + 1 < pieces.size(); ++i) {
     if (pieces[i].end.x - pieces[i + 1].start.x <= kGap) continue;
@@ -205,8 +205,8 @@ ProfileFault join_all(Pieces& pieces) {
   return {};
 }
 
-// Leaves an allowance on the contour, on the side from which the tool comes: in steps so small that
-// a piece that vanishes does so by itself.
+// Leaves an allowance on the contour, on the side from which the tool comes. A step is at
+// most half of the shortest piece, so that a piece becomes short before it vanishes.
 ProfileFault leave(Pieces& pieces, double allowance) {
   const ProfilePiece way = pieces.front();
   const Vec2 first = way.end - way.start, whole = pieces.back().start - way.start;
@@ -243,7 +243,7 @@ void show(const std::vector<ProfileMove>& moves, const View& view, std::vector<P
   }
 }
 
-// A contour that does not lead back to where the cycle began is led there across the cuts.
+// A contour that does not end where the cycle began gets a piece that leads there, across the cuts.
 void lead_out(Pieces& pieces, bool across) {
   const ProfilePiece &way = pieces.front(), &last = pieces.back();
   const auto side = [&](Vec2 p) { return across ? p.x : p.y; };

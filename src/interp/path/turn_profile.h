@@ -1,7 +1,7 @@
 // The contour of LinuxCNC's turning cycles G70, G71, G72: fillets and chamfers at its corners,
 // allowances, and the moves that rough or finish it. Lengths are in the program's unit, because
 // LinuxCNC's tolerances are. Guarantees: the moves of its interpreter, in its order; what it can
-// not cut is a fault with a reason. Does not: know words, blocks or tools.
+// not cut is a fault with a reason. Does not know words, blocks or tools.
 #pragma once
 
 #include "core/numbers/vec.h"
@@ -12,14 +12,14 @@
 
 namespace mrsim {
 
-/// A piece of a contour; the first is the way to it.
+/// A piece of a contour. The first piece is the way to it.
 struct ProfilePiece {
   enum class Corner { none, fillet, chamfer };
   bool arc = false, ccw = false;
   Vec2 start, end, center;
-  Corner corner = Corner::none;  ///< made at the place `start`, of `size`
+  Corner corner = Corner::none;  ///< the corner at `start`, of the size `size`
   double size = 0;
-  int source = -1;  ///< for faults: what the caller says it came from
+  int source = -1;  ///< where the piece comes from, a number of the caller's, for faults
 };
 
 struct ProfileMove {
@@ -31,14 +31,14 @@ struct ProfileMove {
 };
 
 struct ProfileFault {
-  std::string text;  ///< empty: none
+  std::string text;  ///< why it cannot be cut; empty: it can
   int source = -1;
 };
 
 /// Which pockets a roughing cycle cuts: G71, G71.1, G71.2.
 enum class Pockets { all, none, rest };
 
-/// G71 G72.
+/// The values of G71 and G72.
 struct Roughing {
   bool across = false;  ///< G72: levels in z
   Pockets pockets = Pockets::all;
@@ -46,7 +46,7 @@ struct Roughing {
   double allowance = 0;            ///< D
 };
 
-/// G70: passes at distances from `first` to `last`.
+/// The values of G70: passes at distances from `first` to `last`.
 struct Finishing {
   int passes = 1;
   double first = 0, last = 0;

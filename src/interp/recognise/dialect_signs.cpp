@@ -25,7 +25,7 @@ std::size_t count_numbers(std::string_view c) {
   return n;
 }
 
-// "O100 SUB", "O<POCKET> CALL [1]", "N10 O5 ENDIF": what LinuxCNC does with O words.
+// Whether it is an O word of LinuxCNC: "O100 SUB", "O<POCKET> CALL [1]", "N10 O5 ENDIF".
 bool is_o_word(std::string_view c) {
   std::size_t i = c.find_first_not_of(" \t");
   if (i != c.npos && c[i] == 'N') i = c.find_first_not_of("0123456789 ", i + 1);
@@ -49,7 +49,7 @@ bool is_o_word(std::string_view c) {
   return false;
 }
 
-// "%PART,MX,": the header of a program of Fagor's 8055.
+// Whether it is the header of a program of Fagor's 8055: "%PART,MX,".
 bool is_fagor_header(std::string_view raw) {
   if (raw.size() < 4 || raw[0] != '%') return false;
   const std::size_t name = raw.find(','), end = raw.find(',', name + 1);
@@ -57,7 +57,8 @@ bool is_fagor_header(std::string_view raw) {
   return raw.substr(name + 1, end - name - 1).find_first_not_of("OMXHEV") == raw.npos;
 }
 
-// "X[#1+2]", "Y [3]": an expression in brackets, which SINUMERIK does not have behind a letter.
+// Whether an expression in brackets stands behind a letter, which SINUMERIK does not have:
+// "X[#1+2]".
 bool has_bracket_value(std::string_view c) {
   for (std::size_t i = 0; i + 1 < c.size(); ++i)
     if (c[i + 1] == '[' && std::string_view("XYZIJKUVWF").find(c[i]) != c.npos &&
@@ -70,7 +71,7 @@ bool has_any_axis(std::string_view c, std::string_view axes) {
   return std::any_of(axes.begin(), axes.end(), [&](char axis) { return has_axis(c, axis); });
 }
 
-// "D3.5", a length: registers have whole numbers.
+// Whether D is a length, "D3.5": registers have whole numbers.
 bool has_broken_d(std::string_view c) {
   for (std::size_t i = c.find('D'); i != c.npos; i = c.find('D', i + 1)) {
     const std::size_t end = c.find_first_not_of("0123456789", i + 1);
@@ -80,19 +81,20 @@ bool has_broken_d(std::string_view c) {
   return false;
 }
 
-// "G20 L20 K$A$": a jump, no unit.
+// Whether G20 is a jump of CODESYS, "G20 L20 K$A$", and not the unit.
 bool is_codesys_jump(std::string_view c) {
   return has_word(c, "G20") && c.find('L') != c.npos && !has_any_axis(c, "XYZFST");
 }
 
-// Tools, the spindle, lengths, drilling cycles, feeds: what a PLC's decoder has no words for.
+// Whether there are words for tools, the spindle, lengths, drilling cycles or feeds, which the
+// decoder of a PLC does not have.
 bool speaks_of_tools(std::string_view c, bool center) {
   if (has_any_word(c, {"M6", "M06", "G43", "G49", "G80", "G28", "G94", "G95"})) return true;
   if (has_axis(c, 'S') && has_any_word(c, {"M3", "M03", "M4", "M04"})) return true;
   return has_axis(c, 'T') && !center;
 }
 
-// "VC1=0", "N10 VC12 = VC1+2": a variable of Okuma's OSP.
+// Whether a variable of Okuma's OSP is set: "VC1=0", "N10 VC12 = VC1+2".
 bool sets_common_variable(std::string_view c) {
   std::size_t i = c.find("VC");
   if (i == c.npos || (i > 0 && is_name(c[i - 1])) || !is_digit(c[std::min(i + 2, c.size() - 1)]))
@@ -121,7 +123,8 @@ Dialect DialectSigns::best() const {
   return winner;
 }
 
-// ".CNC" is a name of many controls: it decides nothing where the text speaks of tools.
+// Files of many controls end in ".CNC", so the ending decides nothing where the text has words for
+// tools.
 int DialectSigns::points(Dialect d) const {
   const Entry& entry = entries_[slot(d)];
   const bool name_alone = entry.signs.size() == 1 && cnc_name_;
@@ -160,7 +163,8 @@ void DialectSigns::line(const LineScan& scan, std::string_view raw, int number) 
   if (!scan.comment.empty()) weigh_comment(scan, number);
 }
 
-// "G3 X30 R10": R with a number is a radius; of SINUMERIK it would be "R10=5", or stand in a value.
+// Whether R with a number is a radius, "G3 X30 R10". On SINUMERIK R10 is a variable: "R10=5", or in
+// a value.
 bool has_radius_word(const std::string& c) {
   for (std::size_t i = c.find('R'); i != c.npos; i = c.find('R', i + 1)) {
     if (i > 0 && c[i - 1] != ' ' && !is_digit(c[i - 1]) && c[i - 1] != '.') continue;
@@ -196,7 +200,7 @@ void DialectSigns::weigh_sinumerik(const LineScan& s, int line) {
   if (has_any_word(s.code, {"G4", "G04"}) && has_axis(s.code, 'F')) add(d, 4, "G4 F", line);
   if (has_any_word(s.code, {"G710", "G700"})) add(d, 8, "G710", line);
   if (has_any_word(s.code, {"G450", "G451"})) add(d, 8, "G450/G451", line);
-  // A program that begins in ISO mode is FANUC's from there on.
+  // A program that begins in ISO mode is FANUC's.
   if (!moved_ && has_word(s.code, "G291")) add(Dialect::fanuc, 60, "G291, the ISO mode", line);
   moved_ = moved_ || has_any_axis(s.code, "XYZ");
 }
@@ -293,7 +297,7 @@ void DialectSigns::weigh_codesys(const LineScan& s, int line) {
       std::count(c.begin(), c.end(), '$') > 1)
     add(d, 6, "a variable in $ $", line);
   if (has_word(c, "G16") && center) add(d, 10, "G16 with a normal vector", line);
-  // FANUC's return level and feed mode stand alone, too; an arc does not follow them.
+  // FANUC's return level and feed mode also stand alone, but an arc does not follow them.
   const bool mode = has_any_word(c, {"G98", "G99"});
   if (named_arc && center && (mode || center_mode_ > 0))
     add(d, 5, "G98/G99 for the centre", mode ? line : center_mode_);
@@ -351,7 +355,7 @@ void DialectSigns::weigh_ngc(const LineScan& s, std::string_view raw, int line) 
       if (head.starts_with(word)) add(d, 6, "an active comment", line);
 }
 
-// Who posted the program, and for what.
+// A comment may name the post and the control.
 void DialectSigns::weigh_comment(const LineScan& s, int line) {
   if (line > 60) return;
   const std::string comment = upper_case(s.comment.substr(0, 200));

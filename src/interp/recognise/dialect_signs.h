@@ -1,4 +1,4 @@
-// Signs of the controls in a program's text, weighed.
+// Weighs the signs of the controls in a program's text.
 #pragma once
 
 #include "interp/text/line_scan.h"
@@ -11,28 +11,28 @@
 
 namespace mrsim {
 
-/// Whether a file's name, or a line, is of Okuma's OSP, which speaks FANUC's dialect with words of
-/// its own.
+/// Whether a file's name, or a line, is one of Okuma's OSP, whose dialect is FANUC's with its own
+/// words.
 bool names_okuma(const std::string& path);
 bool is_okuma(const LineScan& scan);
 
-/// Points for each dialect, and the strongest sign of each.
+/// The points of each dialect, and its strongest sign.
 class DialectSigns {
  public:
-  /// What the file's name says.
+  /// Weighs the name of the file.
   void name(const std::string& path);
   void line(const LineScan& scan, std::string_view raw, int number);
-  /// A line of plain motion, as read_plain() finds it.
+  /// Weighs a line of plain motion, as read_plain() has found it.
   void plain(const PlainLine& line, int number) {
     if (line.arc) arcs_ = true;
     if (line.line) arcs_ = false;
     if (line.arc && line.radius) weigh_radius(number);
   }
 
-  /// Without signs: ISO.
+  /// The dialect with the most points; ISO where there are no signs.
   Dialect best() const;
   const std::string& reason(Dialect d) const { return entries_[slot(d)].reason; }
-  /// No other dialect is near.
+  /// Whether no other dialect has nearly as many points.
   bool certain() const;
 
  private:
@@ -44,7 +44,8 @@ class DialectSigns {
 
   static std::size_t slot(Dialect d) { return static_cast<std::size_t>(d); }
   int points(Dialect d) const;
-  /// Each sign counts once: a thousand comments say no more than one.
+  /// Adds points for a sign. Each sign counts once, because a thousand comments prove no more than
+  /// one.
   void add(Dialect dialect, int points, std::string_view sign, int line);
   void weigh_sinumerik(const LineScan& s, int line);
   void weigh_radius(int line);
@@ -59,7 +60,7 @@ class DialectSigns {
   std::array<Entry, 6> entries_;
   bool moved_ = false;     ///< an axis word was seen
   bool cnc_name_ = false;  ///< the file's name ends in .CNC
-  bool tools_ = false;     ///< words that CODESYS does not have
+  bool tools_ = false;     ///< words that CODESYS does not have were seen
   bool arcs_ = false;      ///< G2 or G3 is in force
   int center_mode_ = 0;    ///< the line above, if it is G98 or G99 alone
   bool o_word_ = false;    ///< the line is an O word of LinuxCNC

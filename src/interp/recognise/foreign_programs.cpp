@@ -12,7 +12,7 @@
 namespace mrsim {
 namespace {
 
-constexpr int kHeadLines = 400;  // conversational programs say what they are early
+constexpr int kHeadLines = 400;  // conversational programs name their control early
 constexpr int kTitleLines = 30;  // where comments name the machine
 
 bool ends_with(const std::string& path, std::initializer_list<std::string_view> extensions) {
@@ -21,7 +21,7 @@ bool ends_with(const std::string& path, std::initializer_list<std::string_view> 
   return std::find(extensions.begin(), extensions.end(), extension) != extensions.end();
 }
 
-// The text without a block number.
+// The text of a block without its number.
 std::string_view body(std::string_view code) {
   std::size_t i = code.find_first_not_of(" \t0123456789");
   return i == code.npos ? std::string_view() : code.substr(i);
@@ -37,7 +37,8 @@ bool begins_any(std::string_view text, std::initializer_list<std::string_view> h
                      [&](std::string_view head) { return text.starts_with(head); });
 }
 
-// Cycles of the 8055 T: G66, G68 and G69 X Z C S E along blocks S to E; G81 and G82 X Z Q R C.
+// Cycles of Fagor's lathe control 8055 T: G66, G68 and G69 X Z C S E cut along blocks S to E; G81
+// and G82 have X Z Q R C.
 bool fagor_turning(std::string_view code) {
   const std::string line(code);
   const auto all = [&](std::string_view letters) {
@@ -47,7 +48,7 @@ bool fagor_turning(std::string_view code) {
   return (has_word(line, "G81") || has_word(line, "G82")) && all("XZQRC");
 }
 
-// Files of drills, plotters and routers that speak no G code; or nullptr.
+// The format of a file for drills, plotters and routers that has no G code; or null.
 const char* named_format(const std::string& path, std::string_view raw) {
   const std::string text = upper_case(raw.substr(0, 64));
   const std::string_view line(text.data(), text.find_last_not_of(" \t\r") + 1);
@@ -62,7 +63,7 @@ const char* named_format(const std::string& path, std::string_view raw) {
   return is_wood ? "a woodworking program (woodWOP, bSolid, Xilog)" : nullptr;
 }
 
-// A block that ends in "*"; brackets may stand behind the code.
+// Whether the block ends in "*". Brackets may stand behind the code.
 bool ends_in_star(std::string_view code, std::string_view raw) {
   const std::size_t last = raw.find_last_not_of(" \t\r");
   const std::string_view whole = code.substr(0, code.find_last_not_of(" \t\r") + 1);
@@ -70,7 +71,7 @@ bool ends_in_star(std::string_view code, std::string_view raw) {
          (whole[0] == '%' || whole[0] == 'N');
 }
 
-// What the line alone proves, or nullptr.
+// The control that this line alone proves, or null.
 const char* named_control(const std::string& path, std::string_view code, std::string_view raw) {
   const std::string_view text = body(code);
   if (begins_any(text, {"BEGIN PGM ", "TOOL CALL ", "TOOL DEF ", "CYCL DEF ", "BLK FORM "}))
@@ -127,7 +128,8 @@ void ForeignPrograms::weigh_printer(const std::string& code, int number, std::st
     refuse("the program of a 3-D printer (it heats and extrudes)", number, raw);
 }
 
-// The pen's servo stands at S; M300 beeps where it has a length P, or where a spindle turns.
+// S of M300 is the place of a pen's servo. But M300 is a tone where it has a length P, or where a
+// spindle turns.
 void ForeignPrograms::weigh_plotter(const std::string& code, int number, std::string_view raw) {
   for (const std::string_view word : {"M3", "M03", "M4", "M04"})
     if (has_word(code, word)) spindle_ = true;
@@ -138,8 +140,8 @@ void ForeignPrograms::weigh_plotter(const std::string& code, int number, std::st
   pen_text_ = raw;
 }
 
-// NUM: G77 and G79 call and jump to N words; "%12" at the head, and G52 beside a motion, which is a
-// place of the machine there.
+// NUM: G77 calls and G79 jumps to N words; the head is "%12"; G52 beside a motion is a place in
+// machine coordinates.
 void ForeignPrograms::weigh_num(const std::string& code, int number, std::string_view raw) {
   const std::size_t last = code.find_last_not_of(" \t\r");
   if (code.size() > 1 && code[0] == '%' && code.find_first_not_of("0123456789", 1) > last)
@@ -150,8 +152,8 @@ void ForeignPrograms::weigh_num(const std::string& code, int number, std::string
     refuse("a program of NUM's control", number, raw);
 }
 
-// Huazhong's HNC, "%12" at the head: G80, G81 and G82 X Z F are cycles of turning, facing and
-// threading; G71 to G73 have their contour and their allowances in one block.
+// Huazhong's HNC: the head is "%12"; G80, G81 and G82 X Z F are cycles of turning, facing and
+// threading; G71 to G73 have contour and allowances in one block.
 void ForeignPrograms::weigh_hnc(const std::string& code, int number, std::string_view raw) {
   const auto any = [&](std::initializer_list<std::string_view> words) {
     return std::any_of(words.begin(), words.end(),
@@ -164,7 +166,7 @@ void ForeignPrograms::weigh_hnc(const std::string& code, int number, std::string
   if (pass || rough) refuse("a turning program of Huazhong's control (HNC)", number, raw);
 }
 
-// A laser's power is S, it is switched by M3, M4 and M5, and nothing moves in Z.
+// Laser: S is its power, M3, M4 and M5 switch it, and nothing moves in Z.
 void ForeignPrograms::weigh_laser(const LineScan& s, int number) {
   const std::string& c = s.code;
   if (upper_case(s.comment).find("LASER") != std::string::npos ||
@@ -188,7 +190,7 @@ void ForeignPrograms::weigh_laser(const LineScan& s, int number) {
   if (power && !starts && (has_axis(c, 'X') || has_axis(c, 'Y'))) ++powered_moves_;
 }
 
-// Z of a sliding headstock is the bar's, which moves towards the tools: plus cuts deeper.
+// Sliding headstock: Z moves the bar towards the tools, so that plus cuts deeper.
 void ForeignPrograms::weigh_sliding_head(const LineScan& s, int number, std::string_view raw) {
   const std::string comment = upper_case(s.comment);
   if (any_of(comment,
@@ -198,7 +200,7 @@ void ForeignPrograms::weigh_sliding_head(const LineScan& s, int number, std::str
            raw);
 }
 
-// "%MPF 90" at the head; "@371" or "(TEXT)", which a later SINUMERIK has not.
+// Old SINUMERIK: the head is "%MPF 90"; "@371" or "(TEXT)", which later ones do not have.
 void ForeignPrograms::weigh_old_sinumerik(const LineScan& s, int number, std::string_view raw) {
   if (s.code.starts_with("%MPF") || s.code.starts_with("%SPF"))
     old_sinumerik_ = s.code.find_first_not_of("0123456789 ", 4) == s.code.npos;
@@ -212,7 +214,7 @@ void ForeignPrograms::line(std::string_view raw, const LineScan& scan, int numbe
   if (scan.code.size() > 1 && scan.code[0] == 'O' && is_digit(scan.code[1])) o_number_ = true;
   if (number <= kHeadLines && !o_number_ && ends_in_star(scan.code, raw))
     refuse("a Heidenhain DIN/ISO program (blocks that end in *)", number, raw);
-  // M48 heads a drill file; behind the first words of a program it allows overrides.
+  // M48 is the head of a drill file. Behind the first words of a program it allows overrides.
   if (scan.code == "M48" && !coded_) refuse("an Excellon drill file", number, raw);
   coded_ = coded_ || !scan.code.empty();
   if (number <= kHeadLines)

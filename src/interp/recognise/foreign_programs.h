@@ -1,5 +1,5 @@
-// Programs that are none of the controls mrsim reads: conversational ones, 3-D printers, lasers.
-// They are named and refused with one error, instead of one for each line.
+// Programs of controls that mrsim does not read: conversational ones, 3-D printers, lasers. Such a
+// program is named and refused with one error, instead of one for each line.
 #pragma once
 
 #include "interp/text/line_scan.h"
@@ -13,16 +13,16 @@ class ForeignPrograms {
  public:
   explicit ForeignPrograms(const std::string& path) : path_(path) {}
 
-  /// A line of the text. Throws PlacedError "control-unsupported" at the first sure sign.
+  /// Looks at a line of the text. Throws PlacedError "control-unsupported" at the first sure sign.
   void line(std::string_view raw, const LineScan& scan, int number);
-  /// A line of plain motion, which needs no scan.
+  /// Looks at a line of plain motion, which needs no scan.
   void plain(const PlainLine& line) {
     z_ |= line.third;
     y_ |= line.second;
   }
-  /// The lines to come can not make a laser's program of it.
+  /// Whether it can no longer be a program of a laser.
   bool settled() const { return z_ || other_; }
-  /// Throws for what only the whole text shows: a laser's program, a pen plotter's.
+  /// Throws for programs that only the whole text shows: of a laser or a pen plotter.
   void finish() const;
 
  private:

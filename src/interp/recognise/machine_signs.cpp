@@ -18,8 +18,8 @@ bool moves(const std::string& c) {
   return false;
 }
 
-// Words of FANUC that are a lathe's unless something moves in Y: increments U W, cycles of system
-// A, the limit of the speed.
+// Whether there are words of FANUC that mean a lathe unless something moves in Y: increments U W,
+// cycles of system A, the limit of the speed.
 bool turning_words(const std::string& c) {
   const bool dwell = has_word(c, "G4") || has_word(c, "G04");
   if (!dwell && (has_axis(c, 'U') || has_axis(c, 'W'))) return true;
@@ -30,8 +30,8 @@ bool turning_words(const std::string& c) {
   return has_word(c, "G92") && has_axis(c, 'Z') && has_axis(c, 'F');
 }
 
-// G70 to G75 of a lathe have words of their own; alone, G70 and G71 are the units of Mach and
-// Vectric. G74 of a mill taps, but not by R alone.
+// G70 to G75 of a lathe have their own words. Without words, G70 and G71 are the units of Mach and
+// Vectric. G74 of a mill taps, but not with only an R.
 bool turning_cycle(const std::string& c, std::string_view g) {
   if (!has_word(c, g)) return false;
   if (g == "G74") return has_axis(c, 'R') && c.find_first_of("XYZF") == c.npos;
@@ -40,7 +40,7 @@ bool turning_cycle(const std::string& c, std::string_view g) {
   return g != "G70" && (increments || g == "G75") && has_axis(c, 'R');
 }
 
-// T0101, and T010101 of Okuma: station and offset, and no M6 beside it.
+// Whether T names station and offset, T0101 or T010101 of Okuma, without an M6 beside it.
 bool turret_word(const std::string& c) {
   for (std::size_t i = c.find('T'); i != std::string::npos; i = c.find('T', i + 1)) {
     if (i > 0 && (is_letter(c[i - 1]) || c[i - 1] == '_')) continue;
@@ -57,14 +57,14 @@ bool turret_word(const std::string& c) {
   return false;
 }
 
-// T101 of Haas' lathes; alone it may be a tool of that number.
+// T101 of Haas' lathes is station and offset. Without other signs it may be a tool of that number.
 bool short_turret_word(const std::string& c) {
   for (char n = '1'; n <= '9'; ++n)
     if (has_word(c, std::string({'T', n, '0', n}))) return true;
   return false;
 }
 
-// SINUMERIK's cycles of mills; a lathe's live tools run them too, beside turning words.
+// SINUMERIK's milling cycles. Live tools of a lathe also run them, beside turning words.
 bool milling_cycle(const std::string& c) {
   for (const char* cycle :
        {"POCKET1", "POCKET2", "POCKET3", "POCKET4", "SLOT1",   "SLOT2",    "LONGHOLE",
@@ -74,8 +74,8 @@ bool milling_cycle(const std::string& c) {
   return false;
 }
 
-// J of lathes: the number of a thread's starts (G86, G87 of Fagor), the run-out of one (G92 of
-// GSK), a choice of its cycles (G71 P Q J K); or an argument of a macro.
+// Whether J is a word of a lathe: the number of a thread's starts (G86, G87 of Fagor), the run-out
+// of a thread (G92 of GSK), a choice of its cycles (G71 P Q J K); or an argument of a macro.
 bool turns_with_j(const std::string& c) {
   if (has_word(c, "G65") || has_word(c, "G66")) return true;
   if (has_word(c, "G92") && has_axis(c, 'Z')) return has_axis(c, 'F') || has_axis(c, 'I');
@@ -84,7 +84,7 @@ bool turns_with_j(const std::string& c) {
   return (has_word(c, "G86") || has_word(c, "G87")) && has_axis(c, 'Q') && has_axis(c, 'B');
 }
 
-// Drills and taps stand in the turrets of lathes, too.
+// Drills and taps also stand in the turrets of lathes, so they prove nothing.
 bool drills(const ToolHint& hint) {
   return hint.type == ToolType::drill || hint.trade == ToolTrade::tap ||
          hint.trade == ToolTrade::hole;
@@ -102,7 +102,7 @@ bool stays_at_y0(std::string_view c) {
   return true;
 }
 
-// Words with Y or J that are no motion: frames, data, threads of LinuxCNC.
+// Whether Y or J is no motion: it belongs to a frame, to data, or to a thread of LinuxCNC.
 bool sets_data(const std::string& c) {
   for (const std::string_view word : {"TRANS", "ROT ", "SCALE", "MIRROR", "WORKPIECE", "MSG("})
     if (c.find(word) != std::string::npos) return true;
@@ -136,7 +136,7 @@ void MachineSigns::weak_signs(const std::string& c, int n) {
   if (alone) note_first(ngc_lathe_, "G7 or G8", n);
 }
 
-// Y of a lathe's polar and cylindrical interpolation is no axis of the machine.
+// Y of polar and cylindrical interpolation on a lathe is no axis of the machine.
 bool MachineSigns::is_transformed(const std::string& c) {
   if (has_word(c, "TRANSMIT") || has_word(c, "TRACYL") || has_word(c, "G12.1") ||
       has_word(c, "G112") || has_word(c, "G107") || has_word(c, "G7.1"))
@@ -168,7 +168,7 @@ void MachineSigns::line(const LineScan& s, int n) {
   if (!is_turning(*hint.type) && !drills(hint)) mills_ = true;
 }
 
-// Why it is a mill although nothing moves in Y; empty: it is not known to be one.
+// Why it is a mill although nothing moves in Y; empty: no sign says so.
 std::string MachineSigns::weak_mill(bool tool_in_table, bool commented) const {
   if (tool_in_table) return "a milling tool in the tool table";
   if (!milling_cycle_.empty()) return milling_cycle_;
@@ -188,11 +188,11 @@ void MachineSigns::judge(const InterpOptions& options, Recognition& out) const {
   bool turning = false, milling = false;
   for (const Tool& tool : options.table.tools) (is_turning(tool.type) ? turning : milling) = true;
   const bool fanuc = out.dialect == Dialect::fanuc;
-  const bool ngc = out.dialect == Dialect::ngc;  // X is a length there until G7
+  const bool ngc = out.dialect == Dialect::ngc;  // X is a radius on LinuxCNC until G7
   const std::string& own = ngc ? ngc_lathe_ : fanuc ? fanuc_lathe_ : lathe_;
   const std::string& lathe = lathe_.empty() || (ngc && !own.empty()) ? own : lathe_;
   std::string weak = fanuc && !fanuc_turning_.empty() ? fanuc_turning_ : turning_;
-  // Beside turning tools or an axis C a milling tool in a turret is a live one.
+  // A milling tool in a turret is a live tool, if there are turning tools or an axis C.
   const bool live = !turning_tool_.empty() || !rotary_.empty();
   std::string turret;
   if (fanuc && change_.empty() && (milling_tool_.empty() || live || (turns_ && !mills_)) &&

@@ -1,5 +1,5 @@
 // Signs of a mill or a lathe in a program's text. A comment alone decides nothing: it only supports
-// a sign of the program's own words.
+// a sign in the program's words.
 #pragma once
 
 #include "interp/recognise/recognise.h"
@@ -10,9 +10,9 @@ namespace mrsim {
 class MachineSigns {
  public:
   void line(const LineScan& s, int n);
-  /// A sign was seen that needs no other.
+  /// Whether a sign was seen that is enough alone.
   bool settled() const { return !mill_.empty() || !lathe_.empty(); }
-  /// Y and J say no more.
+  /// Whether it is known to be a mill, so that Y and J need not be looked for.
   bool knows_mill() const { return !mill_.empty(); }
   /// Sets machine and reason for the dialect of `out`.
   void judge(const InterpOptions& options, Recognition& out) const;
@@ -23,9 +23,9 @@ class MachineSigns {
   std::string weak_mill(bool tool_in_table, bool commented) const;
   bool is_transformed(const std::string& code);
 
-  // Where the first such sign is; empty: there is none.
+  // The line of the first such sign, as text; empty: there is none.
   std::string mill_, lathe_;
-  std::string level_;                        ///< Y0, which lathes with an axis Y write, too
+  std::string level_;                        ///< Y0, which lathes with an axis Y also write
   std::string ngc_lathe_;                    ///< G7, G8: diameters of LinuxCNC
   std::string fanuc_lathe_;                  ///< words of FANUC's lathes: G71 with P and Q
   std::string fanuc_turning_;                ///< FANUC's words, if nothing moves in Y

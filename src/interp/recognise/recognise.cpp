@@ -16,9 +16,9 @@
 namespace mrsim {
 namespace {
 
-// Files that are no programs at all are recognised by how they begin: one sentence instead of a
-// hundred errors about their characters.
-constexpr std::size_t kFileHead = 512;  // bytes by which the kind of a file is recognised
+// Files that are no programs are recognised by their first bytes: the user gets one sentence
+// instead of a hundred errors about characters.
+constexpr std::size_t kFileHead = 512;  // bytes that are enough to recognise the kind of a file
 
 constexpr std::size_t kStlHeader = 80, kStlTriangle = 50;
 
@@ -47,7 +47,7 @@ constexpr Kind kKinds[] = {{"\x20\x42\x44\x56\0\0\0\0"sv, "an OpenVDB file"},
                            {"<html"sv, "an HTML page"},
                            {"<svg"sv, "a drawing (SVG)"}};
 
-// 80 bytes, the number of triangles, and these.
+// A binary STL file is 80 bytes, the number of triangles, and the triangles.
 bool is_binary_stl(std::string_view head, std::uint64_t size) {
   if (head.size() < kStlHeader + 4) return false;
   std::uint64_t triangles = 0;
@@ -61,7 +61,7 @@ bool is_text_stl(std::string_view head) {
   return head.starts_with("solid") && head.find("facet") != head.npos;
 }
 
-// `{"name": ...`; a brace alone may be CODESYS'.
+// JSON begins with `{"name": ...`. A brace alone may be CODESYS'.
 bool is_json(std::string_view head) {
   const std::size_t brace = head.find_first_not_of(" \t\r\n");
   if (brace == head.npos || (head[brace] != '{' && head[brace] != '[')) return false;
@@ -72,7 +72,7 @@ bool is_json(std::string_view head) {
          (head[end + 1] == ':' || head[end + 1] == ' ');
 }
 
-// "  0", "SECTION": group code and name.
+// DXF begins with a group code and a name: "  0", "SECTION".
 bool is_dxf(std::string_view head) {
   const std::size_t zero = head.find_first_not_of(" \t");
   if (zero == head.npos || head[zero] != '0') return false;
@@ -80,8 +80,8 @@ bool is_dxf(std::string_view head) {
   return name != head.npos && name > zero + 1 && head.substr(name).starts_with("SECTION");
 }
 
-// What a file is that begins so ("a mesh (STL)"); empty where it may be a program. `size`: bytes
-// of the whole file, 0 where that is not known.
+// The kind of a file by its beginning ("a mesh (STL)"); empty where it may be a program. `size`:
+// bytes of the whole file, 0 where that is not known.
 std::string_view kind_of_file(std::string_view head, std::uint64_t size) {
   for (const Kind& kind : kKinds)
     if (head.starts_with(kind.start)) return kind.name;
@@ -93,13 +93,13 @@ std::string_view kind_of_file(std::string_view head, std::uint64_t size) {
 
 constexpr int kDialectLines =
     20000;                        // enough to recognise a control; the machine may need the rest
-constexpr int kOkumaLines = 300;  // where Okuma's programs say whose they are
-constexpr std::size_t kLongestScan = 4000;  // bytes of a line
+constexpr int kOkumaLines = 300;  // lines in which Okuma's programs show their control
+constexpr std::size_t kLongestScan = 4000;  // bytes: more of a line is not scanned
 
-/// Text before the first % of a tape is no program: how many lines, once content follows the mark.
+/// Text before the first % of a tape is no program. Counts its lines, if content follows the mark.
 class Leader {
  public:
-  static constexpr int kLines = 100;  ///< no mark is looked for behind them
+  static constexpr int kLines = 100;  ///< the mark is looked for in so many lines
 
   void line(std::string_view raw, const LineScan& s, int n) {
     if (n > kLines || done_) return;
@@ -109,8 +109,8 @@ class Leader {
       lines_ = mark_ - 1;
       done_ = true;
     } else {
-      // A block begins with a word; text in which one occurs is still text, and so is the number
-      // of the program before its mark.
+      // A block begins with a word. Text that contains one is still text, and so is the program's
+      // number before its mark.
       const std::size_t at = s.code.find_first_not_of(" \t/");
       if (at != std::string::npos && at + 1 < s.code.size() &&
           std::string_view("GMNOTXYZ:").find(s.code[at]) < 9 && is_digit(s.code[at + 1]) &&
@@ -126,7 +126,7 @@ class Leader {
   bool done_ = false;
 };
 
-/// What is known while the text is read.
+/// Reads the text and collects what is known.
 class Reader {
  public:
   Reader(const std::string& path, const InterpOptions& options)
@@ -137,7 +137,7 @@ class Reader {
     signs_.name(path);
     okuma_ = names_okuma(path);
   }
-  /// False: the rest of the text can not change the answer.
+  /// Looks at a line. False: the rest of the text cannot change the answer.
   bool line(std::string_view raw, int number);
   Recognition answer() const;
 

@@ -1,4 +1,4 @@
-// Which control and which kind of machine a program is for, from its text, with the reason.
+// Recognises by its text for which control and which kind of machine a program is, with the reason.
 #pragma once
 
 #include <mrsim/options.h>
@@ -13,12 +13,13 @@ struct Recognition {
   std::string dialect_reason;
   MachineKind machine = MachineKind::automatic;  ///< automatic: not known
   std::string machine_reason;
-  bool okuma = false;    ///< FANUC's words as Okuma's OSP has them
-  int leader_lines = 0;  ///< text before the first % of a FANUC or ISO tape
-  bool empty = true;     ///< no word of NC at all
+  bool okuma = false;    ///< the words are FANUC's as Okuma's OSP means them
+  int leader_lines = 0;  ///< lines of text before the first % of a FANUC or ISO tape
+  bool empty = true;     ///< there is no word of NC
 };
 
-/// Reads as much of the file as it takes, in one pass, memory flat. What `options` fix stays fixed.
+/// Reads as much of the file as needed, in one pass; memory does not grow with the file. What
+/// `options` give is not changed.
 Recognition recognise(const std::string& path, const InterpOptions& options);
 
 }  // namespace mrsim

@@ -125,7 +125,7 @@ std::string motion_text(const Program& program, const Motion& motion) {
   if (motion.kind == MotionKind::arc && motion.rise != 0)
     out += "  rise " + number_text(motion.rise);
   if (const std::string tool = tool_of(program, motion.tool); !tool.empty()) out += "  T" + tool;
-  if (motion.lead != 0)  // no feed: the spindle gives it
+  if (motion.lead != 0)  // the feed follows from the spindle
     out += fmt::format("  lead {} mm", number_text(motion.lead));
   else if (motion.kind != MotionKind::rapid && motion.feed > 0)
     out += fmt::format("  F {} {}", number_text(motion.feed), unit_name(motion.feed_unit));
@@ -141,7 +141,8 @@ const char* kind_name(EventKind kind) {
   return kNames[static_cast<int>(kind)];
 }
 
-// The state that an event sets, such as cw of a spindle; a dwell and a tool change have none.
+// The name of the state that an event sets, such as cw of a spindle. A dwell and a tool change set
+// none.
 const char* state_name(const Event& event) {
   static constexpr const char* kTurns[] = {"off", "cw", "ccw"};
   static constexpr const char* kCoolants[] = {"off", "mist", "flood", "through"};

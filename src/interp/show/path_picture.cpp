@@ -16,7 +16,7 @@
 namespace mrsim {
 namespace {
 
-// Picture axes: X right and Y up for a mill, Z right and X up for a lathe.
+// The axes of the picture: X right and Y up for a mill, Z right and X up for a lathe.
 struct PathView {
   bool lathe = false;
   Vec2 at(const Vec3& p) const { return lathe ? Vec2{p.z, p.x} : Vec2{p.x, p.y}; }
@@ -33,7 +33,8 @@ std::string svg_point(const PathView& view, const Vec3& p) {
   return fmt::format("{} {}", number_text(q.x), number_text(-q.y));  // SVG's y grows downwards
 }
 
-// An arc seen along its axis is an SVG arc (in halves, so that full circles work); else a polyline.
+// An arc seen along its axis becomes SVG arcs (two halves, so that full circles work), any other
+// one a polyline.
 std::string svg_arc(const PathView& view, const Motion& m) {
   std::string out;
   const double facing = dot(m.axis, view.towards());

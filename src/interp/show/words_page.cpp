@@ -84,7 +84,7 @@ std::string g_words(Dialect dialect, MachineKind machine) {
     std::string word = fmt::format("G{:g}", number / 10.0);
     const std::string_view what = r == Reading::refused ? unsupported_code(dialect, number) : "";
     if (!what.empty()) word += fmt::format(" ({})", what);
-    // In the range of the drilling cycles G87 bores upwards, and LinuxCNC's G88 waits for a hand.
+    // Among the drilling cycles, G87 bores upwards, and G88 of LinuxCNC waits for the operator.
     const bool back = entry.code == Code::drill_cycle &&
                       (number == 870 || (number == 880 && dialect == Dialect::ngc));
     lists[static_cast<std::size_t>(back ? Reading::refused : r)].add(word);
@@ -112,7 +112,7 @@ constexpr Controls kControls[] = {{"SINUMERIK", Dialect::sinumerik, MachineKind:
                                   {"CODESYS", Dialect::codesys, MachineKind::mill},
                                   {"LinuxCNC", Dialect::ngc, MachineKind::mill}};
 
-// Each word with what it does, and on which controls where not on all of them.
+// Each word with its effect, and its controls if it is not one of all controls.
 std::string m_words() {
   std::string out = "\n| word | event | controls |\n|---|---|---|\n";
   for (int number = 0; number < 100; ++number) {

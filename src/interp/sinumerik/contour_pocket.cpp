@@ -12,7 +12,8 @@ constexpr int kRoughing = 1, kFloor = 3, kWall = 4, kChamfer = 5;
 
 }  // namespace
 
-// PRG VARI RP Z0 SC Z1 F FZ DXY DZ UXY UZ CDIR XS YS ER EP EW FS ZFS TR DR UMODE GMODE DMODE AMODE
+// Its values: PRG VARI RP Z0 SC Z1 F FZ DXY DZ UXY UZ CDIR XS YS ER EP EW FS ZFS TR DR UMODE GMODE
+// DMODE AMODE.
 bool ContourPocket::read(RegionCutter::Levels& l) {
   const double unit = scale();
   const int kind = call_.digit("VARI", 0), plane = call_.digit("DMODE", 0),
@@ -51,7 +52,8 @@ bool ContourPocket::read(RegionCutter::Levels& l) {
   return true;
 }
 
-// Where the cutter may go about the blank of a spigot: a diameter over its edge.
+// Finds the area in which the cutter may move about the blank of a spigot: a diameter over its
+// edge.
 bool ContourPocket::surroundings(double radius, const Loop& blank, Loop& out) {
   std::vector<Loop> around;
   if (!Region(std::nullopt, {blank}).inset(2 * radius, around) || around.empty())

@@ -10,7 +10,7 @@
 
 namespace mrsim {
 
-/// Lives for one call.
+/// An object lives for one call.
 class ContourPocket : public ControlPart {
  public:
   ContourPocket(Control& control, ToolChanger& tools, Moves& moves, const ContourCall& call)
@@ -22,7 +22,7 @@ class ContourPocket : public ControlPart {
         where_(call.where),
         contours_(call.contours) {}
 
-  /// False: an error was reported.
+  /// Carries out the cycle. False: an error was reported.
   bool run();
 
  private:

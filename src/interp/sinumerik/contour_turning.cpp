@@ -20,14 +20,14 @@ bool ContourTurning::run() {
   RemovalPlan& r = *read;
   contour_ = r.contour;
   const Vec3 from = position_.physical;
-  const bool by_point = call_.name == "CYCLE95";  // which roughs in G40
+  const bool by_point = call_.name == "CYCLE95";  // CYCLE95 roughs in G40
   path_ = contour_;
   if (r.rough && !((by_point || beside(r, r.parallel)) && roughing(r))) return false;
   if (r.finish) {
     if (!beside(r, 0)) return false;
     Vec3 start = path_.front().end;
     component(start, r.v) = before_contour(r);
-    if (r.rough) {  // from the contour's end back over the material, not through it
+    if (r.rough) {  // starts at the contour's end, not to go through the material
       Vec3 over = position_.physical;
       component(over, r.u) = r.top - r.down * r.clear;
       go(over, MotionKind::rapid, 0);
@@ -48,8 +48,9 @@ bool ContourTurning::run() {
   return true;
 }
 
-// The path of the tool's point whose nose cuts the contour, `allowance` beside it: SINUMERIK's
-// cycles take the radius of the edge into account. The ways to the path and from it are left out.
+// Makes the path of the tool's point, so that its nose cuts at `allowance` beside the contour:
+// SINUMERIK's cycles take the radius of the edge into account. The ways to the path and from it are
+// left out.
 bool ContourTurning::beside(const RemovalPlan& r, double allowance) {
   path_ = contour_;
   PathMove move;
@@ -89,7 +90,7 @@ bool ContourTurning::beside(const RemovalPlan& r, double allowance) {
   return true;
 }
 
-// In front of the contour and of the path along it.
+// A place in v in front of the contour and of the path along it.
 double ContourTurning::before_contour(const RemovalPlan& r) const {
   const double first = component(contour_.front().end, r.v);
   const double ahead = (component(path_.front().end, r.v) - first) * r.run;
@@ -101,7 +102,7 @@ void ContourTurning::follow_contour(const Vec3& shift) {
   for (std::size_t i = 1; i < path_.size(); ++i) moves_.follow(path_[i], shift, where_);
 }
 
-// Passes at equal levels down to the contour, then once along it, the allowances aside.
+// Runs passes at equal levels down to the contour, then once along it with the allowances.
 bool ContourTurning::roughing(RemovalPlan& r) {
   std::vector<PlanePiece> pieces;
   r.top = component(path_.front().end, r.u);
@@ -136,8 +137,8 @@ bool ContourTurning::roughing(RemovalPlan& r) {
   return true;
 }
 
-// First the stretches that begin at the start, from the top down; then the relief cuts, fed into
-// with FF2.
+// Cuts the stretches that begin at the start, from the top down; then the relief cuts, which the
+// tool enters with FF2.
 bool ContourTurning::levels(const RemovalPlan& r, const RoughContour& shape, double whole, int n) {
   std::vector<std::pair<double, FreeStretch>> reliefs;
   for (int i = 1; i < n; ++i) {
@@ -177,7 +178,7 @@ bool ContourTurning::levels(const RemovalPlan& r, const RoughContour& shape, dou
   return true;
 }
 
-// One pass: to the level, along it to the contour, off at 45 degrees, back.
+// Runs one pass: to the level, along it to the contour, away at 45 degrees, back.
 void ContourTurning::level(const RemovalPlan& r, double at, double from, double to) {
   const double travel = (to - from) * r.run;
   if (travel <= kRounding) return;

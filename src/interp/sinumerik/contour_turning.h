@@ -11,7 +11,7 @@
 
 namespace mrsim {
 
-/// Lives for one call.
+/// An object lives for one call.
 class ContourTurning : public ControlPart {
  public:
   ContourTurning(Control& control, ToolChanger& tools, Moves& moves, const ContourCall& call)
@@ -23,7 +23,7 @@ class ContourTurning : public ControlPart {
         where_(call.where),
         modal_before_(control.modal) {}
 
-  /// False: an error was reported.
+  /// Carries out the cycle. False: an error was reported.
   bool run();
 
  private:
@@ -41,8 +41,8 @@ class ContourTurning : public ControlPart {
   const CycleCall& call_;
   const Word& where_;
   const Modal modal_before_;
-  std::vector<Motion> contour_;  ///< of RemovalPlan
-  std::vector<Motion> path_;     ///< of the tool's point along contour_
+  std::vector<Motion> contour_;  ///< the contour of the RemovalPlan
+  std::vector<Motion> path_;     ///< the path of the tool's point along contour_
 };
 
 }  // namespace mrsim

@@ -27,7 +27,7 @@ bool HolePattern::places(std::vector<Vec2>& out) {
   return call_.name == "CYCLE801" ? grid(out) : points(out);
 }
 
-// Which places HIDE leaves out, and how a grid is sheared (ANG1, ANG2), is not confirmed; XA and YA
+// It is not confirmed which places HIDE leaves out, and how ANG1 and ANG2 shear a grid. XA and YA
 // of CYCLE802 say for each place whether it counts from the one before (2).
 bool HolePattern::reads_all_of() {
   const auto refuse = [&](const char* what) {
@@ -45,7 +45,7 @@ bool HolePattern::reads_all_of() {
   return true;
 }
 
-// SPCA SPCO STA1 FDIS DBH NUM: holes on a line.
+// Holes on a line: SPCA SPCO STA1 FDIS DBH NUM.
 bool HolePattern::row(std::vector<Vec2>& list) {
   const double count = call_.get("NUM"), unit = scale();
   if (count < 0 || count > kMostHolesOfPattern)
@@ -56,13 +56,13 @@ bool HolePattern::row(std::vector<Vec2>& list) {
     list.push_back(
         {call_.get("SPCA") * unit + along * sc.cos, call_.get("SPCO") * unit + along * sc.sin});
   }
-  const Vec2 from = in_plane(basis(), position_.programmed);  // it begins at the end that is nearer
+  const Vec2 from = in_plane(basis(), position_.programmed);  // the row begins at the nearer end
   if (!list.empty() && length(list.back() - from) < length(list.front() - from) - kRounding)
     std::reverse(list.begin(), list.end());
   return true;
 }
 
-// CPA CPO RAD STA1 INDA NUM: holes on a circle; INDA 0: all round.
+// Holes on a circle: CPA CPO RAD STA1 INDA NUM. INDA 0 means all round.
 bool HolePattern::circle(std::vector<Vec2>& list) {
   const double count = call_.get("NUM"), unit = scale();
   if (count < 1 || count > kMostHolesOfPattern)
@@ -76,7 +76,7 @@ bool HolePattern::circle(std::vector<Vec2>& list) {
   return true;
 }
 
-// SPCA SPCO STA DIS1 DIS2 NUM1 NUM2: a grid, or its frame alone (VARI 1).
+// Holes on a grid, or only on its frame (VARI 1): SPCA SPCO STA DIS1 DIS2 NUM1 NUM2.
 bool HolePattern::grid(std::vector<Vec2>& list) {
   const double columns = call_.get("NUM1"), rows = call_.get("NUM2"), unit = scale();
   if (columns < 1 || rows < 1 || columns * rows > kMostHolesOfPattern)
@@ -86,7 +86,7 @@ bool HolePattern::grid(std::vector<Vec2>& list) {
   const SinCos sc = sincos_deg(call_.get("STA"));
   for (int j = 0; j < nv; ++j)
     for (int k = 0; k < nu; ++k) {
-      const int i = j % 2 ? nu - 1 - k : k;  // there and back
+      const int i = j % 2 ? nu - 1 - k : k;  // the tool goes to and fro
       if (frame && i > 0 && i < nu - 1 && j > 0 && j < nv - 1) continue;
       const Vec2 d{i * call_.get("DIS1") * unit, j * call_.get("DIS2") * unit};
       list.push_back({call_.get("SPCA") * unit + d.x * sc.cos - d.y * sc.sin,
@@ -95,7 +95,7 @@ bool HolePattern::grid(std::vector<Vec2>& list) {
   return true;
 }
 
-// CYCLE802: up to nine points, behind the two masks.
+// CYCLE802 has up to nine points behind its two masks.
 bool HolePattern::points(std::vector<Vec2>& list) {
   static constexpr ValueName kPoints[][2] = {{"X0", "Y0"}, {"X1", "Y1"}, {"X2", "Y2"},
                                              {"X3", "Y3"}, {"X4", "Y4"}, {"X5", "Y5"},

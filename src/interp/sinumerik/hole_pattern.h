@@ -10,16 +10,16 @@
 
 namespace mrsim {
 
-/// Lives for one call.
+/// An object lives for one call.
 class HolePattern : public ControlPart {
  public:
   HolePattern(Control& control, const CycleCall& call, const Word& where)
       : ControlPart(control), call_(call), where_(where) {}
 
   static bool knows(std::string_view name);
-  /// False: it has values that are not supported, which was reported.
+  /// Whether all its values are supported. False: some are not, which was reported.
   bool reads_all_of();
-  /// Places in the plane in force, mm, in the order of drilling. False: an error was reported.
+  /// The places in the plane in force, mm, in the order of drilling. False: an error was reported.
   bool places(std::vector<Vec2>& out);
 
  private:

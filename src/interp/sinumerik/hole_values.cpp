@@ -25,8 +25,8 @@ bool HoleValues::knows(std::string_view name) {
   return std::find(kCycles.begin(), kCycles.end(), name) != kCycles.end();
 }
 
-// AXN: along the plane's first or second axis; the unit of DMODE: in G17, G18 or G19. Otherwise
-// along the normal of the plane in force, which is Y in G18.
+// AXN drills along the first or second axis of the plane, and the unit of DMODE in G17, G18 or G19.
+// Otherwise the hole is along the normal of the plane in force, which is Y in G18.
 bool HoleValues::choose_plane() {
   constexpr int kNormalTo[3][2] = {{2, 1}, {0, 2}, {1, 0}};
   const int axis = static_cast<int>(call_.get("AXN"));
@@ -41,7 +41,8 @@ bool HoleValues::choose_plane() {
                where_);
 }
 
-// RTP RFP SDIS DP DPR: retraction, reference, safety clearance, depth absolute or from RFP.
+// RTP RFP SDIS DP DPR are the retraction plane, the reference plane, the safety clearance, and the
+// depth, absolute or from RFP.
 bool HoleValues::read(Hole& out) {
   if (!knows(call_.name))
     return error("not-supported", fmt::format("MCALL {} is not supported yet", call_.name), where_);
@@ -82,7 +83,7 @@ bool HoleValues::depth(double reference, double down, double& bottom) {
   const bool relative = amode == 1 || (amode == 0 && call_.given("DPR") && call_.get("DPR") != 0);
   if (!relative && !call_.given("DP"))
     return error("value-missing", fmt::format("{} needs DP or DPR, the depth", call_.name), where_);
-  // With a mode, the value stands in DP; without one, DPR counts before DP.
+  // With a mode, DP holds the value. Without one, DPR has precedence over DP.
   const double value = amode == 1 && call_.given("DP") ? call_.get("DP") : call_.get("DPR");
   bottom = relative ? reference + down * std::abs(value) * scale() : call_.get("DP") * scale();
   if ((bottom - reference) * down < 0)
@@ -93,7 +94,7 @@ bool HoleValues::depth(double reference, double down, double& bottom) {
   return true;
 }
 
-// The tens of GMODE: DP of CYCLE81 is the diameter that the cone leaves on the face.
+// By the tens of GMODE, DP of CYCLE81 is the diameter that the cone leaves on the face.
 bool HoleValues::to_diameter(double reference, double down, double& bottom) {
   tools_.require(where_, true);
   const Tool* tool = tools_.current();
@@ -112,7 +113,8 @@ bool HoleValues::to_diameter(double reference, double down, double& bottom) {
   return true;
 }
 
-// The tens of GMODE: DP of CYCLE82 and CYCLE83 is where the full diameter ends, not the point.
+// By the tens of GMODE, DP of CYCLE82 and CYCLE83 is where the full diameter ends, not the point.
+// Gives the length of the point, mm.
 double HoleValues::point_length() {
   tools_.require(where_, true);
   const Tool* tool = tools_.current();
@@ -122,13 +124,14 @@ double HoleValues::point_length() {
   return (tool->diameter - tool->tip_diameter) / 2 * cone.cos / cone.sin;
 }
 
-// FDEP or FDPR: the first stroke; DAM: how much less each next one is, or by which factor (below 0,
-// or in percent by AMODE); the last two are equal.
+// FDEP or FDPR is the first stroke. DAM says by how much each next one is shorter, or by which
+// factor (below 0, or in percent by AMODE). The last two are equal.
 bool HoleValues::strokes(double reference, Hole& hole) {
   const double unit = scale(), total = std::abs(hole.bottom - reference);
   const double down = hole.bottom < reference ? -1 : 1;
   const bool relative = call_.given("FDPR") && call_.get("FDPR") != 0;
-  const bool said_relative = call_.digit("AMODE", 4) == 1 && call_.given("FDEP");  // of AMODE
+  const bool said_relative =
+      call_.digit("AMODE", 4) == 1 && call_.given("FDEP");  // a digit of AMODE
   double stroke = relative        ? std::abs(call_.get("FDPR")) * unit
                   : said_relative ? std::abs(call_.get("FDEP")) * unit
                                   : std::abs(call_.get("FDEP") * unit - reference);
@@ -159,7 +162,8 @@ bool HoleValues::strokes(double reference, Hole& hole) {
   return true;
 }
 
-// s of a dwell: below 0 it is in turns, unless a digit of the mode says 1 (seconds) or 2 (turns).
+// The seconds of a dwell. A value below 0 is in turns, unless a digit of the mode says 1 (seconds)
+// or 2 (turns).
 double HoleValues::pause(ValueName value, int mode_digit) {
   const double time = call_.get(value);
   const int unit = mode_digit > 0 ? call_.digit("AMODE", mode_digit) : 0;
@@ -167,8 +171,8 @@ double HoleValues::pause(ValueName value, int mode_digit) {
   return turns ? dwell_.of_turns(std::abs(time), where_) : std::abs(time);
 }
 
-// DTB: at the bottom; CYCLE83: behind each stroke, DTD behind the last one, DTS where the chips are
-// out.
+// DTB is the dwell at the bottom. In CYCLE83 it follows each stroke; DTD follows the last one, and
+// DTS is where the chips are out.
 void HoleValues::dwells(Hole& hole) {
   if (call_.name == "CYCLE87") return;
   if (call_.name != "CYCLE83") {
@@ -183,7 +187,7 @@ void HoleValues::dwells(Hole& hole) {
   if (call_.get("DTD") != 0) hole.dwell = pause("DTD", 0);
 }
 
-// MPIT (size of the thread) or PIT (its pitch); the sign is the hand.
+// MPIT is the size of the thread, PIT its pitch. The sign is the hand of the thread.
 void HoleValues::tapping(Hole& hole) {
   const double size = call_.get("MPIT");
   double lead = call_.get("PIT") * scale();

@@ -1,5 +1,5 @@
-// What the values of SINUMERIK's drilling cycles CYCLE81 to CYCLE89 and CYCLE840 ask for: the
-// motions of a hole. Private to src/interp.
+// Makes the values of SINUMERIK's drilling cycles CYCLE81 to CYCLE89 and CYCLE840 the description
+// of a hole. Private to src/interp.
 #pragma once
 
 #include "interp/cycles/cycle_call.h"
@@ -11,16 +11,16 @@
 
 namespace mrsim {
 
-/// Lives for one call.
+/// An object lives for one call.
 class HoleValues : public ControlPart {
  public:
   HoleValues(Control& control, ToolChanger& tools, const CycleCall& call, const Word& where)
       : ControlPart(control), tools_(tools), dwell_(control), call_(call), where_(where) {}
 
   static bool knows(std::string_view name);
-  /// Makes the plane that the call asks for the one in force. False: an error was reported.
+  /// Puts the plane in force that the call asks for. False: an error was reported.
   bool choose_plane();
-  /// Levels in the plane in force. False: an error was reported.
+  /// Fills `out`, with levels in the plane in force. False: an error was reported.
   bool read(Hole& out);
 
  private:

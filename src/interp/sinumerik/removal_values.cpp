@@ -29,8 +29,8 @@ std::optional<RemovalPlan> RemovalValues::read() {
   return out;
 }
 
-// PRG CON CONR VARI F FR RP D DX DZ UX UZ U U1 BL XD ZD XA ZA XB ZB XDA XDB N DP DI SC DN GMODE
-// DMODE AMODE PK DCH FS
+// The values of CYCLE952: PRG CON CONR VARI F FR RP D DX DZ UX UZ U U1 BL XD ZD XA ZA XB ZB XDA XDB
+// N DP DI SC DN GMODE DMODE AMODE PK DCH FS.
 bool RemovalValues::removal_values() {
   const auto refuse = [&](const char* what) {
     return error("not-supported", fmt::format("CYCLE952: {} is not supported yet", what), where_);
@@ -54,8 +54,8 @@ bool RemovalValues::removal_values() {
   return true;
 }
 
-// VARI's unit: along Z, along X, along the contour; its hundreds the way of the cut and its
-// thousands that of the infeed: X-, X+, Z-, Z+.
+// The unit of VARI says whether cuts are along Z, along X or along the contour; its hundreds give
+// the direction of the cut and its thousands that of the infeed: X-, X+, Z-, Z+.
 bool RemovalValues::removal_ways(RemovalPlan& r) {
   const int type = call_.digit("VARI", 0), work = call_.digit("VARI", 1);
   const int cut = call_.digit("VARI", 2), infeed = call_.digit("VARI", 3);
@@ -81,7 +81,8 @@ bool RemovalValues::removal_ways(RemovalPlan& r) {
   return true;
 }
 
-// UX and UZ, or U beside the contour; the ten thousands of VARI decide where a program has both.
+// The allowances are UX and UZ, or U beside the contour. The ten thousands of VARI decide if a
+// program has both.
 void RemovalValues::removal_allowances(RemovalPlan& r) {
   const double unit = scale();
   const double x = std::abs(call_.get("UX")) * unit, z = std::abs(call_.get("UZ")) * unit;
@@ -99,7 +100,8 @@ void RemovalValues::removal_allowances(RemovalPlan& r) {
   component(r.allowance, r.v) = -r.run * (r.u == 0 ? z : x);
 }
 
-// Where the passes begin: the blank decides how many there are, not the part's shape.
+// Finds where the passes begin. The blank has an effect on how many there are, not on the part's
+// shape.
 void RemovalValues::removal_blank(RemovalPlan& r) {
   const int kind = static_cast<int>(call_.get("BL", kBlankCylinder));
   if (kind == kBlankContour) {
@@ -129,7 +131,7 @@ bool RemovalValues::removal_modes(RemovalPlan& r) {
   return true;
 }
 
-// NPP MID FALZ FALX FAL FF1 FF2 FF3 VARI DT DAM VRT
+// The values of CYCLE95: NPP MID FALZ FALX FAL FF1 FF2 FF3 VARI DT DAM VRT.
 bool RemovalValues::turn_modes(RemovalPlan& r) {
   const double unit = scale(), number = call_.get("VARI");
   if (number < 1 || number > 12 || number != std::floor(number))
@@ -152,14 +154,14 @@ bool RemovalValues::turn_modes(RemovalPlan& r) {
   const double along = std::abs(call_.get("FAL")) * unit;
   const double x = std::abs(call_.get("FALX")) * unit + along,
                z = std::abs(call_.get("FALZ")) * unit + along;
-  if (r.rough) orient(r);  // finishing alone runs as the contour is written
+  if (r.rough) orient(r);  // only finishing runs the contour as it is written
   r.run = component(contour_.back().end, r.v) > component(contour_.front().end, r.v) ? 1 : -1;
   component(r.allowance, r.u) = -r.down * (face ? z : x);
   component(r.allowance, r.v) = -r.run * (face ? x : z);
   return true;
 }
 
-// The contour begins at its deepest end.
+// Turns the contour round if necessary, so that it begins at its deepest end.
 void RemovalValues::orient(const RemovalPlan& r) {
   const double first = component(contour_.front().end, r.u);
   const double last = component(contour_.back().end, r.u);

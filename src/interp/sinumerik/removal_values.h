@@ -10,17 +10,17 @@
 
 namespace mrsim {
 
-/// Passes follow one another in u and cut along v; 0 is X, 2 is Z. Lengths in mm.
+/// Passes follow one another in u and cut along v; 0 is X, 2 is Z. Lengths are in mm.
 struct RemovalPlan {
   std::vector<Motion> contour;  ///< in the direction in which it is cut
   int u = 0, v = 2;
   double down = -1, run = -1;  ///< signs of the infeed in u and of the cut in v
   double clear = 1;
-  double top = 0, start = 0;    ///< the first level's u less a pass; v where passes begin
-  std::optional<double> blank;  ///< u of its surface, where the cycle has it
+  double top = 0, start = 0;    ///< u, a pass above the first level; v where passes begin
+  std::optional<double> blank;  ///< u of the surface of the blank, where the cycle has one
   Vec3 allowance;
   double parallel = 0;                         ///< allowance along the contour's normal
-  double depth = 0;                            ///< of a pass
+  double depth = 0;                            ///< depth of a pass
   double feed = 0, plunge = 0, last_feed = 0;  ///< roughing, into a relief cut, finishing
   bool rough = true, finish = true, reliefs = true;
 };
@@ -34,7 +34,7 @@ class RemovalValues : public ControlPart {
         contours_(call.contours),
         contour_(call.contours.back()) {}
 
-  /// None: an error was reported.
+  /// The plan of the call. Nothing: an error was reported.
   std::optional<RemovalPlan> read();
 
  private:

@@ -54,7 +54,8 @@ bool SinumerikContours::find_contours() {
   return true;
 }
 
-// A subprogram, "FIRST:LAST" labels of this program, or the labels of the contour editor.
+// Finds a contour: a subprogram, the labels "FIRST:LAST" of this program, or those of the contour
+// editor.
 bool SinumerikContours::find_contour(const std::string& name, CallRequest& request) {
   const std::size_t colon = name.find(':');
   const bool labels = colon != std::string::npos;
@@ -116,7 +117,7 @@ void SinumerikContours::begin_contour() {
   contour_.clear();
   errors_before_ = reporter_.errors();
   out_.capture(&contour_);
-  if (modal_.feed == 0) modal_.feed = 1;  // the cycle has feeds of its own
+  if (modal_.feed == 0) modal_.feed = 1;  // the cycle has its own feeds
 }
 
 void SinumerikContours::end_contour() {

@@ -1,6 +1,6 @@
 // SINUMERIK cycles along contours of the program: CYCLE62 names them, CYCLE63, CYCLE72, CYCLE95 and
-// CYCLE952 cut along them. This class finds the contours' blocks, which are read like any others
-// with their motions kept; then it hands the contours to the cycle. Private to src/interp.
+// CYCLE952 cut along them. This class finds the blocks of the contours, which are run as usual
+// while their motions are kept; then it hands the contours to the cycle. Private to src/interp.
 #pragma once
 
 #include "interp/cycles/cycle_call.h"
@@ -24,13 +24,13 @@ class SinumerikContours : public ControlPart {
         out_(out) {}
 
   static bool knows(std::string_view name);
-  /// False: an error was reported.
+  /// Reads the call. False: an error was reported.
   bool run(const CycleCall& call, const Word& where);
-  /// The blocks now read are the contour of a cycle.
+  /// Whether the blocks being read are the contour of a cycle.
   bool reads_contour() const { return out_.captures(); }
-  /// Goes on with the contour, after the block is done.
+  /// Called after the block: goes on with the contour of a cycle.
   void end_block();
-  /// The program ends.
+  /// Called at the end of the program, which may lie inside a contour.
   void end_program();
 
  private:
@@ -49,12 +49,12 @@ class SinumerikContours : public ControlPart {
   MotionEmitter& out_;
   CycleCall call_;
   Word where_;
-  std::vector<std::string> named_;  ///< by the last calls of CYCLE62
-  bool named_used_ = false;         ///< a cycle has run with them: the next CYCLE62 begins anew
+  std::vector<std::string> named_;  ///< the contours that the last calls of CYCLE62 name
+  bool named_used_ = false;  ///< a cycle has used them, so the next CYCLE62 begins a new list
   std::vector<CallRequest> requests_;
   bool waits_ = false;                         ///< the contours of call_ come next
-  std::vector<Motion> contour_;                ///< the one being read
-  std::vector<std::vector<Motion>> contours_;  ///< those read so far
+  std::vector<Motion> contour_;                ///< the contour being read
+  std::vector<std::vector<Motion>> contours_;  ///< the contours read so far
   Modal modal_before_;
   Position position_before_;
   std::size_t errors_before_ = 0;

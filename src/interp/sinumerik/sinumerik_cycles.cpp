@@ -16,8 +16,8 @@
 namespace mrsim {
 namespace {
 
-// Cycles of SINUMERIK 802S and 802C, LCYC82 and its kin, read R parameters: each is one of the
-// later cycles with these values.
+// Cycles of SINUMERIK 802S and 802C, LCYC82 and its kin, read R parameters. Each one is a later
+// cycle with these values.
 struct CycleOf802 {
   std::string_view name, cycle;
   std::string_view values;  ///< of the later cycle's list; behind that of CYCLE83 its feed
@@ -108,7 +108,7 @@ bool SinumerikCycles::read_call(Call& call) {
   return true;
 }
 
-// Newer lists are longer, and what their last values mean is not known here.
+// Lists of newer software are longer. The meaning of their last values is not known here.
 void SinumerikCycles::tell_unread(const Call& call) {
   if (!MillCycles::knows(call.name) && !HoleValues::knows(call.name)) return;
   std::string_view rest = list_of_cycle(call.name);
@@ -127,7 +127,8 @@ void SinumerikCycles::tell_unread(const Call& call) {
   }
 }
 
-// It cuts nothing, and what it finds only the machine knows: offsets stay as they are.
+// A measuring cycle cuts nothing, and only the machine knows what it finds, so offsets do not
+// change.
 bool SinumerikCycles::measure() {
   position_.known = lathe() ? 2 : 0;
   note_once("probe",
@@ -177,7 +178,7 @@ bool SinumerikCycles::run_modal(const Vec3& from) {
   return drill(*modal_call_);
 }
 
-// The unit of DMODE: the cycle is in G17, G18 or G19, whatever is in force.
+// The unit of DMODE puts the cycle in G17, G18 or G19, whichever plane is in force.
 bool SinumerikCycles::run_mill(const Call& call, bool at_position) {
   const int plane = modal_.plane, own = call.digit("DMODE", 0);
   if (own >= 1 && own <= 3) modal_.plane = own - 1;
@@ -186,7 +187,7 @@ bool SinumerikCycles::run_mill(const Call& call, bool at_position) {
   return ok;
 }
 
-// The motions name the line of MCALL, called from that of the place.
+// The motions name the line of MCALL, as called from the line of the place.
 bool SinumerikCycles::mill(const Call& call) {
   const int line = block_.line_number, file = block_.file, site = block_.call;
   block_.call = reader_.call_site(line);
@@ -225,7 +226,8 @@ bool SinumerikCycles::pattern(const Call& call) {
   return pattern.places(places) && at_points(places);
 }
 
-// FR TC ST MODE X0 Y0 Z0 A B C X1 Y1 Z1; MODE says in pairs of bits about which axes A B C turn.
+// The values of CYCLE800: FR TC ST MODE X0 Y0 Z0 A B C X1 Y1 Z1. Pairs of bits of MODE say about
+// which axes A B C turn.
 bool SinumerikCycles::swivel(const Call& call) {
   const auto mode = static_cast<unsigned>(std::clamp(call.get("MODE"), 0.0, 255.0));
   double angle = 0;
@@ -266,7 +268,7 @@ bool SinumerikCycles::at_points(const std::vector<Vec2>& points) {
   return true;
 }
 
-// LCYC60 and LCYC61: R115 is the number of the cycle that drills each hole.
+// LCYC60 and LCYC61 are patterns; R115 is the number of the cycle that drills each hole.
 bool SinumerikCycles::pattern_802(const Call& places) {
   Value number;
   if (!statements_->value_of("R115", number, where())) return false;

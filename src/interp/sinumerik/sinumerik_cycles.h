@@ -1,6 +1,6 @@
 // SINUMERIK's cycles by name: reads the list of values, also that of 802S and 802C (LCYC82 and its
-// kin), and hands it to the cycle. Patterns of holes and MCALL run a cycle of drilling, MCALL also
-// one of milling, at every place. CYCLE800 shifts and turns the frame. Private to src/interp.
+// kin), and hands it to the cycle. Patterns of holes and MCALL run a drilling cycle at every place;
+// MCALL also runs a milling cycle. CYCLE800 shifts and turns the frame. Private to src/interp.
 #pragma once
 
 #include "interp/cycles/hole_maker.h"
@@ -31,15 +31,15 @@ class SinumerikCycles : public ControlPart {
         turns_(control, tools, moves),
         engraving_(control, moves) {}
 
-  /// A name that run() knows.
+  /// Whether run() knows the name.
   static bool knows(std::string_view name);
-  /// The call of the block. False: an error was reported.
+  /// Carries out the call of the block. False: an error was reported.
   bool run();
-  /// MCALL, with a cycle or without. False: an error was reported.
+  /// Carries out MCALL, with a cycle or without. False: an error was reported.
   bool modal_call();
-  /// The cycle of MCALL at the end of a move in the plane.
+  /// Runs the cycle of MCALL at the end of a move in the plane. False: an error was reported.
   bool run_modal(const Vec3& from);
-  /// After a block, and at the end of the program: contours of cycles.
+  /// Called after a block and at the end of the program, for contours of cycles.
   void end_block() { contours_.end_block(); }
   void end_program() { contours_.end_program(); }
 

@@ -17,7 +17,7 @@ namespace {
 
 constexpr std::size_t kValues = 21;
 
-// Digits of VARI.
+// The digits of VARI.
 enum : int { kPolar, kAlong, kReserved, kAcross, kUp, kSpacingBy, kPolarCenter, kMirror };
 
 // A letter of height 1 on the line y = 0, and where it stands in the text.
@@ -56,7 +56,8 @@ bool SinumerikEngraving::read_letters(std::string& out) {
   return true;
 }
 
-// What the values behind CODEP mean is not confirmed but for the plane and the kind of depth.
+// The meaning of the values behind CODEP is not confirmed, except for the plane and the kind of
+// depth.
 bool SinumerikEngraving::reads_all() {
   const auto refuse = [&](const char* what) {
     return fail("not-supported", fmt::format("CYCLE60: {} is not supported", what));
@@ -100,7 +101,7 @@ bool SinumerikEngraving::read_form(Layout& out) {
     return fail("value-range",
                 "CYCLE60: VARI gives a whole width (1) to a text on a line only, an angle (2) to "
                 "one on an arc only (hundred thousands)");
-  // About which line the control mirrors is not confirmed: a centred text is the same for all.
+  // It is not confirmed about which line the control mirrors. A centred text is the same for all.
   if (out.mirrored && (out.across != 1 || (out.arc == 0 && call_->get("STA") != 0)))
     return fail("not-supported",
                 "CYCLE60: mirror writing is supported only about a centred reference point "
@@ -143,7 +144,7 @@ bool SinumerikEngraving::on_arc(const Layout& l, double gap, double width, doubl
   out = set_letters(l.letters, l.height, gap, [&](Vec2 inside, double begin, double wide) {
     double along = begin + wide / 2 - l.across * width / 2, x = inside.x - wide / 2;
     if (l.mirrored) along = -along, x = -x;
-    const SinCos turn = sincos(along / radius);  // clockwise over the centre
+    const SinCos turn = sincos(along / radius);  // the text runs clockwise over the centre
     const Vec2 up{first.cos * turn.cos + outwards * first.sin * turn.sin,
                   first.sin * turn.cos - outwards * first.cos * turn.sin};
     const Vec2 right{outwards * up.y, -outwards * up.x};

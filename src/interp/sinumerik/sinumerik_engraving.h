@@ -17,7 +17,7 @@ class SinumerikEngraving : public ControlPart {
       : ControlPart(control), cutter_(control, moves) {}
 
   static bool knows(std::string_view name) { return name == "CYCLE60"; }
-  /// False: an error was reported.
+  /// Carries out the cycle. False: an error was reported.
   bool run(const CycleCall& call, const Word& where);
 
  private:
@@ -30,7 +30,7 @@ class SinumerikEngraving : public ControlPart {
     int across = 0, up = 0;
     bool mirrored = false;
     int arc = 0;         ///< 0 a line, 1 over the centre, tops outwards, 2 below it, tops inwards
-    Vec2 center;         ///< of the arc
+    Vec2 center;         ///< centre of the arc
     int spacing_by = 0;  ///< 0 the gap, 1 the whole width, 2 the angle of the arc
     double spacing = 0;  ///< the value of that: mm, or degrees
   };

@@ -15,15 +15,15 @@ namespace {
 
 constexpr std::size_t kLongestName = 80;
 constexpr std::size_t kMostArguments = 64;
-constexpr std::size_t kMostLabels = 10000;  // places of jump labels kept
+constexpr std::size_t kMostLabels = 10000;  // how many places of jump labels are kept
 
 std::size_t behind_blanks(std::string_view line, std::size_t p) {
   while (p < line.size() && (line[p] == ' ' || line[p] == '\t')) ++p;
   return p;
 }
 
-// The name at `p`; of one that is too long (80 characters at most) the beginning alone, since each
-// word of a block without blanks looks for a name.
+// The name at `p`. Of a name of more than 80 characters only the beginning, because each word of a
+// block without blanks looks for a name.
 std::string name_at(std::string_view line, std::size_t& p) {
   const std::size_t from = p = behind_blanks(line, p);
   const std::size_t end = std::min(line.size(), from + kLongestName + 1);
@@ -42,7 +42,7 @@ int g_word(std::string_view line, std::size_t p) {
   return end == p + 1 || more ? -1 : number;
 }
 
-// G1X or N10G1X, the words before an expression in braces: no name of a subprogram.
+// Whether the name is words before an expression in braces, G1X or N10G1X, and not a subprogram.
 bool is_words(std::string_view name) {
   if (name.size() < 2 || is_digit(name.back())) return name.size() < 2;
   if (name == "EF" || name == "FF") return true;
@@ -59,7 +59,7 @@ std::optional<VariableType> codesys_type(const std::string& name) {
   return std::nullopt;
 }
 
-// "#NAME : LREAL" at `p`; false: something else.
+// Reads "#NAME : LREAL" at `p`. False: it is something else.
 bool declaration(std::string_view line, std::size_t& p, std::string& name, VariableType& type) {
   p = behind_blanks(line, p);
   if (p >= line.size() || line[p] != '#') return false;
@@ -77,7 +77,7 @@ bool starts_comment(std::string_view line, std::size_t p) {
   return p < line.size() && line[p] == '(';
 }
 
-// In capitals, with blanks for comments.
+// The line in capitals, with blanks instead of comments.
 std::string without_comments(std::string_view line) {
   std::string out = upper_case(line);
   for (std::size_t p = out.find('('); p != out.npos; p = out.find('(', p)) {
@@ -92,7 +92,7 @@ std::string without_comments(std::string_view line) {
 CodesysStatements::CodesysStatements(Control& control, BlockReader& reader)
     : Statements(control, reader, codesys_rules(), VariableForm::codesys, OutlineForm::codesys) {}
 
-// G20, G36, G37, LET, and calls NAME{...}.
+// Statements are G20, G36, G37, LET, and calls NAME{...}.
 bool CodesysStatements::starts_statement(std::string_view line, std::size_t p) {
   const int code = g_word(line, p);
   if (code == 20 || code == 36 || code == 37) return true;
@@ -129,7 +129,8 @@ bool CodesysStatements::statement(std::size_t from) {
   return code == 20 ? jump(p) : write(code == 37, p);
 }
 
-// The next character that is neither blank nor in a comment; an open comment is left to the reader.
+// The next character that is neither blank nor in a comment. A comment that is not closed is not
+// skipped, so that the reader reports it.
 std::size_t CodesysStatements::behind_comments(std::size_t p) const {
   for (p = skip_blanks(p); starts_comment(block_.line, p);) {
     const std::size_t end = block_.line.find(')', p);
@@ -139,7 +140,7 @@ std::size_t CodesysStatements::behind_comments(std::size_t p) const {
   return p;
 }
 
-// The statement is done: a comment may follow, or the N word of another block.
+// Ends the statement. A comment may follow, or the N word of another block.
 bool CodesysStatements::end_statement(std::size_t p) {
   p = skip_blanks(p);
   const bool next = upper(at(p)) == 'N' && is_digit(at(p + 1));
@@ -149,7 +150,7 @@ bool CodesysStatements::end_statement(std::size_t p) {
   return true;
 }
 
-// G20 L20 K$a$: to block N20, if K is not 0; L?4: to the block below that has L!4.
+// G20 L20 K$a$ jumps to block N20 if K is not 0. G20 L?4 jumps to the next block below with L!4.
 bool CodesysStatements::jump(std::size_t p) {
   const std::size_t from = p;
   double target = -1, condition = counter_;
@@ -176,7 +177,7 @@ bool CodesysStatements::jump(std::size_t p) {
   return reader_.jump(to);
 }
 
-// The first line below that holds L!index outside of comments.
+// Finds the first line below that has L!index outside of comments.
 bool CodesysStatements::find_label(long index, Place& out) {
   const Place here = reader_.place_at(0);
   if (labels_.size() > kMostLabels) labels_.clear();
@@ -203,9 +204,10 @@ bool CodesysStatements::find_label(long index, Place& out) {
   return found;
 }
 
-// G36 O$a$ D5 writes, G37 O$a$ D-1 adds; without O: the decoder's own variable.
+// G36 O$a$ D5 sets a variable and G37 O$a$ D-1 adds to it. Without O it is the decoder's own
+// variable.
 bool CodesysStatements::write(bool adds, std::size_t p) {
-  std::size_t from = p, to = 0;  // of the variable, else of the words
+  std::size_t from = p, to = 0;  // place of the variable, else of the words
   std::string target;
   Value value;
   bool given = false;
@@ -256,7 +258,7 @@ bool CodesysStatements::change(std::string_view target, bool adds, const Value& 
   return store(target, {}, sum, from, to);
 }
 
-// LET #WIDTH : LREAL := 40
+// LET defines a variable: LET #WIDTH : LREAL := 40.
 bool CodesysStatements::define(std::size_t p) {
   const std::size_t from = p;
   std::string name, why;
@@ -274,7 +276,7 @@ bool CodesysStatements::define(std::size_t p) {
   return store(name, {}, first, from, p) && end_statement(p);
 }
 
-// NAME{1, #A*2}; DYNCALL{'NAME', 1} computes the name.
+// Calls NAME{1, #A*2}. DYNCALL{'NAME', 1} computes the name.
 bool CodesysStatements::call_statement(std::size_t from) {
   std::size_t p = from;
   SubprogramName name;
@@ -304,7 +306,7 @@ bool CodesysStatements::call_program(const SubprogramName& name, long, const Wor
   return call(name, {}, word);
 }
 
-// The formals in the header of a subprogram: SUBPROGRAM NAME{#A : LREAL, #B : BOOL}
+// Reads the formals in the header of a subprogram: SUBPROGRAM NAME{#A : LREAL, #B : BOOL}.
 bool CodesysStatements::formals(const SubprogramPlace& place, const Word& where,
                                 std::vector<Formal>& out) {
   LineSource source(place.file, std::size_t(1) << 14);
@@ -312,7 +314,7 @@ bool CodesysStatements::formals(const SubprogramPlace& place, const Word& where,
   std::string_view line;
   std::size_t p = 0;
   do {
-    if (!source.next(line)) return true;  // a file without a header
+    if (!source.next(line)) return true;  // the file has no header
     p = behind_blanks(line, 0);
   } while (p >= line.size() || line[p] == '(' || line[p] == '%' || line[p] == '\r');
   long number = -1;

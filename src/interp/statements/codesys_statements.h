@@ -23,7 +23,7 @@ class CodesysStatements : public Statements {
   bool statement(std::size_t p) override;
 
  private:
-  /// A formal of a subprogram.
+  /// A formal parameter of a subprogram.
   struct Formal {
     std::string name;
     VariableType type = VariableType::real;
@@ -41,8 +41,9 @@ class CodesysStatements : public Statements {
   std::size_t behind_comments(std::size_t p) const;
   bool end_statement(std::size_t p);
 
-  double counter_ = -1;  ///< the decoder's own variable, of G20 G36 G37 without a name
-  std::map<std::pair<std::uint64_t, long>, std::pair<bool, Place>> labels_;  ///< found before
+  double counter_ = -1;  ///< the decoder's variable, for G20 G36 G37 without a name
+  std::map<std::pair<std::uint64_t, long>, std::pair<bool, Place>>
+      labels_;  ///< labels that were looked up before
 };
 
 }  // namespace mrsim

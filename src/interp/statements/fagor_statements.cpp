@@ -12,7 +12,7 @@
 namespace mrsim {
 namespace {
 
-constexpr int kMostLocals = 26;  // P0 to P25, also written A to Z in calls
+constexpr int kMostLocals = 26;  // P0 to P25, which calls also write as A to Z
 
 }  // namespace
 
@@ -31,7 +31,7 @@ bool FagorStatements::statement(std::size_t from) {
   return action(from + 1);
 }
 
-// One action, which ends at end_.
+// Carries out one action, which ends at end_.
 bool FagorStatements::action(std::size_t from) {
   std::size_t p = skip_blanks(from);
   if (upper(at(p)) == 'P' && is_digit(at(p + 1))) return assignments(p);
@@ -63,7 +63,7 @@ bool FagorStatements::ends_here(std::size_t p) {
   return p == end_ || fail("statement", "the end of the statement is expected here", p, p + 1);
 }
 
-// The statement is done: nothing may stand behind it but a comment.
+// Ends the statement. Only a comment may stand behind it.
 bool FagorStatements::finish(std::size_t behind) {
   const std::size_t p = skip_blanks(behind);
   const char c = at(p);
@@ -74,7 +74,8 @@ bool FagorStatements::finish(std::size_t behind) {
   return true;
 }
 
-// Where ELSE stands in the statement, outside of texts; else its closing bracket.
+// The place of ELSE in the statement, outside of texts; that of the closing bracket if there is
+// none.
 std::size_t FagorStatements::else_at(std::size_t p) const {
   bool quoted = false;
   for (; p + 4 <= close_; ++p) {
@@ -85,7 +86,7 @@ std::size_t FagorStatements::else_at(std::size_t p) const {
   return close_;
 }
 
-// IF condition action ELSE action
+// Carries out IF condition action ELSE action.
 bool FagorStatements::if_statement(std::size_t p) {
   bool holds = false;
   if (!condition(p, holds)) return false;
@@ -98,7 +99,7 @@ bool FagorStatements::if_statement(std::size_t p) {
   return end_action(close_);
 }
 
-// P1=2, P2=P1+3
+// Carries out assignments: P1=2, P2=P1+3.
 bool FagorStatements::assignments(std::size_t p) {
   for (;;) {
     const std::size_t from = p = skip_blanks(p);
@@ -117,7 +118,7 @@ bool FagorStatements::assignments(std::size_t p) {
       std::string ignored;
       variables_.assign(number, value, ignored);
       reader_.set_position(block_.line.size());
-      return true;  // the program goes on, and whatever reads the parameter fails in silence
+      return true;  // the program goes on; reading the parameter fails without a report
     }
     if (!store(number, value, from, to)) return false;
     p = skip_blanks(p);
@@ -126,7 +127,7 @@ bool FagorStatements::assignments(std::size_t p) {
   }
 }
 
-// N10, N(P1+5), NP1: a block of this file.
+// Finds a block of this file: N10, N(P1+5), NP1.
 bool FagorStatements::label(std::size_t& p, Place& out) {
   const std::size_t from = p = skip_blanks(p);
   if (upper(at(p)) != 'N') return fail("statement", "N and the number of a block", p, p + 1);
@@ -148,7 +149,7 @@ bool FagorStatements::go_to(std::size_t p) {
   return reader_.jump(to);
 }
 
-// (RPT N10,N20) N3: blocks N10 to N20 three times.
+// (RPT N10,N20) N3 runs blocks N10 to N20 three times.
 bool FagorStatements::repeat_part(std::size_t p) {
   const std::size_t from = p;
   Place first, last;
@@ -176,7 +177,7 @@ bool FagorStatements::repeat_part(std::size_t p) {
   return reader_.enter(std::move(request), place_word(from, p));
 }
 
-// P1=5, A5, B(P1+2): local parameters of a call.
+// Reads the local parameters of a call: P1=5, A5, B(P1+2).
 bool FagorStatements::arguments(std::size_t& p, Arguments& out) {
   for (p = skip_blanks(p); at(p) == ','; p = skip_blanks(p)) {
     const std::size_t from = p = skip_blanks(p + 1);
@@ -193,7 +194,7 @@ bool FagorStatements::arguments(std::size_t& p, Arguments& out) {
                 .value_or(kMostLocals));
         value_at = equal + 1;
       } else {
-        value_at = p + 1;  // the letter P with a value
+        value_at = p + 1;  // the letter P as a name, with a value
       }
     } else if (at(skip_blanks(value_at)) == '=') {
       value_at = skip_blanks(value_at) + 1;
@@ -208,7 +209,8 @@ bool FagorStatements::arguments(std::size_t& p, Arguments& out) {
   return true;
 }
 
-// CALL 5; PCALL 5, A1, P2=3 with parameters of its own; MCALL the same behind each move.
+// CALL 5 calls a subroutine; PCALL 5, A1, P2=3 gives it its own parameters; MCALL calls it behind
+// each move.
 bool FagorStatements::call_statement(const std::string& word, std::size_t p) {
   const std::size_t from = p;
   double wanted = 0;

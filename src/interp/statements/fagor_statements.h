@@ -50,7 +50,7 @@ class FagorStatements : public Statements {
 
   std::size_t close_ = 0;  ///< the bracket that closes the statement
   std::size_t end_ = 0;    ///< where the action that is being read must end
-  std::set<long> unique_;  ///< block numbers that are known to stand once in the file
+  std::set<long> unique_;  ///< block numbers that stand only once in the file
   ModalCall modal_call_;
   bool in_modal_call_ = false;
 };

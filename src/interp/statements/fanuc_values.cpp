@@ -9,8 +9,8 @@
 
 namespace mrsim {
 
-// #4001 to #4130: the code in force of a modal group, and the last value of an address. Those of
-// the block before, 200 and 400 on, are the same here.
+// #4001 to #4130 are the code in force of a modal group, and the last value of an address. Those of
+// the block before (numbers higher by 200 and 400) are the same here.
 bool FanucValues::modal(int number, double& out) const {
   const int n = (number - 4000) % 200;
   if (n > 100) return address(n - 100, out);
@@ -68,7 +68,7 @@ bool FanucValues::mill_group(int group, double& out) const {
   }
 }
 
-// Of code system A.
+// The code in force of a group in code system A.
 bool FanucValues::lathe_group(int group, double& out) const {
   switch (group) {
     case 2:
@@ -113,7 +113,8 @@ bool FanucValues::address(int number, double& out) const {
   }
 }
 
-// #5001 end of the block before, #5021 machine, #5041 now, #5081 length offset of the tool.
+// #5001 is the end of the block before, #5021 the position in machine coordinates, #5041 the
+// current position, #5081 the length offset of the tool.
 bool FanucValues::position(int number, double& out, std::string& why) const {
   const int kind = (number - 5001) / 20, axis = axis_numbered((number - 5001) % 20);
   if (axis < 0 || kind == 3 || kind > 4) return false;
@@ -143,7 +144,8 @@ bool FanucValues::position(int number, double& out, std::string& why) const {
   return true;
 }
 
-// Offset memory C of mills: #10001 wear and #11001 length of H, #12001 wear and #13001 radius of D.
+// Offset memory C of mills: #10001 is the wear and #11001 the length of H, #12001 the wear and
+// #13001 the radius of D.
 bool FanucValues::read_register(int number, double& out, std::string& why) const {
   const int kind = number / 1000;
   if (lathe() || kind < 10 || kind > 13 || number % 1000 == 0 || !tools_) return false;
@@ -168,7 +170,7 @@ bool FanucValues::read_register(int number, double& out, std::string& why) const
   return true;
 }
 
-// Lengths, #10001 and #11001, move nothing here: see SetLengths.
+// Lengths (#10001 and #11001) move nothing here, see SetLengths.
 bool FanucValues::write_register(double number, const Value& value) {
   const int kind = static_cast<int>(number / 1000), index = static_cast<int>(number) % 1000;
   if (lathe() || kind < 10 || kind > 13 || index == 0 || !value.is_number()) return false;
@@ -188,7 +190,7 @@ namespace {
 
 constexpr int kPartsMade = 3901, kPartsWanted = 3902;
 
-// Timers, counters of parts, outputs: what a program sets there moves nothing.
+// Whether it is a timer, a counter of parts or an output: setting it moves nothing.
 bool is_kept(double number) {
   return number == 3001 || number == 3002 || number == kPartsMade || number == kPartsWanted ||
          (number >= 1100 && number <= 1135);
@@ -216,7 +218,7 @@ bool FanucValues::read(int number, Value& out, std::string& why) const {
 }
 
 bool FanucValues::write(double number, const Value& value, std::string& why) {
-  if (!tools_ && value.is_number()) {  // before the program runs: --set
+  if (!tools_ && value.is_number()) {  // the program does not run yet: --set
     outside_[static_cast<int>(number)] = value.number;
     return true;
   }

@@ -1,5 +1,5 @@
-// FANUC's numbered system variables: positions, offsets of tools, modal codes and addresses; and
-// those that --set answers. Private to src/interp.
+// FANUC's numbered system variables: positions, offsets of tools, modal codes and addresses, and
+// values that --set gives. Private to src/interp.
 #pragma once
 
 #include "interp/language/value.h"
@@ -15,10 +15,10 @@ class FanucValues : public StateValues {
  public:
   explicit FanucValues(Control& control) : StateValues(control) {}
 
-  /// False: `why` says that this variable is not answered, by number.
+  /// False: `why` names the variable and says that it is not read here.
   bool read(int number, Value& out, std::string& why) const;
   bool write(double number, const Value& value, std::string& why);
-  /// What the program has set #3000 to, which ends it.
+  /// The value to which the program has set #3000, which ends it.
   std::optional<double> alarm() const { return alarm_; }
 
  private:

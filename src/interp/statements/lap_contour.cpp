@@ -8,7 +8,7 @@
 namespace mrsim {
 namespace {
 
-// "NLAP1 G81": the block has this name.
+// Whether the block has this name, as "NLAP1 G81".
 bool is_named(std::string_view code, std::string_view name) {
   const std::size_t at = code.find_first_not_of(" \t/");
   if (at == code.npos || !code.substr(at).starts_with(name)) return false;

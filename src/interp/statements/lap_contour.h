@@ -11,15 +11,15 @@
 namespace mrsim {
 
 struct LapContour {
-  int number = 0;  ///< G81 along Z, G82 along X, G83 with the shape of the blank before it
+  int number = 0;  ///< G81 along Z, G82 along X, G83 begins with the blank
   Place begin, end;
   Place behind;  ///< G80
 };
 
-/// The block of this name between two places of a file: "NEND M9".
+/// Finds the block of this name between two places of a file: "NEND M9".
 std::optional<Place> find_named_block(const std::string& file, const Place& from, const Place& to,
                                       std::string_view name);
-/// The contour of this name between two places of a file.
+/// Finds the contour of this name between two places of a file.
 std::optional<LapContour> find_lap_contour(const std::string& file, const Place& from,
                                            const Place& to, std::string_view name);
 

@@ -37,7 +37,7 @@ bool LinuxcncValues::numbered(int number, double& out) const {
   return true;
 }
 
-// Where a probe touched and whether it did; what M66 has read.
+// Whether the value comes from outside: where a probe touched, whether it did, what M66 has read.
 bool LinuxcncValues::from_outside(int number) const {
   return is(Dialect::ngc) && ((number >= 5061 && number <= 5070) || number == 5399);
 }

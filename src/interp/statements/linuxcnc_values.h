@@ -15,12 +15,12 @@ class LinuxcncValues : public StateValues {
  public:
   explicit LinuxcncValues(Control& control) : StateValues(control) {}
 
-  /// False: `why` says that this parameter is not answered, by number.
+  /// False: `why` names the parameter and says that it is not read here.
   bool read(double number, Value& out, std::string& why) const;
   bool write(double number, const Value& value, std::string& why);
-  /// False: there is no such name.
+  /// The value of a named parameter. False: there is no such name.
   bool named(std::string_view name, double& out) const;
-  /// What the last subprogram returned.
+  /// The last subprogram has returned this value. `given`: it had one.
   void set_returned(double value, bool given) {
     returned_ = value;
     has_returned_ = given;

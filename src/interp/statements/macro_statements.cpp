@@ -13,15 +13,15 @@ namespace mrsim {
 namespace {
 
 constexpr std::string_view kOutputs[] = {"POPEN", "PCLOS", "DPRNT", "BPRNT"};
-constexpr std::string_view kSetNames = "SETVN";  // names for the display
+constexpr std::string_view kSetNames = "SETVN";  // sets names for the display
 constexpr std::size_t kMostMacroLevels = 4;
 
-// Numbers of probing macros as makers of probes give them: Renishaw 98xx, Haas 9023 and 999x.
+// Whether the macro is a probe's by the number of its maker: Renishaw 98xx, Haas 9023 and 999x.
 bool is_probing(long number) {
   return (number >= 9800 && number <= 9899) || number == 9023 || (number >= 9994 && number <= 9996);
 }
 
-// Argument list I: the local variable of each letter; 0 = no argument.
+// The local variable of a letter in argument list I; 0: the letter is no argument.
 int local_of(char c) {
   static constexpr std::array<int, 26> kLocals = {1, 2, 3, 7,  8,  9,  0,  11, 4,  5,  6,  0,  13,
                                                   0, 0, 0, 17, 18, 19, 20, 21, 22, 23, 24, 25, 26};
@@ -81,7 +81,8 @@ bool MacroStatements::statement(std::size_t from) {
   return true;
 }
 
-// Where ELSE stands in the rest of the block, outside of comments; else the end of the line.
+// The place of ELSE in the rest of the block, outside of comments; the end of the line if there is
+// none.
 std::size_t MacroStatements::else_at(std::size_t p) const {
   const std::size_t end = end_of_block(p);
   for (; p < end; ++p) {
@@ -91,7 +92,7 @@ std::size_t MacroStatements::else_at(std::size_t p) const {
   return block_.line.size();
 }
 
-// IF [...] GOTO 10, IF [...] THEN #1 = 2, and IF [...] THEN with its blocks below it.
+// Carries out IF [...] GOTO 10, IF [...] THEN #1 = 2, and IF [...] THEN with its blocks below.
 bool MacroStatements::if_statement(std::size_t from, std::size_t p) {
   bool holds = false;
   p = behind_comments(block_.line, p);
@@ -118,8 +119,8 @@ bool MacroStatements::if_statement(std::size_t from, std::size_t p) {
   return true;
 }
 
-// IF [...] THEN, ELSEIF [...] THEN, ELSE, ENDIF of the 30i-B. `holds`: the condition; none at ELSE
-// and ELSEIF behind the blocks of one that held.
+// IF [...] THEN, ELSEIF [...] THEN, ELSE, ENDIF of the 30i-B. `holds` is the condition; it is empty
+// at an ELSE or ELSEIF that follows blocks which were run.
 bool MacroStatements::branch(std::size_t from, std::optional<bool> holds) {
   const FlowEntry* const entry = entry_at(from);
   if (!entry) return false;
@@ -138,7 +139,7 @@ bool MacroStatements::branch(std::size_t from, std::optional<bool> holds) {
 bool MacroStatements::while_statement(std::size_t from, std::size_t p) {
   bool holds = false;
   p = behind_comments(block_.line, p);
-  if (at(p) != '[') return condition(p, holds);  // its fault
+  if (at(p) != '[') return condition(p, holds);  // reports its fault
   const FlowEntry* const entry = entry_at(from);
   if (!entry) return false;
   if (!condition(p, holds)) return false;
@@ -168,7 +169,7 @@ bool MacroStatements::go_to(std::size_t p) {
   return jump_always(to);
 }
 
-// --least-increments: an argument without a point counts those of its address.
+// With --least-increments an argument without a point counts the least increments of its address.
 double MacroStatements::argument_value(const Word& word) const {
   const auto c = static_cast<char>(word.address);
   if (!options_.least_increments || word.point) return word.value;
@@ -177,8 +178,8 @@ double MacroStatements::argument_value(const Word& word) const {
   return length ? word.value * modal_.least_increment() : word.value;
 }
 
-// The words behind G65 as local variables. I J K more than once: argument list II. `code`: G65 or
-// G66; null in a block under G66.1.
+// Collects the words behind G65 as local variables. If I J K stand more than once, it is argument
+// list II. `code`: G65 or G66; null in a block under G66.1.
 bool MacroStatements::collect(const Word* code, Arguments& out) {
   int triples = 0;
   char last = 'Z';
@@ -205,7 +206,8 @@ bool MacroStatements::collect(const Word* code, Arguments& out) {
   return true;
 }
 
-// Manuals of G66.1 make arguments of G L N P, too (#10 #12 #14 #16), but differ in whether G acts.
+// Manuals of G66.1 also make G L N P arguments (#10 #12 #14 #16), but differ in whether G takes
+// effect.
 bool MacroStatements::no_argument(const Word& word, bool simple) {
   if (!simple)
     return error("not-supported",
@@ -219,8 +221,8 @@ bool MacroStatements::no_argument(const Word& word, bool simple) {
                word);
 }
 
-// The arguments are set before the first run of a command; the next ones begin with the local
-// variables that the last one left.
+// The arguments are set before the first run of a command. The next runs begin with the local
+// variables as the run before left them.
 bool MacroStatements::call_macro(const SubprogramName& program, long repeats,
                                  const Arguments& arguments, const Kept& kept,
                                  const MacroLevel& level, const Word& where) {
@@ -248,8 +250,7 @@ bool MacroStatements::call_macro(const SubprogramName& program, long repeats,
   return reader_.enter(std::move(request), where);
 }
 
-// A macro of a probe that is not at hand: it cuts nothing, and where it ends only the machine
-// knows.
+// The macro of a probe is not available. It cuts nothing, and only the machine knows where it ends.
 bool MacroStatements::probing(long number, const Word& code) {
   if (!is_probing(number) || reader_.has_subprogram({number, {}})) return false;
   position_.known = lathe() ? 2 : 0;
@@ -265,7 +266,7 @@ bool MacroStatements::call_program(const SubprogramName& name, long repeats, con
   return probing(name.number, word) || Statements::call_program(name, repeats, word);
 }
 
-// G65 P9010 L2 A1 B2; G66 and G66.1 the same, later.
+// G65 P9010 L2 A1 B2 calls a macro. G66 and G66.1 call it later.
 bool MacroStatements::macro_call(const Word& code) {
   const Word* p = nullptr;
   const Word* l = nullptr;
@@ -296,8 +297,8 @@ bool MacroStatements::macro_call(const Word& code) {
   return true;
 }
 
-// How many modal calls are in force: all of them; in a macro those that it made itself, else those
-// before the one that runs it.
+// How many modal calls are in force: all of them; in a macro only those that it has made itself, or
+// if it has made none, those before the one that runs it.
 std::size_t MacroStatements::modal_count() const {
   if (levels_.empty() || modal_calls_.size() > levels_.back().base) return modal_calls_.size();
   return std::min(levels_.back().modal, modal_calls_.size());
@@ -309,7 +310,7 @@ bool MacroStatements::is_modal_unclear() const {
          modal_calls_.size() <= levels_.back().base;
 }
 
-// The macro of the last G66; a move in that macro calls the one before.
+// The macro that a move calls: that of the last G66. A move in that macro calls the one before.
 const MacroStatements::ModalCall* MacroStatements::modal_call(bool every_block) const {
   const std::size_t count = modal_count();
   if (count == 0) return nullptr;
@@ -324,7 +325,7 @@ bool MacroStatements::run_modal(const ModalCall& call, const Arguments& argument
                     {before, modal_calls_.size(), false}, block_.words.front());
 }
 
-// Under G66.1 an N word behind others is no number of the block.
+// Whether the N word leads the block: under G66.1 an N behind other words is no block number.
 bool MacroStatements::number_leads() {
   long number = -1;
   behind_number(block_.line, 0, number);
@@ -336,7 +337,7 @@ bool MacroStatements::number_leads() {
              block_.words.front());
 }
 
-// #3000=1(NO TOOL): nothing behind it runs.
+// #3000=1(NO TOOL) ends the program.
 bool MacroStatements::stopped_by_alarm() {
   const std::optional<double> alarm = system_.fanuc().alarm();
   if (!alarm) return false;
@@ -359,12 +360,12 @@ bool MacroStatements::take_block() {
   }
   const ModalCall* const call = is_modal_unclear() ? nullptr : modal_call(true);
   if (!call || block_.words.empty() || block_.words[0].address == letter('M')) return false;
-  Arguments arguments = call->arguments;  // G66.1: the words of the block are arguments
+  Arguments arguments = call->arguments;  // under G66.1 the words of the block are arguments
   if (number_leads() && collect(nullptr, arguments)) run_modal(*call, arguments);
   return true;
 }
 
-// G66: the macro runs at the end of every block that moves.
+// The macro of G66 runs at the end of every block that moves.
 void MacroStatements::end_block(bool moved) {
   if (moved && is_modal_unclear()) {
     error("not-supported",

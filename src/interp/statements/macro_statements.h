@@ -28,9 +28,9 @@ class MacroStatements : public Statements {
   /// Values of local variables by number.
   struct Arguments {
     std::array<double, Variables::kLocals> values{};
-    std::uint64_t given = 0;  ///< a bit each
+    std::uint64_t given = 0;  ///< a bit for each variable that is given
   };
-  /// Local variables at the end of a run, where the next run of the same command begins.
+  /// Local variables at the end of a run, with which the next run of the same command begins.
   using Kept = std::shared_ptr<std::optional<Variables::Locals>>;
   struct ModalCall {
     bool every_block = false;  ///< G66.1
@@ -39,11 +39,11 @@ class MacroStatements : public Statements {
     Arguments arguments;
     Kept locals;
   };
-  /// A macro under way.
+  /// A macro that is running.
   struct MacroLevel {
-    std::size_t modal = 0;  ///< of the modal calls before it, those that its moves call
-    std::size_t base = 0;   ///< modal calls there were before it
-    bool simple = false;    ///< by G65
+    std::size_t modal = 0;  ///< how many of the modal calls before it its moves call
+    std::size_t base = 0;   ///< how many modal calls there were before it
+    bool simple = false;    ///< called by G65
   };
 
   std::size_t else_at(std::size_t p) const;
@@ -67,7 +67,7 @@ class MacroStatements : public Statements {
   bool macro_call(const Word& code);
 
   bool arriving_ = false;  ///< at an ELSEIF, because the conditions before it are false
-  std::vector<ModalCall> modal_calls_;  ///< G66 in G66: the last one runs
+  std::vector<ModalCall> modal_calls_;  ///< of G66 inside of G66 the last one runs
   std::vector<MacroLevel> levels_;
 };
 

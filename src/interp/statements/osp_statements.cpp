@@ -15,15 +15,15 @@ namespace {
 
 constexpr double kMostRunsOfCall = 9999;
 
-// Letters and digits from `p` on.
+// The letters and digits at `p`.
 std::string_view name_from(std::string_view line, std::size_t p) {
   std::size_t end = p;
   while (end < line.size() && (is_letter(line[end]) || is_digit(line[end]))) ++end;
   return line.substr(p, end - p);
 }
 
-// "VGRIN[1]=1 VGRL[1]=40", "VCHKL=0 VWKR=602", "VLMON[1]=11" and nothing else: the shapes of tools,
-// chuck and tailstock on that screen, and the load monitor.
+// Whether the line only sets what the screen shows, shapes of tools, chuck and tailstock, or the
+// load monitor: "VGRIN[1]=1 VGRL[1]=40", "VCHKL=0 VWKR=602", "VLMON[1]=11".
 bool sets_picture(std::string_view line, std::size_t p) {
   constexpr std::string_view kNames[] = {"VGR", "VTS", "VCHK", "VWKR", "VLMON"};
   while (p < line.size() && line[p] != '(') {
@@ -41,8 +41,8 @@ bool sets_picture(std::string_view line, std::size_t p) {
   return true;
 }
 
-// "DEF WORK", "PS LC,[-400,0],[400,19]", "PT LF,LC,[0,0],[80,80]", "END", "DRAW" and "CLEAR", which
-// draw the blank on the control's screen.
+// Whether the line draws the blank on the control's screen: "DEF WORK", "PS LC,[-400,0],[400,19]",
+// "PT LF,LC,[0,0],[80,80]", "END", "DRAW" and "CLEAR".
 bool draws_blank(std::string_view line, std::size_t p) {
   if (upper(line[p]) == 'V') return sets_picture(line, p);
   const std::string name = upper_case(name_from(line, p).substr(0, 6));
@@ -63,7 +63,8 @@ bool OspStatements::starts_statement(std::string_view line, std::size_t p) {
          name == "MODIN" || name == "MODOUT" || MacroStatements::starts_statement(line, p);
 }
 
-// The brackets of IF alone: in IF [VC1 GE 2] NEND the block NEND follows, and no comparison by NE.
+// Reads only the brackets of IF: behind IF [VC1 GE 2] NEND names a block, and is no comparison by
+// NE.
 bool OspStatements::bracketed(std::size_t& p, bool& holds) {
   p = behind_comments(block_.line, p);
   if (at(p) != '[') return condition(p, holds);
@@ -127,7 +128,7 @@ bool OspStatements::statement(std::size_t from) {
   return true;
 }
 
-// "O100 Q3 XA=5 LP=VC1*2"
+// Reads the words of a call: "O100 Q3 XA=5 LP=VC1*2".
 bool OspStatements::read_call(std::size_t p, Call& out) {
   p = skip_blanks(p);
   const std::string_view name = name_from(block_.line, p);
@@ -148,7 +149,7 @@ bool OspStatements::read_call(std::size_t p, Call& out) {
   return true;
 }
 
-// Q3, Q=VC1, XA=5
+// Reads a word of a call: Q3, Q=VC1, XA=5.
 bool OspStatements::argument(std::size_t& p, Call& out) {
   const std::size_t from = p;
   std::string_view name = name_from(block_.line, p);
@@ -194,7 +195,7 @@ bool OspStatements::enter(const Call& call, bool modal) {
   return reader_.enter(std::move(request), call.place);
 }
 
-// To block N100, or to the block of a name.
+// Jumps to block N100, or to the block of a name.
 bool OspStatements::jump(std::size_t p) {
   const std::string_view name = name_from(block_.line, p);
   reader_.leave_stretches();
@@ -212,7 +213,7 @@ bool OspStatements::jump(std::size_t p) {
               p + name.size());
 }
 
-// VC1=2, DIA=VC1+3. "#1=2" is FANUC's.
+// Carries out VC1=2 and DIA=VC1+3. "#1=2" is FANUC's.
 bool OspStatements::assignment(std::string_view line, std::size_t& p) {
   if (line[p] == '#') return MacroStatements::assignment(line, p);
   const std::size_t from = p;
@@ -246,8 +247,8 @@ bool OspStatements::set(std::string_view name, const Value& value, std::size_t f
   return store(name, {}, value, from, to);
 }
 
-// MODIN: the program runs behind every block that moves. Whether it does in programs of CALL no
-// manual at hand says.
+// The program of MODIN runs behind every block that moves. No manual at hand says whether it also
+// does in programs of CALL.
 void OspStatements::end_block(bool moved) {
   if (!moved || !modal_ || runs_modal_) return MacroStatements::end_block(moved);
   if (calls_ == 0) {

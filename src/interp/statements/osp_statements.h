@@ -1,5 +1,6 @@
 // What Okuma's OSP adds to the macros of FANUC: CALL, MODIN, MODOUT, RTS, IF [ ] NAME, GOTO NAME,
-// and variables by name: VC1 and V1 of all programs, others of one. Private to src/interp.
+// and variables by name: all programs share VC1 and V1, others belong to one program. Private to
+// src/interp.
 #pragma once
 
 #include "interp/statements/macro_statements.h"
@@ -38,9 +39,9 @@ class OspStatements : public MacroStatements {
   bool jump(std::size_t p);
   bool set(std::string_view name, const Value& value, std::size_t from, std::size_t to);
 
-  std::optional<Call> modal_;  ///< MODIN
-  int calls_ = 0;              ///< under way
-  bool runs_modal_ = false;    ///< one of them is that of MODIN
+  std::optional<Call> modal_;  ///< the program of MODIN
+  int calls_ = 0;              ///< how many calls are running
+  bool runs_modal_ = false;    ///< the program of MODIN is running
 };
 
 }  // namespace mrsim

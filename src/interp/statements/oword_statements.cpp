@@ -25,7 +25,7 @@ bool OwordStatements::starts_statement(std::string_view line, std::size_t p) {
   return oword_name(line, p, name);
 }
 
-// #1 = 2, #<name> = [...]: one operand, kept until the block has been read.
+// #1 = 2 and #<name> = [...] have one operand. The value is kept until the block has been read.
 bool OwordStatements::assignment(std::string_view line, std::size_t& p) {
   Pending one;
   one.from = p++;
@@ -66,14 +66,15 @@ bool OwordStatements::take_block() {
   return reader_.finished();
 }
 
-// Grbl and others end where the text does; whoever writes O words writes for LinuxCNC.
+// Programs of Grbl and others end where the text ends. A program with O words is for LinuxCNC,
+// where that is a fault.
 void OwordStatements::end_of_main() {
   if (!has_owords_) return;
   reporter_.forget_text();
   fail("program-end-missing", "the program ends without M2, M30 or %: LinuxCNC refuses that", 0, 1);
 }
 
-// (debug, #1), (print, ...), (msg, ...) show a text; (abort, ...) ends the program with it.
+// (debug, #1), (print, ...) and (msg, ...) show a text; (abort, ...) also ends the program.
 void OwordStatements::message(std::string_view comment) {
   std::size_t p = 0;
   const std::string kind = letters_of(comment, p);
@@ -113,7 +114,7 @@ bool OwordStatements::statement(std::size_t from) {
   std::size_t p = from;
   std::string name;
   oword_name(block_.line, p, name);
-  if (name.empty()) {  // O[#2 * 10] call, O#<n> call
+  if (name.empty()) {  // the name is computed: O[#2 * 10] call, O#<n> call
     std::size_t q = skip_blanks(from + 1);
     double value = 0;
     if (!number(q, value, true)) return false;
@@ -125,7 +126,7 @@ bool OwordStatements::statement(std::size_t from) {
   if (word == "CALL") return call(name, from, behind);
   const FlowEntry* const entry = entry_at(from);
   if (!entry) return false;
-  if (word.empty()) {  // the header of a numbered or named program
+  if (word.empty()) {  // it is the header of a numbered or named program
     titled_ = titled_ || reader_.depth() == 1;
     reader_.set_position(block_.line.size());
     return true;
@@ -157,7 +158,7 @@ bool OwordStatements::oword(const FlowEntry& entry, std::size_t p) {
       const FlowEntry& last = places_.outline().entry(places_.outline().entry(entry.first).last);
       return reader_.jump(last.at);
     }
-    case FlowWord::sub:  // defined here, run when called
+    case FlowWord::sub:  // it is defined here and runs when it is called
       if (titled_ && reader_.depth() == 1)
         return fail("program-end-missing",
                     "the program that began with a bare O word has no M2 or M30 before this sub",
@@ -172,7 +173,8 @@ bool OwordStatements::oword(const FlowEntry& entry, std::size_t p) {
   }
 }
 
-// Behind a false condition the next elseif is evaluated; behind a true one its end comes.
+// Behind a false condition the next elseif is evaluated; behind the blocks of a true one the
+// structure ends.
 bool OwordStatements::branch(const FlowEntry& entry, std::size_t p) {
   const bool first = entry.word == FlowWord::branch;
   const bool asked = first || std::exchange(arriving_, false);
@@ -226,7 +228,7 @@ bool OwordStatements::jump_past(const FlowEntry& entry) {
   return reader_.jump(next);
 }
 
-// Values in brackets up to the end of the line: "[1] (comment) [#2]".
+// Reads values in brackets up to the end of the line: "[1] (comment) [#2]".
 bool OwordStatements::values(std::size_t p, std::vector<double>& out) {
   for (;;) {
     p = end_of_line(p);
@@ -242,7 +244,7 @@ bool OwordStatements::values(std::size_t p, std::vector<double>& out) {
   return true;
 }
 
-// In the main program, or in a file of its own. Other subs of such a file are found by nobody.
+// Finds a sub in the main program, or in its own file. Other subs of such a file are not found.
 bool OwordStatements::locate(const std::string& name, CallRequest& request) {
   const ProgramOutline& main = places_.outline(program_.files.front());
   if (const int i = main.find_name(FlowWord::sub, name, -1); i >= 0) {
@@ -308,7 +310,8 @@ bool OwordStatements::enter_sub(const std::string& name, CallRequest request,
   return reader_.enter(std::move(request), word);
 }
 
-// M98 P100: a program that begins with the bare word O100, and shares all variables.
+// M98 P100 calls a program that begins with the bare word O100. It shares all variables with its
+// caller.
 bool OwordStatements::call_program(const SubprogramName& name, long repeats, const Word& word) {
   const std::string number = fmt::format("{}", name.number);
   const ProgramOutline& all = places_.outline(program_.files.front());
@@ -332,7 +335,7 @@ bool OwordStatements::call_program(const SubprogramName& name, long repeats, con
   return reader_.enter(std::move(request), word);
 }
 
-// endsub and return, with or without a value.
+// Carries out endsub and return, with or without a value.
 bool OwordStatements::leave(std::size_t p, bool required) {
   std::vector<double> result;
   if (!values(p, result)) return false;

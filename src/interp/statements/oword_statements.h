@@ -28,7 +28,7 @@ class OwordStatements : public Statements {
   bool statement(std::size_t p) override;
 
  private:
-  /// An assignment that waits for the end of its block.
+  /// An assignment, which takes effect at the end of its block.
   struct Pending {
     bool named = false;
     double number = 0;
@@ -57,10 +57,10 @@ class OwordStatements : public Statements {
 
   SavedModes saved_modes_;
   std::vector<Pending> pending_;
-  bool titled_ = false;  ///< the main program has begun with a bare O word
+  bool titled_ = false;  ///< the main program begins with a bare O word
   bool has_owords_ = false;
   bool arriving_ = false;  ///< at an elseif, because the conditions before it are false
-  std::map<std::array<int, 3>, long> repeats_;  ///< passes left, by level, file and entry
+  std::map<std::array<int, 3>, long> repeats_;  ///< passes that are left, by level, file and entry
 };
 
 }  // namespace mrsim

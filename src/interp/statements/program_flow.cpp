@@ -11,7 +11,7 @@
 namespace mrsim {
 namespace {
 
-constexpr int kMostM = 5;  // in a block of SINUMERIK
+constexpr int kMostM = 5;  // M words in a block of SINUMERIK
 
 }  // namespace
 
@@ -41,7 +41,7 @@ bool ProgramFlow::begin_block() {
   return true;
 }
 
-// A call stands alone in its block; a name beside other words is a word that nobody knows.
+// Whether the call stands alone in its block. A name beside other words is an unknown word.
 bool ProgramFlow::alone(const Word& call) {
   bool others = false, known = true;
   for (const Word& word : block_.words) {
@@ -75,8 +75,8 @@ bool ProgramFlow::m_words() {
   return ok;
 }
 
-// "G0 G49 Z0" and "G0 H0 Z0" of FANUC's mills: without the length of the tool Z0 is the machine's,
-// the upper end of Z. Whoever writes this has no length in the work offset.
+// "G0 G49 Z0" and "G0 H0 Z0" of FANUC's mills: without the length of the tool, Z0 is the upper end
+// of Z on the machine. Programs with these blocks have no length in the work offset.
 void ProgramFlow::leave_length() {
   const Word* z = peek('Z');
   if (!z || z->value != 0 || lathe() || !(is(Dialect::fanuc) || is(Dialect::iso))) return;
@@ -91,7 +91,8 @@ void ProgramFlow::leave_length() {
   block_.forget(z->address);
 }
 
-// Printers' boards switch their motors on by M17, and so do the mills that they drive.
+// M17 switches motors on at boards of printers and the mills that they drive, so it is no return
+// there.
 bool ProgramFlow::returns_by_m17() const {
   if (is(Dialect::fanuc) || is(Dialect::ngc)) return false;
   return !is(Dialect::iso) || reader_.depth() > 1;
@@ -110,7 +111,7 @@ bool ProgramFlow::m_word(const Word& word) {
     changer_retracts(word);
   }
   if (m == 19 && !is(Dialect::ngc) && !peek('X') && !peek('Y') && !peek('Z')) take('R');  // angle
-  if (m == 2 || m == 30)  // in a subprogram of SINUMERIK the same as M17
+  if (m == 2 || m == 30)  // the same as M17 in a subprogram of SINUMERIK
     (is(Dialect::sinumerik) && reader_.depth() > 1 ? block_.return_after : block_.stop_after) =
         true;
   if (m == 17 && returns_by_m17()) block_.return_after = true;
@@ -144,8 +145,8 @@ bool ProgramFlow::m_word(const Word& word) {
   return true;
 }
 
-// Inputs, outputs, overrides, the spindle's orientation, and M100 to M199, which are programs of
-// the machine's owner: their words are their own. False: another word.
+// M words of LinuxCNC for inputs, outputs, overrides and the spindle's orientation, and M100 to
+// M199, which are programs of the machine's owner, take their words. False: it is another M word.
 bool ProgramFlow::linuxcnc_signal(int m) {
   const bool quiet = m == 19 || (m >= 48 && m <= 53) || (m >= 62 && m <= 68);
   if (!quiet && (m < 100 || m > 199)) return false;
@@ -153,8 +154,9 @@ bool ProgramFlow::linuxcnc_signal(int m) {
   return quiet;
 }
 
-// M25 of Centroid and Hurco: Z goes to its upper end. Sure where the program has said M25 G49, as
-// Centroid's posts do; elsewhere a cut that goes on without Z shows that it was something else.
+// M25 of Centroid and Hurco moves Z to its upper end. That is certain if the program has M25 G49,
+// as Centroid's posts write. Otherwise a cut that goes on without a Z shows that M25 was something
+// else.
 bool ProgramFlow::z_home(const Word& word) {
   if (lathe() || is(Dialect::sinumerik) || is(Dialect::codesys)) return false;
   for (const char c : {'X', 'Y', 'Z', 'I', 'J', 'K'})
@@ -166,15 +168,16 @@ bool ProgramFlow::z_home(const Word& word) {
   return true;
 }
 
-// Z goes up to where the changer is; routers, whose tools are changed by hand, speak other
-// dialects.
+// A tool change moves Z up to the changer. Tools of routers are changed by hand, but their programs
+// are of other dialects.
 void ProgramFlow::changer_retracts(const Word& word) {
   if (lathe() || !is(Dialect::fanuc) || block_.home) return;
   block_.home = &word;
   block_.home_guessed = true;
 }
 
-// M53 of Okuma: drilling cycles end at the level of G71 Z; M54: at R. False: another control's.
+// M53 of Okuma: drilling cycles end at the level of G71 Z; M54: at R. False: the word is another
+// control's.
 bool ProgramFlow::okuma_return(int m) {
   if (!is(Dialect::fanuc) || (!modal_.return_level && !(modal_.okuma && m == 54))) return false;
   if (m == 52) return false;
@@ -182,7 +185,7 @@ bool ProgramFlow::okuma_return(int m) {
   return true;
 }
 
-// M97, M98 and M198 (a program on another device).
+// Calls by M97, M98 and M198 (a program on another device).
 bool ProgramFlow::call_word(const Word& word, int m) {
   if (m == 97 && is(Dialect::iso))
     return error("not-supported", "M97 (a call of a block number) is not supported yet", word);
@@ -208,12 +211,14 @@ bool ProgramFlow::call_word(const Word& word, int m) {
   return true;
 }
 
-// Haas numbers programs with five digits, the 30i with eight: O20002, and no O0002.
+// Whether P is only the number of a program: those of Haas have five digits and those of the 30i
+// eight, so that 20002 is O20002 and not O0002.
 bool ProgramFlow::is_whole_number(long number) {
   return reader_.has_subprogram({number, {}}) && !reader_.has_subprogram({number % 10000, {}});
 }
 
-// M98 <SUB1> of FANUC's 30i; M98 (USB0/SUB1.NC) of Haas, whose folders are not those here.
+// The name in M98 <SUB1> of FANUC's 30i, or in M98 (USB0/SUB1.NC) of Haas without its folders,
+// which are not those here.
 std::string ProgramFlow::program_name(const Word* p) const {
   if (p) return std::string(p->string ? p->text : std::string_view());
   if (!is(Dialect::fanuc) || block_.comments.empty()) return {};
@@ -226,7 +231,8 @@ std::string ProgramFlow::program_name(const Word* p) const {
   return std::string(is_file ? name : std::string_view());
 }
 
-// M98 P2 L50; M98 P500002: the last four digits are the program, those before them the count.
+// M98 P2 L50, or M98 P500002: the last four digits are the program, and those before them the
+// count.
 bool ProgramFlow::fanuc_call(const Word& word) {
   const Word* p = find(letter('P'));
   const Word* l = find(letter('L'));
@@ -247,7 +253,8 @@ bool ProgramFlow::fanuc_call(const Word& word) {
   return call({number, {}}, repeats, *p);
 }
 
-// From block Q20 or H20 of the program on; whether the second run begins there, too, is not known.
+// Calls a program from its block Q20 or H20 on. It is not known whether a second run also begins
+// there.
 bool ProgramFlow::call_at_block(const SubprogramName& name, long repeats, const Word& block) {
   if (repeats != 1)
     return error("not-supported",
@@ -257,7 +264,7 @@ bool ProgramFlow::call_at_block(const SubprogramName& name, long repeats, const 
   return statements_ && statements_->call_at_block(name, block);
 }
 
-// M97 P10 L2 (Haas), M98 H10 L2: from block N10 of the same program up to M99.
+// M97 P10 L2 (Haas) and M98 H10 L2 call blocks N10 to M99 of the same program.
 bool ProgramFlow::local_call(const Word& word) {
   const Word* p = find(letter('P'));
   if (!p) p = call_begins_;

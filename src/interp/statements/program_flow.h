@@ -11,11 +11,11 @@ class ProgramFlow : public ControlPart {
   ProgramFlow(Control& control, BlockReader& reader, Statements* statements)
       : ControlPart(control), reader_(reader), statements_(statements) {}
 
-  /// Headers, and which word is a call. False: an error was reported.
+  /// Reads headers and finds the word that is a call. False: an error was reported.
   bool begin_block();
-  /// The M words. False: errors were reported.
+  /// Carries out the M words. False: errors were reported.
   bool m_words();
-  /// Calls, returns and ends, after all else in the block.
+  /// Carries out calls, returns and ends, after everything else in the block.
   void end_block();
 
  private:
@@ -39,8 +39,8 @@ class ProgramFlow : public ControlPart {
 
   BlockReader& reader_;
   Statements* statements_;
-  const Word* call_begins_ = nullptr;  ///< Q or H of M98: the block that the call begins at
-  bool centroid_ = false;              ///< the program has said M25 beside G49
+  const Word* call_begins_ = nullptr;  ///< Q or H of M98: the block at which the call begins
+  bool centroid_ = false;              ///< the program has M25 beside G49
 };
 
 }  // namespace mrsim

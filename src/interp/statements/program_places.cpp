@@ -7,7 +7,7 @@
 namespace mrsim {
 namespace {
 
-constexpr std::size_t kMostNumbers = 10000;  // places of block numbers kept
+constexpr std::size_t kMostNumbers = 10000;  // how many places of block numbers are kept
 
 }  // namespace
 

@@ -17,7 +17,7 @@
 namespace mrsim {
 namespace {
 
-constexpr std::size_t kMostValues = 10'000;  // of SET( )
+constexpr std::size_t kMostValues = 10'000;  // values of SET( )
 constexpr std::size_t kAllElements = std::numeric_limits<std::size_t>::max();
 
 }  // namespace
@@ -25,7 +25,7 @@ constexpr std::size_t kAllElements = std::numeric_limits<std::size_t>::max();
 SinumerikAssignments::SinumerikAssignments(Control& control, BlockReader& reader)
     : Statements(control, reader, sinumerik_rules(), VariableForm::sinumerik,
                  OutlineForm::sinumerik) {
-  std::string ignored;  // the contour of LCYC95
+  std::string ignored;  // a name: the contour of LCYC95
   variables_.define("_CNAME", VariableType::text, {}, true, ignored);
   read_definitions();
 }
@@ -59,7 +59,7 @@ bool SinumerikAssignments::indices(std::string_view line, std::size_t& p, std::v
   return true;
 }
 
-// R1=..., R[n]=..., NAME=..., NAME[n]=SET(1,2), $P_PFRAME=...
+// Carries out R1=..., R[n]=..., NAME=..., NAME[n]=SET(1,2), $P_PFRAME=....
 bool SinumerikAssignments::assignment(std::string_view line, std::size_t& p) {
   const std::size_t from = p;
   if (at(p) == '$') ++p;
@@ -108,8 +108,8 @@ bool SinumerikAssignments::assign_all(std::string_view line, std::size_t& p, std
   return store(number, value, from, to);
 }
 
-// SET(1, , 3), where a value left out leaves its element; REP(2) of all elements, REP(2, 5) of
-// five.
+// SET(1, , 3) sets elements in order; a value that is left out leaves its element as it is. REP(2)
+// sets all elements, and REP(2, 5) sets five.
 bool SinumerikAssignments::fill(std::string_view line, std::size_t& p, std::string_view name,
                                 std::span<const Value> at_index, bool repeats, std::size_t from) {
   const std::size_t open = p;
@@ -140,12 +140,13 @@ bool SinumerikAssignments::fill(std::string_view line, std::size_t& p, std::stri
   return true;
 }
 
-// DEF REAL A, B=2, C[3,2]; DEF STRING[20] NAME
+// DEF defines variables: DEF REAL A, B=2, C[3,2] or DEF STRING[20] NAME.
 bool SinumerikAssignments::define(std::size_t p) {
   return definitions(p, false) && end_statement(p);
 }
 
-// NCK, CHAN, SYNR ...: who shares a variable; PHU 1, LLI 0, APRP 7 ...: unit, limits and rights.
+// NCK, CHAN, SYNR ... say who shares a variable; PHU 1, LLI 0, APRP 7 ... are unit, limits and
+// rights.
 std::string SinumerikAssignments::behind_attributes(std::size_t& p, bool& global) {
   static constexpr std::string_view kPlain[] = {"NCK", "CHAN", "SYNR", "SYNW", "SYNRW"};
   static constexpr std::string_view kCounted[] = {"PHU",  "LLI",  "ULI",  "APR", "APW",
@@ -189,8 +190,8 @@ bool SinumerikAssignments::definitions(std::size_t& p, bool global) {
   }
 }
 
-// DEFINE NAME AS TEXT. Structures are found in the lines as they are written, so that none may be
-// behind a name.
+// DEFINE NAME AS TEXT. Structures are found in the lines as they are written, so that the text must
+// not contain one.
 bool SinumerikAssignments::define_macro(std::size_t p, bool everywhere) {
   const std::size_t from = p;
   const std::string name = name_at(p);
@@ -212,7 +213,8 @@ bool SinumerikAssignments::define_macro(std::size_t p, bool everywhere) {
   return true;
 }
 
-// Files of definitions (UGUD.DEF) among the search path: their variables live as long as the run.
+// Reads files of definitions (UGUD.DEF) in the search path. Their variables live as long as the
+// run.
 void SinumerikAssignments::read_definitions() {
   for (const std::string& file : options_.search_path) {
     std::error_code none;

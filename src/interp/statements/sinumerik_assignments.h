@@ -18,7 +18,7 @@ class SinumerikAssignments : public Statements {
  protected:
   SinumerikAssignments(Control& control, BlockReader& reader);
 
-  /// The name at `p`, in capitals.
+  /// The name at `p` in capitals; `p` ends behind it.
   std::string name_at(std::size_t& p) const;
   bool end_statement(std::size_t p);
   bool indices(std::string_view line, std::size_t& p, std::vector<Value>& out);

@@ -14,7 +14,7 @@ namespace mrsim {
 SinumerikCalls::SinumerikCalls(Control& control, BlockReader& reader)
     : SinumerikAssignments(control, reader), procedures_(control, variables_, evaluator_) {}
 
-// A block of words under MCALL ends with the call, where it moved, in subprograms too.
+// Under MCALL every block of words that moved ends with the call, also in subprograms.
 void SinumerikCalls::end_block(bool moved) {
   if (!moved || !modal_call_.active || in_modal_call_) return;
   call(modal_call_.name, modal_call_.arguments, 1, block_.words.front(), true);
@@ -31,7 +31,7 @@ bool SinumerikCalls::modal_call(std::size_t p) {
   return end_statement(p);
 }
 
-// EXECSTRING(TEXT): the text stands for the block.
+// EXECSTRING(TEXT): the text replaces the block.
 bool SinumerikCalls::run_text(std::size_t from, std::size_t p) {
   Value text;
   if (!evaluator_.expression(block_.line, p, text)) return report(evaluator_.fault());
@@ -46,7 +46,7 @@ bool SinumerikCalls::run_text(std::size_t from, std::size_t p) {
   return reader_.replace_line(text.text);
 }
 
-// A value, or a variable that may get another one: NAME, NAME[2], an array.
+// Reads a value, or a variable that may get another value: NAME, NAME[2], an array.
 bool SinumerikCalls::argument(std::size_t& p, ProcedureArgument& out) {
   std::size_t q = p;
   std::string name = name_at(q);
@@ -72,7 +72,7 @@ bool SinumerikCalls::argument(std::size_t& p, ProcedureArgument& out) {
   return true;
 }
 
-// The values between brackets; one may be left out.
+// A value may be left out.
 bool SinumerikCalls::arguments(std::size_t& p, std::vector<ProcedureArgument>& out) {
   p = skip_blanks(p);
   const std::size_t from = p;
@@ -88,7 +88,7 @@ bool SinumerikCalls::arguments(std::size_t& p, std::vector<ProcedureArgument>& o
   return true;
 }
 
-// NAME(1, 2), NAME(1) P3, CALL variable
+// Carries out NAME(1, 2), NAME(1) P3, and CALL with a variable.
 bool SinumerikCalls::call_statement(std::size_t from, std::size_t p) {
   SubprogramName name;
   std::size_t q = from;
@@ -126,7 +126,8 @@ bool SinumerikCalls::call_statement(std::size_t from, std::size_t p) {
   return true;
 }
 
-// PCALL /_N_WKS_DIR/_N_PART_WPD/_N_HOLES_SPF(1, 2): the path's last part, beside the program.
+// PCALL /_N_WKS_DIR/_N_PART_WPD/_N_HOLES_SPF(1, 2) calls the program that the last part of the path
+// names, which is looked for beside the program.
 bool SinumerikCalls::call_by_path(std::size_t from, std::size_t p) {
   const std::string_view line = block_.line;
   std::size_t end = std::min(line.find_first_of("(;", p), line.size());
@@ -148,7 +149,7 @@ bool SinumerikCalls::call_program(const SubprogramName& name, long repeats, cons
   return call(name, {}, repeats, word);
 }
 
-// CALL and EXTCALL may name a path, of which the last part counts.
+// CALL and EXTCALL may name a path, of which only the last part is used.
 bool SinumerikCalls::call(const SubprogramName& name, const std::vector<ProcedureArgument>& given,
                           long repeats, const Word& word, bool modal) {
   SubprogramName program = name;

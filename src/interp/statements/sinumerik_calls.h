@@ -21,9 +21,9 @@ class SinumerikCalls : public SinumerikAssignments {
   /// MCALL NAME(...), or MCALL alone, which ends it. `p` of this and the next three: behind the
   /// statement's word. False: an error was reported.
   bool modal_call(std::size_t p);
-  /// EXECSTRING; `from`: where the statement begins.
+  /// EXECSTRING. `from` of this and the next two: where the statement begins.
   bool run_text(std::size_t from, std::size_t p);
-  /// PCALL
+  /// PCALL and a path.
   bool call_by_path(std::size_t from, std::size_t p);
   /// NAME(1, 2), or CALL and an expression.
   bool call_statement(std::size_t from, std::size_t p);

@@ -14,7 +14,7 @@
 namespace mrsim {
 namespace {
 
-constexpr int kHeaderLines = 50;  // a PROC stands in the first lines
+constexpr int kHeaderLines = 50;  // lines at the head of a subprogram in which PROC is looked for
 
 bool fits(VariableType type, const Value& value, std::string& why) {
   VariableArray variable;
@@ -25,7 +25,7 @@ bool fits(VariableType type, const Value& value, std::string& why) {
 
 }  // namespace
 
-// NAME(VAR REAL A, INT B=1) behind PROC; `p` ends at the bracket.
+// Reads NAME(VAR REAL A, INT B=1) behind PROC; `p` ends at the closing bracket.
 std::vector<SinumerikProcedures::Parameter> SinumerikProcedures::read_parameters(
     std::string_view line, std::size_t& p) {
   std::vector<Parameter> out;
@@ -53,7 +53,6 @@ std::vector<SinumerikProcedures::Parameter> SinumerikProcedures::read_parameters
   return out;
 }
 
-// A main program is not called: its parameters have the values that PROC gives them.
 void SinumerikProcedures::take_initial_values(std::string_view line, std::size_t p) {
   std::string ignored;
   for (const Parameter& one : read_parameters(line, p)) {
@@ -63,7 +62,7 @@ void SinumerikProcedures::take_initial_values(std::string_view line, std::size_t
   }
 }
 
-// PROC NAME(VAR REAL A, INT B=1) SAVE, in the first lines of a subprogram.
+// Reads PROC NAME(VAR REAL A, INT B=1) SAVE in the first lines of a subprogram.
 SinumerikProcedures::Procedure SinumerikProcedures::read_procedure(const SubprogramPlace& place) {
   Procedure out;
   LineSource source(place.file, std::size_t(1) << 14);
@@ -84,8 +83,9 @@ SinumerikProcedures::Procedure SinumerikProcedures::read_procedure(const Subprog
   return out;
 }
 
-// SAVE: the G codes of the caller come back and with them its frames, though what a settable frame
-// holds by now stays where the subprogram has chosen no other. F, S and D are no G codes.
+// SAVE restores the G codes of the caller, and with them its frames. But values that a settable
+// frame has by now stay, where the subprogram has not chosen another one. F, S and D are no G
+// codes.
 void SinumerikProcedures::restore(const SavedState& saved) {
   const Modal now = modal_;
   modal_ = saved.modal;
@@ -106,7 +106,7 @@ void SinumerikProcedures::restore(const SavedState& saved) {
   frames.rebuild();
 }
 
-// What a VAR parameter holds at the end is the caller's variable's.
+// The caller's variable gets the value that the VAR parameter has at the end.
 void SinumerikProcedures::give_back(const ProcedureArgument& to) {
   std::string ignored;
   const bool r = to.variable[0] == 'R' &&
@@ -120,7 +120,8 @@ void SinumerikProcedures::give_back(const ProcedureArgument& to) {
                       *to.value, ignored);
 }
 
-// The value that each parameter of PROC begins with, or the default. False: an error was reported.
+// Finds the first value of each parameter of PROC: the one given, or the default. False: an error
+// was reported.
 bool SinumerikProcedures::arguments_of(const Procedure& procedure,
                                        const std::vector<ProcedureArgument>& given,
                                        const Word& word, std::vector<Bound>& out) {
@@ -160,7 +161,7 @@ void SinumerikProcedures::define_parameters(const std::vector<Bound>& bound) {
   }
 }
 
-// VAR parameters as they are at the end.
+// The values of VAR parameters at the end.
 std::vector<ProcedureArgument> SinumerikProcedures::values_back(const std::vector<Bound>& bound) {
   std::vector<ProcedureArgument> back;
   std::string ignored;

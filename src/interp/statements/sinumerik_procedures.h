@@ -13,11 +13,11 @@
 
 namespace mrsim {
 
-/// What a call gives to one parameter.
+/// The argument of a call for one parameter.
 struct ProcedureArgument {
   std::optional<Value> value;
-  std::string variable;                ///< where it is nothing but a variable: its name ...
-  std::vector<Value> indices;          ///< ... and the element of an array
+  std::string variable;                ///< if it is only a variable, its name ...
+  std::vector<Value> indices;          ///< ... and the indices of the element
   std::optional<VariableArray> array;  ///< a whole array, which has no value
 };
 
@@ -30,8 +30,8 @@ class SinumerikProcedures : public ControlPart {
   /// and saved modes where it ends. False: an error was reported at `word`.
   bool bind(const SubprogramPlace& place, const std::vector<ProcedureArgument>& given,
             const Word& word, CallRequest& request);
-  /// A main program is not called: its parameters have the values that PROC gives them. `p` stands
-  /// behind PROC.
+  /// Gives the parameters of a main program, which is not called, the values of its PROC. `p`
+  /// stands behind PROC.
   void take_initial_values(std::string_view line, std::size_t p);
 
  private:

@@ -19,7 +19,8 @@ constexpr std::string_view kKeywords[] = {
 
 }  // namespace
 
-// A keyword, CALL of a variable, or a subprogram with arguments.
+// A statement begins with a keyword, with CALL and a variable, or with a subprogram's name and
+// brackets.
 bool SinumerikStatements::starts_statement(std::string_view line, std::size_t p) {
   const std::size_t from = p;
   while (p < line.size() && is_name(line[p])) ++p;
@@ -78,7 +79,7 @@ bool SinumerikStatements::statement(std::size_t from) {
   return call_statement(from, p);
 }
 
-// IF ... GOTOF, or the structure IF ELSE ENDIF.
+// Carries out IF ... GOTOF, or a part of the structure IF ELSE ENDIF.
 bool SinumerikStatements::branch(std::size_t from, std::size_t p) {
   bool holds = false;
   const bool asks = upper(at(from)) == 'I';
@@ -94,7 +95,7 @@ bool SinumerikStatements::branch(std::size_t from, std::size_t p) {
   return end_statement(p);
 }
 
-// Behind a jump that is not taken: another one, IF ... GOTOF, or the end of the block.
+// Behind a jump that is not taken stands another one, IF ... GOTOF, or the end of the block.
 bool SinumerikStatements::next_jump(const std::string& word, std::size_t p) {
   p = skip_blanks(p);
   std::size_t behind = p;
@@ -117,7 +118,7 @@ bool SinumerikStatements::loop(const FlowEntry& entry, std::size_t p) {
   return end_statement(p);
 }
 
-// FOR variable = first TO last
+// Carries out FOR variable = first TO last.
 bool SinumerikStatements::for_loop(const FlowEntry& entry, std::size_t p, bool first) {
   const std::size_t from = p = skip_blanks(p);
   std::string name = name_at(p);
@@ -158,8 +159,8 @@ bool SinumerikStatements::loop_end(const FlowEntry& entry, std::size_t p) {
   return reader_.jump(first.at);
 }
 
-// GOTOF forward, GOTOB backward, GOTO both, GOTOC without an alarm: a label, N10, or a text. GOTOS:
-// the program's first block.
+// GOTOF jumps forward, GOTOB backward, GOTO in both directions, GOTOC as GOTO but without an alarm.
+// The target is a label, N10, or a text. GOTOS jumps to the first block of the program.
 bool SinumerikStatements::go_to(const std::string& word, std::size_t p) {
   if (word == "GOTOS") {
     const ProgramOutline& program = places_.outline();
@@ -196,7 +197,7 @@ bool SinumerikStatements::go_to(const std::string& word, std::size_t p) {
               from, p);
 }
 
-// Finds a label or a block number, forwards from the block being read, or backwards.
+// Finds a label or a block number, forward or backward from the block being read.
 bool SinumerikStatements::find_target(const std::string& target, bool forward, bool backward,
                                       Place& to) {
   const ProgramOutline& all = places_.outline();
@@ -214,8 +215,8 @@ bool SinumerikStatements::find_target(const std::string& target, bool forward, b
   return i >= 0;
 }
 
-// RET("LABEL", 1, 2): back by so many levels, there to the block of a label or a number, or with
-// the second value to the block behind it.
+// RET("LABEL", 1, 2) goes back by as many levels as the third value says. There it goes to the
+// block of the label or number, or, if the second value is above 0, to the block behind that.
 bool SinumerikStatements::go_back(std::size_t from, std::size_t p) {
   std::vector<ProcedureArgument> given;
   if (!arguments(p, given) || !end_statement(p)) return false;
@@ -248,7 +249,7 @@ bool SinumerikStatements::go_back(std::size_t from, std::size_t p) {
   return reader_.jump(number(1, 0) > 0 ? places_.behind_line(to) : to);
 }
 
-// CASE (expression) OF 1 GOTOF A 2 GOTOF B DEFAULT GOTOF C
+// Carries out CASE (expression) OF 1 GOTOF A 2 GOTOF B DEFAULT GOTOF C.
 bool SinumerikStatements::case_of(std::size_t p) {
   double value = 0;
   if (!evaluator_.number_expression(block_.line, p, value)) return report(evaluator_.fault());
@@ -278,7 +279,7 @@ bool SinumerikStatements::case_of(std::size_t p) {
   return true;
 }
 
-// REPEAT A, REPEAT A B, REPEATB A, each with P=n.
+// Carries out REPEAT A, REPEAT A B and REPEATB A, each of them with or without P=n.
 bool SinumerikStatements::repeat_part(const std::string& word, std::size_t p) {
   const std::size_t from = p;
   std::vector<std::string> labels;
@@ -304,7 +305,7 @@ bool SinumerikStatements::repeat_part(const std::string& word, std::size_t p) {
   return run_part(labels, word == "REPEATB", runs, from, p);
 }
 
-// CALL BLOCK A TO B: the labels, or variables and texts that hold them.
+// CALL BLOCK A TO B has labels, or variables and texts that contain them.
 bool SinumerikStatements::call_part(std::size_t p) {
   const std::size_t from = p;
   std::vector<std::string> labels;
@@ -325,8 +326,8 @@ bool SinumerikStatements::call_part(std::size_t p) {
   return run_part(labels, false, 1, from, p);
 }
 
-// The part of the program from the first label on: its line alone, up to ENDLABEL or here, or to
-// the second label's line.
+// Runs the part of the program that begins at the first label: only its line, or up to ENDLABEL or
+// this block, or up to the line of the second label.
 bool SinumerikStatements::run_part(const std::vector<std::string>& labels, bool line_alone,
                                    double runs, std::size_t from, std::size_t p) {
   const ProgramOutline& all = places_.outline();

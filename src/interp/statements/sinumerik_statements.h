@@ -34,7 +34,7 @@ class SinumerikStatements : public SinumerikCalls {
   bool run_part(const std::vector<std::string>& labels, bool line_alone, double runs,
                 std::size_t from, std::size_t p);
 
-  bool stepping_ = false;  ///< at a FOR, because its ENDFOR was reached
+  bool stepping_ = false;  ///< the program is at a FOR again, because it reached ENDFOR
 };
 
 }  // namespace mrsim

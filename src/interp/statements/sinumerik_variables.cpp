@@ -16,10 +16,10 @@
 
 namespace mrsim {
 
-// Lengths of settable frames and of tools: G700 makes them inches, G70 does not.
+// mm of a length of 1 in settable frames and tool data: G700 makes them inches, G70 does not.
 double SinumerikVariables::data_scale() const { return feed_scale(); }
 
-// $P_TOOLNO, $P_TOOL, $P_TOOLR, $TC_DP3[t,d], $TC_DP6[t,d]
+// Reads $P_TOOLNO, $P_TOOL, $P_TOOLR, $TC_DP3[t,d], $TC_DP6[t,d].
 bool SinumerikVariables::tool_value(std::string_view name, std::span<const Value> indices,
                                     double& out) const {
   if (name == "$P_TOOLNO") {
@@ -63,8 +63,8 @@ bool SinumerikVariables::tool_value(std::string_view name, std::span<const Value
 
 namespace {
 
-// Variables that a program keeps values in, and outputs to the PLC: a value that was set is read
-// back. "" for others.
+// The name of a variable in which programs keep values, or of an output to the PLC: a value that
+// was set is read back. Empty for others.
 std::string kept_name(std::string_view key, std::span<const Value> indices) {
   static constexpr std::string_view kKept[] = {"$AC_MARKER", "$AC_PARAM", "$A_OUT", "$A_OUTA",
                                                "$A_DBB",     "$A_DBW",    "$A_DBD", "$A_DBR"};
@@ -93,7 +93,7 @@ bool SinumerikVariables::axis_value_of(std::string_view name, int axis, double& 
   return true;
 }
 
-// $P_UIFR[1], $P_IFRAME, $P_PFRAME, $P_ACTFRAME, and one component: $P_PFRAME[X,TR]
+// Reads $P_UIFR[1], $P_IFRAME, $P_PFRAME, $P_ACTFRAME, or one component: $P_PFRAME[X,TR].
 bool SinumerikVariables::frame_value(std::string_view name, std::span<const Value> indices,
                                      Value& out) const {
   Frame frame;
@@ -125,7 +125,8 @@ bool SinumerikVariables::frame_value(std::string_view name, std::span<const Valu
   return value.has_value();
 }
 
-// The tool's data: radius and its wear decide the compensation; for lengths see SetLengths.
+// Sets tool data. The radius and its wear have an effect on compensation; for lengths see
+// SetLengths.
 bool SinumerikVariables::write_tool(std::string_view key, std::span<const Value> indices,
                                     const Value& value) {
   if (!value.is_number() || indices.size() != 2 || !indices[0].is_number() ||
@@ -139,7 +140,8 @@ bool SinumerikVariables::write_tool(std::string_view key, std::span<const Value>
   const double mm = value.number * data_scale();
   const auto at = std::find_if(control_.registers.begin(), control_.registers.end(),
                                [&](const OffsetRegister& reg) { return reg.name == name; });
-  if (number == 15 && mm != 0 && at == control_.registers.end()) return false;  // wear of what?
+  if (number == 15 && mm != 0 && at == control_.registers.end())
+    return false;  // the radius to which the wear belongs is unknown
   const bool wear = number >= 12 && number <= 14;
   if (wear || (number >= 3 && number <= 5))
     control_.lengths.set({indices[0].number, indices[1].number}, static_cast<int>(number),
@@ -151,7 +153,7 @@ bool SinumerikVariables::write_tool(std::string_view key, std::span<const Value>
   return true;
 }
 
-// $P_PFRAME = CTRANS(...), $P_PFRAME[X,TR] = 5
+// Carries out $P_PFRAME = CTRANS(...) and $P_PFRAME[X,TR] = 5.
 bool SinumerikVariables::write_program_frame(std::span<const Value> indices, const Value& value) {
   Frame frame = frames_.program;
   if (indices.empty() && value.kind == Value::Kind::frame) {
@@ -174,7 +176,7 @@ bool SinumerikVariables::write_program_frame(std::span<const Value> indices, con
 
 namespace {
 
-// Whether the frame shifts and turns about Z alone, and by how much in degrees.
+// Whether the frame only shifts and turns about Z. Gives the angle in degrees.
 bool turned_about_z(const Frame& frame, double& angle) {
   const Vec3 x = turn(frame, {1, 0, 0});
   angle = degrees(atan2(x.y, x.x));
@@ -191,7 +193,7 @@ bool turned_about_z(const Frame& frame, double& angle) {
 
 }  // namespace
 
-// $P_UIFR[1] = CTRANS(...):CROT(Z,...), $P_UIFR[1,X,TR] = 5, $P_UIFR[1,Z,RT] = 30
+// Carries out $P_UIFR[1] = CTRANS(...):CROT(Z,...), $P_UIFR[1,X,TR] = 5, $P_UIFR[1,Z,RT] = 30.
 bool SinumerikVariables::write_work_frame(std::span<const Value> indices, const Value& value) {
   if (indices.empty() || !indices[0].is_number() || indices[0].number < 1 ||
       indices[0].number >= 100)

@@ -1,5 +1,4 @@
-// System variables of SINUMERIK, which have names: data of tools, positions, frames. Private to
-// src/interp.
+// System variables of SINUMERIK, by name: data of tools, positions, frames. Private to src/interp.
 #pragma once
 
 #include "interp/language/value.h"
@@ -15,7 +14,7 @@ class SinumerikVariables : public StateValues {
  public:
   explicit SinumerikVariables(Control& control) : StateValues(control) {}
 
-  /// False: `why` says that this variable is not answered, by name.
+  /// False: `why` names the variable and says that it is not read here.
   bool read(std::string_view name, std::span<const Value> indices, Value& out,
             std::string& why) const;
   bool write(std::string_view name, std::span<const Value> indices, const Value& value,

@@ -46,19 +46,20 @@ double StateValues::machine_position(int axis) const {
   return shown(axis, component(position_.physical - control_.machine_shift, axis));
 }
 
-// 54 of "G54", 0 where none is in force.
+// The number of the work offset in force, 54 for "G54"; 0 if there is none.
 double StateValues::work_number() const {
   const std::string& name = frames_.work_name;
   return name.size() > 1 ? parse_number(std::string_view(name).substr(1)).value_or(0) : 0;
 }
 
-// X Y Z; of FANUC's lathes X Z, and Z again for those that count a Y between them (Haas).
+// Axes are counted X Y Z; on FANUC's lathes X Z, and the third is also Z, for lathes that count a Y
+// between them (Haas).
 int StateValues::axis_numbered(int number) const {
   if (number < 0 || number > 2) return -1;
   return number > 0 && lathe() && is(Dialect::fanuc) ? 2 : number;
 }
 
-// Numbers of X are diameters where its words are.
+// A value of X is a diameter where words of X are.
 double StateValues::shown(int axis, double mm) const {
   return (axis == 0 && modal_.diameter == Code::diameter_on ? 2 * mm : mm) / scale();
 }
@@ -74,7 +75,8 @@ void StateValues::set_work(const std::string& name, const Vec3& shift) {
                          [&](const WorkOffset& work) { return work.name == name; });
   if (at == control_.work.end()) at = control_.work.insert(at, WorkOffset{name, {}});
   at->shift = name == "EXT" ? shift : shift + control_.machine_shift;
-  if (is(Dialect::ngc) || is(Dialect::sinumerik)) return;  // in force from its next word on
+  if (is(Dialect::ngc) || is(Dialect::sinumerik))
+    return;  // the new values hold from the next word of the offset on
   FrameWords(control_).renew_work();
 }
 
@@ -82,7 +84,7 @@ double StateValues::tool_radius() const {
   return tools_ ? tools_->radius(is(Dialect::sinumerik) ? modal_.edge : -1) : 0;
 }
 
-// Where G28 and G30 lead, in the machine's coordinates.
+// The places to which G28 and G30 lead, in machine coordinates.
 bool StateValues::stored_place(int which, int axis, double& out) const {
   const std::optional<Vec3>& second = options_.places.second;
   std::optional<Vec3> place;

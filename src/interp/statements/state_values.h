@@ -1,5 +1,5 @@
-// The state in force as the numbers that programs see: positions, work offsets, the tool's radius.
-// What the system variables of all controls are made of. Private to src/interp.
+// The state in force as numbers that programs read: positions, work offsets, the tool's radius. The
+// system variables of all controls are made of them. Private to src/interp.
 #pragma once
 
 #include "interp/control/control.h"
@@ -10,12 +10,12 @@ namespace mrsim {
 
 class ToolChanger;
 
-/// G54 to G59.3.
+/// How many work offsets there are from G54 to G59.3.
 inline constexpr int kWorkOffsets = 9;
-/// The n-th of them, from 1.
+/// The name of the n-th of them, from 1.
 std::string work_name(int n);
 
-/// G numbers of the modes in force.
+/// The G numbers of modes.
 double motion_number(Code motion);
 double comp_number(Code comp);
 double feed_number(FeedUnit unit);
@@ -24,7 +24,7 @@ class StateValues : public ControlPart {
  public:
   explicit StateValues(Control& control) : ControlPart(control) {}
 
-  /// Who knows the data of the tool in the spindle; before, no program runs.
+  /// Sets who knows the data of the tool in the spindle. Before this call no program runs.
   void set_tools(ToolChanger& tools) { tools_ = &tools; }
 
  protected:
@@ -37,7 +37,7 @@ class StateValues : public ControlPart {
   double tool_radius() const;
   double work_number() const;
   Vec3 work_shift(const std::string& name) const;
-  double work_turn(const std::string& name) const;  ///< about Z, degrees
+  double work_turn(const std::string& name) const;  ///< turn about Z, degrees
   void set_work(const std::string& name, const Vec3& shift);
 
   ToolChanger* tools_ = nullptr;

@@ -18,9 +18,9 @@
 namespace mrsim {
 namespace {
 
-constexpr double kLargest = 1e9;              // of a word
-constexpr std::size_t kMostCallValues = 128;  // of a call
-constexpr std::size_t kMostTexts = 100;       // of a block
+constexpr double kLargest = 1e9;              // the largest value of a word
+constexpr std::size_t kMostCallValues = 128;  // values of a call
+constexpr std::size_t kMostTexts = 100;       // texts of a block
 
 }  // namespace
 
@@ -102,7 +102,8 @@ LanguageReader::Answer Statements::value(std::string_view line, std::size_t& p, 
   const auto c = static_cast<char>(word.address);
   const bool length = word.address < Address::function &&
                       std::string_view("XYZUVWIJKRABCQ").find(c) != std::string_view::npos;
-  const bool steps = length && is(Dialect::fanuc) && !whole;  // ROUND in a word of FANUC's macros
+  const bool steps = length && is(Dialect::fanuc) &&
+                     !whole;  // ROUND in a word of FANUC's macros rounds to increments
   evaluator_.set_round_step(!steps ? 1 : modal_.least_increment());
   Value out;
   const bool ok = whole ? evaluator_.expression(line, p, out) : evaluator_.operand(line, p, out);
@@ -111,7 +112,7 @@ LanguageReader::Answer Statements::value(std::string_view line, std::size_t& p, 
     report(evaluator_.fault());
     return Answer::failed;
   }
-  if (out.kind == Value::Kind::text && !is(Dialect::sinumerik)) {  // words of CODESYS are numbers
+  if (out.kind == Value::Kind::text && !is(Dialect::sinumerik)) {  // words of CODESYS have numbers
     fail("expression", "a number is needed here", from, p);
     return Answer::failed;
   }
@@ -187,7 +188,7 @@ bool Statements::store(std::string_view name, std::span<const Value> indices, co
   return true;
 }
 
-// #target = expression. LinuxCNC has assignments of its own, see OwordStatements.
+// Carries out #target = expression. LinuxCNC's assignments are different, see OwordStatements.
 bool Statements::assignment(std::string_view line, std::size_t& p) {
   const std::size_t from = p;
   ++p;
@@ -291,7 +292,7 @@ bool Statements::call_sub(const std::string& name, CallRequest&&, const Word& wo
   return error("subprogram-missing", "there is no subprogram " + name, word);
 }
 
-// A jump would reach a part of a structure that --block-skip leaves out.
+// False, and reported: a jump would reach a part of a structure that --block-skip leaves out.
 bool Statements::is_whole(const FlowEntry& entry) {
   const ProgramOutline& all = places_.outline();
   for (int i = entry.first; i >= 0; i = all.entry(i).next) {

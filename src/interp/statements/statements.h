@@ -1,6 +1,6 @@
-// The language of a control while a program runs: values of expressions, assignments, and the
-// statements that decide which block comes next. What the controls share; each control's own
-// statements are in a class that derives from this one. Private to src/interp.
+// The language of a control while a program runs: values of expressions, assignments, and
+// statements that decide which block comes next. This class has what all controls share; a class
+// for each control derives from it and has the statements of that control. Private to src/interp.
 #pragma once
 
 #include "interp/calls/block_reader.h"
@@ -21,7 +21,7 @@ namespace mrsim {
 
 class Statements : public ControlPart, public LanguageReader {
  public:
-  /// Null: this control has no language here.
+  /// The language of this control; null: it has none here.
   static std::unique_ptr<Statements> make(Control& control, BlockReader& reader);
 
   Answer value(std::string_view line, std::size_t& p, Word& word, bool whole) override;
@@ -31,65 +31,66 @@ class Statements : public ControlPart, public LanguageReader {
 
   /// Carries out the statement of the block. One that fails ends the program.
   void run();
-  /// Before the words of a block are looked at. True: it is done with.
+  /// Called before the words of a block are looked at. True: the block is done with.
   virtual bool take_block() { return false; }
-  /// M70 to M73: modes that are saved and restored. False: reported.
+  /// M70 to M73 save and restore modes. False: reported.
   virtual bool saved_modes(int m, const Word& word);
-  /// The main program's text ends without a word that says so.
+  /// Called where the text of the main program ends without a word that ends it.
   virtual void end_of_main() {}
-  /// MCALL of a program is in force.
+  /// Whether MCALL of a program is in force.
   virtual bool has_modal_call() const { return false; }
-  /// After a block of words; `moved`: it had a motion.
+  /// Called after a block of words. `moved`: it had a motion.
   virtual void end_block(bool moved) { (void)moved; }
-  /// A call by number or name without arguments. False: reported.
+  /// Calls a program by number or name without arguments. False: reported.
   virtual bool call_program(const SubprogramName& name, long repeats, const Word& word) {
     return reader_.call(name, repeats, word);
   }
-  /// A subprogram of the control's language without arguments; `request` says what happens about
-  /// it. False: reported.
+  /// Calls a subprogram of the control's language without arguments, with the callbacks of
+  /// `request`. False: reported.
   virtual bool call_sub(const std::string& name, CallRequest&& request, const Word& word);
-  /// Who knows the data of the tool in the spindle.
+  /// Sets who knows the data of the tool in the spindle.
   void set_tools(ToolChanger& tools) { system_.set_tools(tools); }
-  /// The values of a call whose text between the brackets is `argument`, a part of the block's
-  /// line; one may be left out. False: reported.
+  /// The values of a call. `argument` is the text between its brackets, a part of the block's line.
+  /// A value may be left out. False: reported.
   bool call_values(std::string_view argument, std::vector<std::optional<Value>>& out);
-  /// Of an expression that stands in no block; a fault is reported at `word`.
+  /// The value of an expression that stands in no block. A fault is reported at `word`. False:
+  /// reported.
   bool value_of(std::string_view expression, Value& out, const Word& word);
-  /// The value of a numbered variable. False: it has none, or no number.
+  /// The value of a numbered variable. False: it has no value, or a value that is no number.
   bool variable(double number, double& out);
   void set_variable(double number, double value);
-  /// M99 P: goes on at a block number of the program that is being read.
+  /// M99 P goes on at a block number of the program that is being read. False: reported.
   bool jump_to_number(const Word& word, bool from_main);
-  /// M97 P: calls from a block number on. False: reported.
+  /// M97 P calls the blocks from a block number on. False: reported.
   bool call_number(const Word& word, long repeats);
-  /// A subprogram from the block on whose number is the value of `block`. False: reported.
+  /// Calls a subprogram from the block whose number is the value of `block`. False: reported.
   bool call_at_block(const SubprogramName& name, const Word& block);
-  /// At the end of the program: values from outside that it has not read.
+  /// Tells at the end of the program which values of --set it has not read.
   void tell_unread_presets();
-  /// Where blocks, labels and programs are.
+  /// Finds blocks, labels and programs.
   ProgramPlaces& places() { return places_; }
 
  protected:
   Statements(Control& control, BlockReader& reader, const ExpressionRules& rules,
              VariableForm variables, OutlineForm outline);
 
-  /// The statement at `p` of block_.line. False: reported, or nothing can go on.
+  /// Carries out the statement at `p` of block_.line. False: reported, or the program cannot go on.
   virtual bool statement(std::size_t p) = 0;
 
   bool fail(const char* code, const std::string& text, std::size_t from, std::size_t to);
   bool report(const Fault& fault);
   bool condition(std::size_t& p, bool& out);
-  /// A jump without a condition of its own; back in a main program where nothing has decided
-  /// anything, it starts the program again for the next part.
+  /// Jumps without a condition. A jump back in a main program that has asked for no value is one
+  /// that starts the program again for the next part: it ends the program instead.
   bool jump_always(const Place& to);
   bool number(std::size_t& p, double& out, bool whole);
-  /// Of a call: a local variable of the macro that begins.
+  /// Sets a local variable of the macro that a call begins.
   void set_argument(int number, double value);
   bool store(double number, const Value& value, std::size_t from, std::size_t to);
   bool store(std::string_view name, std::span<const Value> indices, const Value& value,
              std::size_t from, std::size_t to);
 
-  /// The entry of the statement at `p`; reports what is wrong with the structure.
+  /// The entry of the statement at `p`. Null: a fault of the structure, which is reported.
   const FlowEntry* entry_at(std::size_t p);
   bool is_whole(const FlowEntry& entry);
   bool jump_behind(const FlowEntry& entry);
@@ -108,7 +109,7 @@ class Statements : public ControlPart, public LanguageReader {
 
  private:
   std::vector<std::pair<int, int>> jumped_over_;  ///< lines between which nothing has run yet
-  std::deque<std::string> texts_;                 ///< that words of the block point to
+  std::deque<std::string> texts_;                 ///< texts to which words of the block point
   std::size_t texts_line_ = 0;
 };
 

@@ -8,11 +8,11 @@
 namespace mrsim {
 namespace {
 
-/// Numbers of work offsets, 20 for each; of FANUC unless `basic`.
+/// Variables of work offsets, 20 numbers for each offset.
 struct WorkNumbers {
   int first, count;
-  const char* name;  ///< of all; null: G54 to G59
-  bool basic = false;
+  const char* name;    ///< name of all of them; null: G54 to G59
+  bool basic = false;  ///< LinuxCNC has them, too
 };
 
 constexpr WorkNumbers kWorkNumbers[] = {
@@ -22,7 +22,8 @@ constexpr std::string_view kFrameParts[] = {"TR", "FI", "RT", "SC", "MI"};
 
 }  // namespace
 
-// #5221 and the numbers behind it (LinuxCNC: to G59.3), the external offset, G54.1 P.
+// Finds the work offset and the axis of a variable: #5221 and the numbers behind it (on LinuxCNC up
+// to G59.3), those of the external offset, and those of G54.1 P.
 bool SystemValues::work_cell(int number, std::string& name, int& axis) const {
   const bool ngc = is(Dialect::ngc);
   for (const WorkNumbers& row : kWorkNumbers) {
@@ -36,7 +37,7 @@ bool SystemValues::work_cell(int number, std::string& name, int& axis) const {
   return false;
 }
 
-// #5230 and every 20th behind it: the turn of a work offset of LinuxCNC.
+// The work offset of LinuxCNC whose turn is #5230 or a 20th number behind it.
 std::string SystemValues::turned_work(int number) const {
   const int behind = number - 5221;
   const bool turn =

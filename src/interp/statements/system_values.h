@@ -1,5 +1,6 @@
-// Variables that are the control's state. What geometry needs is answered from the state in force
-// in the way of the program's control; anything else is refused by name. Private to src/interp.
+// Variables that are the control's state. Those that geometry depends on are read from the state in
+// force, by the rules of the program's control; any other is refused by name. Private to
+// src/interp.
 #pragma once
 
 #include "interp/language/variables.h"
@@ -25,7 +26,7 @@ class SystemValues : public StateValues, public SystemVariables {
   bool write(std::string_view name, std::span<const Value> indices, const Value& value,
              std::string& why) override;
   bool knows(std::string_view name) override;
-  /// Who knows the data of the tool in the spindle.
+  /// Sets who knows the data of the tool in the spindle.
   void set_tools(ToolChanger& tools);
   LinuxcncValues& linuxcnc() { return linuxcnc_; }
   const FanucValues& fanuc() const { return fanuc_; }

@@ -1,4 +1,4 @@
-// One NC block as words: no meaning yet, only addresses, values and places.
+// One NC block as words: addresses, values and places. What they mean is decided later.
 #pragma once
 
 #include <cstddef>
@@ -8,7 +8,7 @@
 
 namespace mrsim {
 
-/// What a word is addressed to. Letters keep their ASCII code; the rest are addresses of several
+/// The address of a word. A letter has its ASCII code; the others are addresses of several
 /// characters.
 enum class Address : std::uint8_t {
   none = 0,
@@ -36,10 +36,10 @@ enum class Address : std::uint8_t {
   disc,
   offn,
   fz,    ///< feed per tooth
-  meas,  ///< MEAS=1: the move is a probe's
+  meas,  ///< MEAS=1: the move is that of a probe
   ff,
   ef,
-  data,  ///< accepted, without geometry (SPOS=, ADIS=, S2=)
+  data,  ///< accepted, has no effect on geometry (SPOS=, ADIS=, S2=)
   call,  ///< name of a subprogram, in Word::text
   count,
 };
@@ -56,7 +56,7 @@ struct Word {
   Form form = Form::plain;
   bool point = false;   ///< a decimal point was written
   bool string = false;  ///< the value is `text` (T="NAME")
-  bool own = false;     ///< HA, DA of Okuma: the register of the tool in the spindle
+  bool own = false;     ///< HA, DA of Okuma: the value is the spindle tool's register
   Code code{};
   int column = 0;  ///< 0-based, bytes from the start of the line
   int length = 0;
@@ -70,7 +70,7 @@ struct Block {
   std::string_view line;                   ///< the whole line
   std::string_view argument;       ///< text between the brackets of MSG(...), WORKPIECE(...)
   std::string_view function_name;  ///< name before `argument`
-  bool modal_call = false;         ///< MCALL, with or without a function behind it
+  bool modal_call = false;         ///< MCALL stands in the block, with or without a function
   int line_number = 0;
   static constexpr std::size_t kNoStatement = static_cast<std::size_t>(-1);
   std::size_t statement = kNoStatement;  ///< where a statement of the control's language begins
@@ -78,7 +78,7 @@ struct Block {
   int inner_skip = -1;                   ///< of a "/" behind words; -1 = none
   bool bad = false;                      ///< the parser reported an error
   bool has_number = false;
-  std::string_view name;     ///< of the block, where it has one instead of a number
+  std::string_view name;     ///< the block's name, where it has no number
   std::string_view contour;  ///< NLAP1 behind G85 to G88 of Okuma
   bool no_hole = false;      ///< NCYL of Okuma: the cycle in force makes no hole here
 };

@@ -152,7 +152,7 @@ constexpr NamedRow kFunctions[] = {
     {"REPOSL", C::unsupported, G::motion},
 };
 
-// The last ones measure.
+// Cycles and calls whose values are read; the last ones measure.
 constexpr std::string_view kReadCalls[] = {
     "WORKPIECE", "CYCLE81",  "CYCLE82",  "CYCLE83",  "CYCLE84",  "CYCLE85",  "CYCLE86",  "CYCLE87",
     "CYCLE88",   "CYCLE89",  "CYCLE840", "CYCLE800", "CYCLE801", "CYCLE802", "HOLES1",   "HOLES2",
@@ -162,13 +162,13 @@ constexpr std::string_view kReadCalls[] = {
     "CYCLE99",   "CYCLE971", "CYCLE973", "CYCLE974", "CYCLE976", "CYCLE977", "CYCLE978", "CYCLE979",
     "CYCLE982",  "CYCLE994", "CYCLE995", "CYCLE996", "CYCLE997", "CYCLE998"};
 
-// Of SINUMERIK 802S and 802C, which read their values from R parameters.
+// Cycles of SINUMERIK 802S and 802C, which read their values from R parameters.
 constexpr std::string_view kCyclesOf802[] = {"LCYC60", "LCYC61",  "LCYC75", "LCYC82", "LCYC83",
                                              "LCYC84", "LCYC840", "LCYC85", "LCYC95", "LCYC97"};
 
 struct UnsupportedName {
   std::string_view prefix;
-  bool whole;  // the name itself; else the name and a number
+  bool whole;  // the name alone is meant; else the name and a number
   std::string_view what;
 };
 

@@ -18,10 +18,11 @@ std::vector<std::pair<std::string_view, CodeEntry>> function_names();
 
 /// SINUMERIK calls whose arguments the interpreter reads, upper case.
 std::span<const std::string_view> read_calls();
-/// Cycles without brackets, whose values stand in R parameters.
+/// Cycles of SINUMERIK 802 without brackets: R parameters hold their values.
 std::span<const std::string_view> cycles_of_802();
 
-/// What an upper-case name (WHEN, CYCLE64) announces that this reader does not do yet; or empty.
+/// What the upper-case name (WHEN, CYCLE64) does, for the message that it is not read yet; empty
+/// where the name is unknown.
 std::string_view unsupported_name(std::string_view name);
 
 }  // namespace mrsim

@@ -315,8 +315,8 @@ constexpr Row kNgc[] = {
     {70, C::diameter_on, G::diameter},
     {80, C::diameter_off, G::diameter},
     {100, C::data_setting, G::oneshot},
-    {150, C::ignored, G::other},  // G15, G50, G69 end what LinuxCNC has not: in the safe starts of
-    {171, C::unsupported, G::plane},  // Mach and PathPilot
+    {150, C::ignored, G::other},  // G15, G50 and G69 end modes that LinuxCNC lacks: safe starts of
+    {171, C::unsupported, G::plane},  // Mach and PathPilot contain them
     {181, C::unsupported, G::plane},
     {191, C::unsupported, G::plane},
     {200, C::inch_feed, G::units},

@@ -14,10 +14,10 @@ struct CodeRow {
   Group group;
 };
 
-/// What all controls have in common.
+/// Words that mean the same on all controls.
 std::span<const CodeRow> shared_codes();
 std::span<const CodeRow> sinumerik_codes();
-/// Words that mean the same on FANUC's mills and lathes; the rows of one machine go before.
+/// Words that mean the same on FANUC's mills and lathes. Rows of one machine take precedence.
 std::span<const CodeRow> fanuc_codes();
 std::span<const CodeRow> fanuc_mill_codes();
 std::span<const CodeRow> fanuc_lathe_codes();

@@ -89,8 +89,8 @@ CodeEntry find_range(Dialect dialect, int number) {
   return {};
 }
 
-// The cycle that a word means: rigid taps are G84 and G74, as G84.2 and G84.3, G77 and G78 of
-// Brother, G284 and G274 of Okuma, and G184 of Haas.
+// The cycle that a word means. Rigid taps are the cycles of G84 and G74: so are G84.2 and G84.3,
+// G77 and G78 of Brother, G284 and G274 of Okuma, and G184 of Haas.
 int cycle_of(int number_by_10) {
   if (number_by_10 == 770 || number_by_10 == 842 || number_by_10 == 2840) return 84;
   if (number_by_10 == 780 || number_by_10 == 843 || number_by_10 == 2740 || number_by_10 == 1840)
@@ -121,7 +121,7 @@ CodeEntry find_g_code(Dialect dialect, MachineKind machine, int number_by_10) {
     row = machine == MachineKind::lathe ? find_row(fanuc_lathe_codes(), number_by_10)
                                         : find_row(fanuc_mill_codes(), number_by_10);
   if (!row) row = find_row(own_rows(dialect), number_by_10);
-  // What the common subset leaves open means what FANUC's words mean.
+  // A word that the common subset of ISO does not define means what it means on FANUC.
   if (!row && dialect == Dialect::iso && machine != MachineKind::lathe)
     row = find_row(fanuc_mill_codes(), number_by_10);
   if (!row && dialect == Dialect::iso) row = find_row(fanuc_codes(), number_by_10);

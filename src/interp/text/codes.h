@@ -1,4 +1,4 @@
-// The function words of the controls as tables: number -> meaning and group. No logic.
+// The function words of the controls as tables: number -> meaning and modal group.
 #pragma once
 
 #include <mrsim/types.h>
@@ -13,14 +13,14 @@ namespace mrsim {
 enum class Code : std::uint8_t {
   unknown,
   ignored,          ///< known, without effect on geometry
-  path_continuous,  ///< known, the control's mode at corners: an event
-  path_exact,       ///< ... G61 of LinuxCNC
-  path_stops,       ///< ... G60 G61
-  path_stops_once,  ///< ... G9
-  ignored_words,    ///< ignored with the other words of its block
-  high_speed,       ///< FANUC G5 P, G5.1 Q, G8 P: ignored; with axes it is a spline
+  path_continuous,  ///< the mode at corners becomes an event of the program
+  path_exact,       ///< G61 of LinuxCNC: another such mode
+  path_stops,       ///< G60 G61: the tool stops at corners
+  path_stops_once,  ///< G9: it stops once
+  ignored_words,    ///< ignored, and so are the other words of its block
+  high_speed,       ///< FANUC G5 P, G5.1 Q, G8 P: ignored; G5 with axes is a spline
   unsupported,      ///< known, not read yet: an error
-  statement,        ///< read before the others, by the language or IsoWords
+  statement,        ///< read before the other words, by the language or IsoWords
   turn_pass,        ///< G90 G92 G94 of a lathe: modal, one pass a block
   turn_cycle,       ///< G70 to G76 of a lathe
   drill_cycle,      ///< G73 G74 G76 G81 ... G89: CodeEntry::number says which
@@ -52,12 +52,12 @@ enum class Code : std::uint8_t {
   dwell,
   reference,
   reference_second,
-  reference_store,  ///< LinuxCNC G28.1 G30.1: the position is where G28 and G30 lead from now on
+  reference_store,  ///< LinuxCNC G28.1 G30.1: G28 and G30 lead to this position from now on
   reference_check,
   one_way,  ///< G60: a rapid that arrives from one side
   probe,
   data_setting,      ///< G10
-  position_reset,    ///< G92.1: position and its memory
+  position_reset,    ///< G92.1: the shift of G92 and its memory become 0
   position_suspend,  ///< G92.2
   position_resume,   ///< G92.3
   reference_approach,
@@ -186,15 +186,15 @@ enum class Group : std::uint8_t {
 struct CodeEntry {
   Code code = Code::unknown;
   Group group = Group::none;
-  int number = 0;  ///< for work_offset: which
+  int number = 0;  ///< which one, of a work offset or a cycle
 };
 
 /// The meaning of "G<number>" (number * 10, so that G54.1 is 541 and G54 is 540).
 CodeEntry find_g_code(Dialect dialect, MachineKind machine, int number_by_10);
-/// What a G word does that is not read, in a few words ("tilted working plane"); may be empty.
+/// What an unsupported G word does, in a few words ("tilted working plane"); may be empty.
 std::string_view unsupported_code(Dialect dialect, int number_by_10);
 
-using CodeTable = std::array<CodeEntry, 1000>;  ///< find_g_code for G0 to G999, made once
+using CodeTable = std::array<CodeEntry, 1000>;  ///< the entries of G0 to G999, made once
 const CodeTable& code_table(Dialect dialect, MachineKind machine);
 
 }  // namespace mrsim

@@ -1,5 +1,5 @@
-// What the parser asks of a control's language: values of expressions, assignments, and where a
-// statement (IF, GOTO, O100 call ...) begins. The parser itself knows words and numbers only.
+// What the parser asks a control's language for: values of expressions, assignments, and where a
+// statement (IF, GOTO, O100 call ...) begins. The parser itself knows only words and numbers.
 #pragma once
 
 #include "interp/text/block.h"
@@ -15,7 +15,7 @@ class LanguageReader {
   enum class Answer : std::uint8_t {
     value,
     vacant,  ///< FANUC: the word counts as not written
-    failed,  ///< reported
+    failed,  ///< no value; a fault was reported
   };
   virtual ~LanguageReader() = default;
 

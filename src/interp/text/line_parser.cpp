@@ -21,7 +21,7 @@ void LineParser::fault(Block& block, const char* code, const std::string& text, 
   reporter_.add(Severity::error, code, text, static_cast<int>(from), static_cast<int>(to - from));
 }
 
-// N at the end repeats a place on Fagor's controls. FANUC lets N stand anywhere.
+// On Fagor's controls N at the end of a block repeats a place; FANUC lets N stand anywhere.
 void LineParser::block_number(Block& block, std::size_t from) {
   const std::size_t end = p_;
   skip_blanks();
@@ -38,7 +38,7 @@ void LineParser::block_number(Block& block, std::size_t from) {
                 static_cast<int>(from), static_cast<int>(p_ - from));
 }
 
-// " (alarm 004)" on a control that numbers this fault.
+// The number of the alarm, " (alarm 004)", on a control that has one for this fault.
 std::string LineParser::alarm(const char* fanuc, const char* sinumerik) const {
   const char* number = dialect_ == Dialect::fanuc       ? fanuc
                        : dialect_ == Dialect::sinumerik ? sinumerik
@@ -52,7 +52,7 @@ void LineParser::unsupported(Block& block, std::string_view word, std::string_vi
         fmt::format("{} is {}, which is not supported yet; the block is not read",
                     to_utf8(word.substr(0, 40)), what),
         from, from + word.size());
-  // The rest belongs to the unread construct.
+  // What follows belongs to the word that is not supported.
   const bool comment = dialect_ == Dialect::sinumerik;
   while (p_ < line_.size() && line_[p_] != ';' && (comment || line_[p_] != '(')) ++p_;
 }
@@ -95,7 +95,7 @@ const char* LineParser::read_digits(const char* p, const char* end, Word& word) 
   return p;
 }
 
-// A number that ends where its digits do. False, and p_ where it was, for any other.
+// Reads a number without an exponent. For any other: false, and p_ stays where it was.
 bool LineParser::plain_number(Word& word, bool exponent) {
   const char *const begin = line_.data() + p_, *const end = line_.data() + line_.size();
   const char* const p = read_digits(begin, end, word);
@@ -196,10 +196,10 @@ void LineParser::assignment(Block& block, std::size_t from) {
   p_ = line_.size();
 }
 
-// The value of a word. False: there is none, because it is vacant or because it failed.
+// Gives the word its value. False: it has none, because it is vacant or failed.
 bool LineParser::expression(Block& block, Word& word, bool whole) {
   const LanguageReader::Answer answer = language_->value(line_, p_, word, whole);
-  word.point = true;  // least increments are for numbers that are written
+  word.point = true;  // only written numbers count least increments
   if (answer == LanguageReader::Answer::failed) {
     block.bad = true;
     p_ = line_.size();
@@ -207,7 +207,7 @@ bool LineParser::expression(Block& block, Word& word, bool whole) {
   return answer == LanguageReader::Answer::value;
 }
 
-// Behind an address: a variable, a bracket or a function, with or without signs.
+// Whether a variable, a bracket or a function stands behind an address, with or without signs.
 bool LineParser::expression_follows(std::size_t from) const {
   if (!language_) return false;
   while (at(from) == '-' || at(from) == '+' || (blank(at(from)) && from < line_.size())) ++from;
@@ -221,7 +221,7 @@ bool LineParser::expression_follows(std::size_t from) const {
   return c == '#' || c == '[' || (is_letter(c) && language_->starts_function(line_, from));
 }
 
-// CODESYS: behind a number that an expression begins with.
+// Whether an operator stands behind the number at p_, so that CODESYS reads an expression.
 bool LineParser::operator_follows() const {
   std::size_t from = p_;
   while (from < line_.size() && blank(line_[from])) ++from;

@@ -1,5 +1,5 @@
-// What all who read words share: the place in the line, numbers, expressions as values, statements
-// of the control's language, faults with their place.
+// What all readers of words share: the place in the line, numbers, expressions as values,
+// statements of the control's language, faults with their place. Private to src/interp.
 #pragma once
 
 #include "interp/text/block.h"
@@ -12,7 +12,7 @@
 
 namespace mrsim {
 
-/// The line being read, and how far it has been.
+/// The line being read, and how far it is read.
 struct ParsedLine {
   ParsedLine(Dialect dialect_in, Reporter& reporter_in)
       : dialect(dialect_in),
@@ -42,7 +42,7 @@ class LineParser {
   static constexpr std::size_t kMostWords = 4096;  ///< of a block
 
   char at(std::size_t i) const { return i < line_.size() ? line_[i] : '\0'; }
-  bool blank(char c) const {  // SINUMERIK's & too
+  bool blank(char c) const {  // SINUMERIK's & is one, too
     return c == ' ' || c == '\t' || c == '\r' || (c == '&' && dialect_ == Dialect::sinumerik);
   }
   void skip_blanks();
@@ -50,8 +50,8 @@ class LineParser {
   /// The block's number, read from `from` to p_; a second one shows a lost end of line.
   void block_number(Block& block, std::size_t from);
 
-  /// Behind a number of at most 15 digits, as nearly all are, whose value and point `word` gets.
-  /// Null: it is another one.
+  /// Gives `word` the value of a number of at most 15 digits, as nearly all are, and whether it has
+  /// a point. Returns the place behind it; null for any other number.
   static const char* read_digits(const char* p, const char* end, Word& word);
   bool number(Block& block, Word& word, bool exponent);
   bool plain_number(Word& word, bool exponent);

@@ -7,7 +7,7 @@ namespace {
 
 constexpr std::size_t kLongestProgramName = 32;
 
-/// "X(P1+2)": behind an address, brackets about a parameter of an ISO control.
+/// Whether brackets about a parameter of an ISO control follow: "X(P1+2)".
 bool holds_parameter(std::string_view code, std::string_view rest) {
   if (code.empty() || !is_letter(code.back())) return false;
   if (code.size() > 1 && is_name(code[code.size() - 2])) return false;

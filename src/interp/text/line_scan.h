@@ -1,4 +1,5 @@
-// A line of NC text for those who only look for signs: upper case, comments set aside.
+// A line of NC text in upper case, without its comments, for code that looks for signs of a control
+// before the program is read.
 #pragma once
 
 #include <string>
@@ -6,7 +7,7 @@
 
 namespace mrsim {
 
-/// Whether the ":" at `at` names a program, as an O does: ":1234 (NAME)". Before words it is the
+/// Whether the ":" at `at` names a program, as an O does: ":1234 (NAME)". A ":" before words is the
 /// number of a block: ":30 T1 M6".
 bool names_program(std::string_view line, std::size_t at);
 
@@ -25,7 +26,7 @@ bool names_okuma_program(std::string_view line, std::size_t at);
 /// "G85 NLAP1 D4" of Okuma's lathes: a turning cycle by the name of its contour.
 bool calls_lap(std::string_view code);
 
-/// What one line says, comments taken out.
+/// One line and its comments apart.
 struct LineScan {
   std::string code;  ///< upper case
   std::string_view comment;
@@ -33,11 +34,11 @@ struct LineScan {
   bool ends_block = false;  ///< ';' with nothing behind it
 };
 
-/// Comments are distinguished from calls with brackets, and the ";" that ends a block from that of
-/// a comment.
+/// Fills `out`. Tells comments from calls with brackets, and a ";" that ends a block from one that
+/// begins a comment.
 void scan_line(std::string_view line, LineScan& out);
 
-/// What a line of plain motion says of its control.
+/// Which kinds of words a line of plain motion has.
 struct PlainLine {
   bool line = false;    ///< G0, G1
   bool arc = false;     ///< G2, G3
@@ -46,17 +47,19 @@ struct PlainLine {
   bool radius = false;  ///< R
 };
 
-/// True for a line of N, G0 to G3 and X Y Z I J K R F S alone, as most lines of a long program are:
-/// what else scan_line() and the functions below find is not in it. Costs a few of their calls.
+/// True for a line of nothing but N, G0 to G3 and X Y Z I J K R F S, as most lines of a long
+/// program are. scan_line() and the functions below would find nothing else in it, and cost far
+/// more.
 bool read_plain(std::string_view line, PlainLine& out);
 
-/// True when `token` stands in the text with no letter before it.
+/// Whether `token` stands in the text with no letter before it.
 bool has(std::string_view text, std::string_view token);
-/// A word of a comment, no letters beside it.
+/// Whether the word stands in the comment with no letters beside it.
 bool has_whole_word(std::string_view comment, std::string_view word);
-/// Letter followed by exactly this number.
+/// Whether a word (a letter and its number) stands in the text: G2 does not stand in "G21".
 bool has_word(std::string_view text, std::string_view word);
-/// "G0X", "G90 X1", "Y#1", "Y[#2+1]", "YP1" and "Y(P1+2)" have the axis with a value.
+/// Whether a word of this axis stands in the text: "G0X", "G90 X1", "Y#1", "Y[#2+1]", "YP1" and
+/// "Y(P1+2)" have one.
 bool has_axis(std::string_view text, char axis);
 
 }  // namespace mrsim

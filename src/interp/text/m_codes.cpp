@@ -8,7 +8,7 @@ struct MCodeRow {
   MCode code;
 };
 
-// As DIN 66025 and ISO 6983 have them.
+// The M words of DIN 66025 and ISO 6983.
 constexpr MCodeRow kCommon[] = {
     {0, MCode::stop},
     {1, MCode::optional_stop},
@@ -37,14 +37,14 @@ constexpr MCodeRow kMills[] = {
     {14, MCode::counter_clockwise_flood},
 };
 
-// Haas, and what posts for FANUC's controls write.
+// M words of Haas, and of posts for FANUC's controls.
 constexpr MCodeRow kFanucMills[] = {
     {88, MCode::through},
     {89, MCode::coolant_off},
 };
 
 constexpr MCodeRow kLinuxCnc[] = {
-    {60, MCode::stop},  // and another pallet
+    {60, MCode::stop},  // M60 also changes the pallet
 };
 
 template <std::size_t n>

@@ -9,14 +9,14 @@ namespace mrsim {
 
 enum class MCode : std::uint8_t {
   unknown,
-  no_effect,  ///< gears, chucks, chip conveyors: nothing that an event reports
+  no_effect,  ///< gears, chucks, chip conveyors: no event
   flow,       ///< calls and returns
   stop,
   optional_stop,
   end,
   clockwise,
   counter_clockwise,
-  spindle_off,  ///< M5, and M19, which turns it to an angle and holds it there
+  spindle_off,  ///< M5; M19, which holds the spindle at an angle
   clockwise_flood,
   counter_clockwise_flood,
   tool_change,
@@ -29,7 +29,7 @@ enum class MCode : std::uint8_t {
 /// The meaning of "M<number>".
 MCode find_m_code(Dialect dialect, MachineKind machine, int number);
 
-/// What the word does, in a few words; empty where an event tells nothing.
+/// What the word does, in a few words; empty where there is no event.
 std::string_view m_code_text(MCode code);
 
 }  // namespace mrsim

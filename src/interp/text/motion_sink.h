@@ -1,11 +1,11 @@
-// What the interpreter hands its results to.
+// The receiver of the interpreter's results.
 #pragma once
 
 #include <mrsim/types.h>
 
 namespace mrsim {
 
-/// Takes what the interpreter finds, in program order.
+/// Receives motions and events in program order.
 class MotionSink {
  public:
   virtual ~MotionSink() = default;
@@ -13,7 +13,8 @@ class MotionSink {
   /// and tools grow before the motions that name them come.
   virtual void begin(const Program& program) { (void)program; }
   virtual void motion(const Motion& motion) = 0;
-  /// The control does something behind the motions so far; `before` is left to who counts them.
+  /// The control does something after the motions so far. The receiver fills Event::before if it
+  /// counts motions.
   virtual void event(const Event& event) { (void)event; }
   virtual void diagnostic(const Diagnostic& diagnostic) = 0;
   /// A variable got a value (InterpOptions::trace_variables): its name as written, and the value.
@@ -23,8 +24,8 @@ class MotionSink {
   }
 };
 
-/// A dwell behind another one, with no motion between, makes that one longer: a loop of them takes
-/// no memory. False: it is an event of its own.
+/// Adds a dwell to the one before it, `last`, where no motion lies between: so a loop of dwells
+/// takes no memory. False: it is an event of its own.
 inline bool joins(const Event& dwell, Event& last) {
   if (dwell.kind != EventKind::dwell || last.kind != EventKind::dwell || dwell.tool != last.tool)
     return false;

@@ -23,8 +23,8 @@ constexpr std::string_view kNoHole = "NCYL";  // the cycle makes no hole here
 
 }  // namespace
 
-// Okuma: HA and DA are the registers of the tool in the spindle (HB, HC further ones); HP=1 is the
-// number of a home position.
+// HA and DA of Okuma are the registers of the tool in the spindle, HB and HC further ones of it.
+// HP=1 is the number of a home position.
 bool OkumaWords::register_word(Block& block) {
   const std::size_t from = p_;
   const char c = upper(at(p_)), n = upper(at(p_ + 1));
@@ -78,7 +78,7 @@ bool OkumaWords::pattern(Block& block) {
   return true;
 }
 
-// "OSUB" of Okuma: a program with a name.
+// "OSUB" of Okuma names a program.
 bool OkumaWords::program(Block& block) {
   if (dialect_ != Dialect::fanuc || !block.words.empty() || !names_okuma_program(line_, p_))
     return false;
@@ -92,7 +92,7 @@ bool OkumaWords::program(Block& block) {
   return true;
 }
 
-// "<PART-1>" of FANUC's 30i, as a header; behind a call instead of P.
+// "<PART-1>" of FANUC's 30i names a program: as a header, or instead of P behind a call.
 bool OkumaWords::program_in_brackets(Block& block) {
   const std::string_view name = bracketed_name(line_, p_);
   const std::size_t from = p_;
@@ -112,7 +112,7 @@ bool OkumaWords::program_in_brackets(Block& block) {
   return true;
 }
 
-// "VC1=2", "DIA = 50": a variable of Okuma. "X=5" is a word.
+// "VC1=2" and "DIA = 50" of Okuma set a variable. "X=5" is a word.
 bool OkumaWords::assigns_name() const {
   if (dialect_ != Dialect::fanuc || !language_) return false;
   const bool common = upper(at(p_)) == 'V' && is_digit(at(p_ + 1));
@@ -123,7 +123,7 @@ bool OkumaWords::assigns_name() const {
   return at(end) == '=';
 }
 
-// "NAT01 T010101" of Okuma: a block has a name instead of a number.
+// "NAT01 T010101" of Okuma: the block has a name instead of a number.
 bool OkumaWords::block_name(Block& block) {
   std::size_t end = p_ + 1;
   while (is_letter(at(end)) || is_digit(at(end))) ++end;
@@ -155,7 +155,7 @@ void OkumaWords::skip_conditions(Block& block) {
   p_ = std::min(line_.find('(', p_), line_.size());
 }
 
-// "G85 NLAP1 D4" of Okuma: the block that begins the contour.
+// "G85 NLAP1 D4" of Okuma: NLAP1 is the name of the block that begins the contour.
 bool OkumaWords::contour_name(Block& block) {
   const bool calls = std::any_of(block.words.begin(), block.words.end(), [](const Word& word) {
     return word.address == letter('G') && word.value >= 85 && word.value <= 88;

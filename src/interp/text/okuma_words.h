@@ -1,5 +1,5 @@
 // Words of Okuma's OSP beside those of FANUC: names of blocks, programs and contours, variables,
-// registers, patterns of holes. Each function reads the word at the place, or gives false.
+// registers, patterns of holes. Each function reads the word at the place, or returns false.
 // Private to src/interp.
 #pragma once
 
@@ -14,13 +14,13 @@ class OkumaWords : public LineParser {
   bool register_word(Block& block);
   bool pattern(Block& block);
   bool program(Block& block);
-  /// FANUC's 30i has these, too.
+  /// "<PART-1>", which FANUC's 30i has, too.
   bool program_in_brackets(Block& block);
-  /// An assignment follows. Reads nothing.
+  /// Whether an assignment follows. Reads nothing.
   bool assigns_name() const;
   bool block_name(Block& block);
   bool contour_name(Block& block);
-  /// What stands behind G84 of LAP.
+  /// Passes over the words behind G84 of LAP.
   void skip_conditions(Block& block);
 };
 

@@ -1,7 +1,6 @@
 // Characters to blocks: one line of text holds one block, or several (FANUC ";", CODESYS "N").
-// Rules that a control does not share with the others are classes of their own; every fault is
-// reported at its character and the rest of the block is still read, so that one run shows all of
-// them.
+// Rules of one control alone are classes of their own. Every fault is reported at its character,
+// and the rest of the block is still read, so that one run shows all faults.
 #pragma once
 
 #include "interp/text/line_parser.h"
@@ -21,9 +20,10 @@ class Parser {
   Parser& operator=(const Parser&) = delete;
 
   Dialect dialect() const { return line_.dialect; }
-  /// Who reads expressions and assignments; without one they are errors.
+  /// Sets the reader of expressions and assignments; without one they are errors.
   void set_language(LanguageReader* language) { line_.language = language; }
-  /// Levels of block skip in force, a bit each: the rest of such a line is not read.
+  /// Sets the levels of block skip in force, a bit each: what follows such a level's slash is not
+  /// read.
   void set_skip(unsigned levels);
 
   /// Reads the block that starts at `position` of block.line and moves `position` behind it.

@@ -12,18 +12,19 @@ namespace {
 
 constexpr std::size_t kMostRemembered = 65536;
 constexpr std::size_t kMostOfAKind = 100;
-// Lines that were read long ago are looked up in the file, a few of them.
+// The text of a line that was read long ago is looked up in the file, for a few findings only.
 constexpr int kMostLookups = 50;
 constexpr int kDeepestLookup = 200000;
 
 }  // namespace
 
 bool Reporter::seen(const std::string& key) {
-  if (seen_.size() >= kMostRemembered) seen_.clear();  // memory stays flat; a repeat is harmless
+  if (seen_.size() >= kMostRemembered)
+    seen_.clear();  // keeps memory small; a finding twice does no harm
   return !seen_.insert(key).second;
 }
 
-// Counts a finding. False: it was reported before, or enough of its kind were.
+// Counts a finding. False: it, or enough of its kind, has been reported before.
 bool Reporter::is_told(Severity severity, const char* code, const SourcePlace& place, int call) {
   // A subprogram that runs fifty times says everything once.
   const bool again = call >= 0 || repeating_;

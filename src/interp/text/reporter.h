@@ -1,5 +1,6 @@
-// Findings with their place. Knows the block being read, so that a fault only needs its word.
-// Of each kind, 100 findings are reported and the rest is counted: a damaged program is no flood.
+// Findings with their place. It knows the block being read, so that a fault only needs its word.
+// 100 findings of each kind are reported and the rest is counted, so that a damaged program does
+// not fill the screen.
 #pragma once
 
 #include "interp/text/block.h"
@@ -16,7 +17,7 @@ class Reporter {
  public:
   Reporter(MotionSink& sink, Program& program) : sink_(sink), program_(program) {}
 
-  /// Where following findings are.
+  /// The place of the findings that follow.
   void set_place(int file, int line, int call, std::string_view text) {
     file_ = file;
     line_ = line;
@@ -24,13 +25,13 @@ class Reporter {
     text_ = text;
   }
 
-  /// From here on a line may be read more than once: it says everything once.
+  /// From here on a line may be read more than once. A finding of a line is reported once.
   void set_repeating() { repeating_ = true; }
 
   /// The lines to come are not read: nothing in them is reported.
   void set_muted(bool muted) { muted_ = muted; }
 
-  /// The buffer of the line is gone.
+  /// The text of set_place() no longer exists.
   void forget_text() { text_ = {}; }
 
   /// `column` is 0-based; `length` in bytes.
@@ -38,17 +39,17 @@ class Reporter {
   void add(Severity severity, const char* code, const std::string& text, const Word& word) {
     add(severity, code, text, word.column, word.length);
   }
-  /// At the place of a motion that was read earlier.
+  /// Reports at the place of a motion that was read earlier.
   void add_at(Severity severity, const char* code, const std::string& text, const Motion& motion);
-  /// Only the first time in the run that `key` is used.
+  /// Reports only the first time in the run that `key` is used.
   void once(Severity severity, const char* code, const std::string& text, const Word& word,
             const std::string& key);
   void once_at(Severity severity, const char* code, const std::string& text, const Motion& motion,
                const std::string& key);
-  /// About the program as a whole.
+  /// Reports about the program as a whole.
   void add_general(Severity severity, const char* code, const std::string& text);
 
-  /// A variable got a value in the line being read.
+  /// Tells the sink that a variable got a value in the line being read.
   void assignment(std::string_view name, const std::string& value);
 
   std::size_t errors() const { return errors_; }

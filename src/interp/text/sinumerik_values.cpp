@@ -21,7 +21,7 @@ constexpr std::string_view kOperators[] = {"DIV", "MOD",  "AND",   "OR",
 
 }  // namespace
 
-// The value after "=". Only T, and data that nothing reads, take a text.
+// Only T, and data that nothing reads, may have a text.
 bool SinumerikValues::value(Block& block, Word& word) {
   skip_blanks();
   const std::size_t from = p_;
@@ -75,7 +75,7 @@ bool SinumerikValues::any_value(Block& block, Word& word) {
   return false;
 }
 
-// More than a number, a text in quotes or AC(number).
+// Whether more follows than a number, a text in quotes or AC(number).
 bool SinumerikValues::more_follows() const {
   std::size_t i = p_;
   if (at(i) == '(' || at(i) == '$') return true;

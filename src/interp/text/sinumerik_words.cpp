@@ -29,7 +29,7 @@ constexpr std::pair<std::string_view, Address> kAddresses[] = {
     {"SVC", Address::data},  {"FB", Address::data},     {"DITS", Address::data},
     {"DITE", Address::data}};
 
-// Calls without effect on geometry; COUP... couples spindles, for parts that change over.
+// Calls without effect on geometry. COUP... couples spindles to hand over a part.
 constexpr std::string_view kHarmlessCalls[] = {
     "MSG",       "SETMS",  "FGROUP",  "CYCLE832", "WAITM",   "WAITP",    "WAITS",
     "INIT",      "START",  "CLRINT",  "SPCON",    "SPCOF",   "COMPLETE", "COUPON",
@@ -39,7 +39,7 @@ constexpr std::string_view kHarmlessCalls[] = {
     "CLEARM",    "SETM",   "RELEASE", "GET",      "GETD",    "WRITE",    "DELETE",
     "SETPIECE"};
 
-// The tool carrier and offsets of the tool, which 0 switches off.
+// Names of the tool carrier and of tool offsets: read only where they are switched off by 0.
 constexpr std::string_view kOffWithZero[] = {"TCARR", "TOFF", "TOFFL", "TOFFR", "TOFFLR", "CUTMOD"};
 
 Address find_address(std::string_view name) {
@@ -91,7 +91,7 @@ void SinumerikWords::read(Block& block) {
     ++p_;
     if (c == 'R' && language_) return assignment(block, from);
     if (c == 'R') return unsupported(block, line_.substr(from, p_ - from), "a variable", from);
-    if (index == 1 && c == 'T') {  // of the first spindle, as M1=6 changes it
+    if (index == 1 && c == 'T') {  // T1= names a tool of the first spindle, as M1=6 changes it
       if (value(block, word)) push(block, word, from);
       return;
     }
@@ -104,7 +104,7 @@ void SinumerikWords::read(Block& block) {
     else
       fault(block, "address-unknown",
             fmt::format("unknown address {}", line_.substr(from, p_ - from - 1)), from, p_);
-    word.code = static_cast<Code>(c);  // the letter, for the rare ones that matter
+    word.code = static_cast<Code>(c);  // the letter, which matters for a few
     if (!value(block, word) || word.address == letter(c)) return;
     if (index == 1 && c == 'M' && word.value == 6) {
       word.address = letter(c);
@@ -117,7 +117,7 @@ void SinumerikWords::read(Block& block) {
   push(block, word, from);
 }
 
-// "NAME:", p_ on the colon.
+// "NAME:"; p_ is at the colon.
 void SinumerikWords::label(Block& block, std::size_t from, std::size_t end) {
   ++p_;
   if (end - from < 2 || end - from > kLongestVariable)
@@ -125,7 +125,7 @@ void SinumerikWords::label(Block& block, std::size_t from, std::size_t end) {
           from, end);
 }
 
-// "L1:", "N10:": read as words, so they name no place.
+// "L1:" and "N10:" are words, so they name no place.
 void SinumerikWords::short_label(Block& block, std::size_t from) {
   ++p_;
   const std::string_view name = line_.substr(from, p_ - from - 1);

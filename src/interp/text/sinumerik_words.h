@@ -27,7 +27,7 @@ class SinumerikWords : public SinumerikValues {
   SinumerikArrays arrays_;
 };
 
-/// "; is CR=5 meant?" for a SINUMERIK name that is an address and digits, else empty.
+/// "; is CR=5 meant?" for a name that is an address of SINUMERIK and digits; else empty.
 std::string missing_equal_sign(std::string_view name);
 
 }  // namespace mrsim

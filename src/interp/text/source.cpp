@@ -28,7 +28,7 @@ constexpr std::size_t kLongLine = std::size_t(1) << 20;
   throw Error("file-unreadable", fmt::format("cannot read {}: {}", path, std::strerror(errno)));
 }
 
-// A pipe gives its text once: kept by the file that it is.
+// A pipe gives its text only once, so the text is kept by the identity of its file.
 std::shared_ptr<const std::string> read_pipe(const std::string& path, const struct stat& info) {
   using Key = std::tuple<std::string, dev_t, ino_t>;
   static std::mutex mutex;
@@ -39,8 +39,8 @@ std::shared_ptr<const std::string> read_pipe(const std::string& path, const stru
   return text;
 }
 
-// The leader of a tape (NUL, DEL), what starts and stops a transfer (DC1 to DC4), and the feed of a
-// page, at the ends of a line.
+// Removes the leader of a tape (NUL, DEL), the characters that start and stop a transfer (DC1 to
+// DC4) and form feeds from the ends of a line.
 std::string_view without_transfer(std::string_view line) {
   const auto transfers = [](char c) {
     return c == '\0' || c == '\f' || c == '\x7F' || (c >= '\x11' && c <= '\x14');
@@ -109,7 +109,7 @@ bool LineSource::refill() {
     begin_ = 0;
   }
   if (end_ == buffer_.size()) {
-    if (end_ > kLongLine)  // measured: three times its length, of the words in it as well
+    if (end_ > kLongLine)  // measured: reading it takes three times its length
       require_memory(5.0 * double(end_), fmt::format("a line of more than {} bytes", end_));
     buffer_.resize(2 * buffer_.size());
   }
@@ -131,8 +131,8 @@ bool LineSource::refill() {
   }
 }
 
-// Length of the line that begins at begin_, and of its end: \n, \r, or any \r before \n. False:
-// more must be read first. `searched`: so much of the line is known to have no end.
+// Finds the length of the line that begins at begin_, and that of its end: \n, \r, or any \r before
+// \n. False: more must be read first. `searched`: so many bytes of the line have no end in them.
 bool LineSource::find_end(std::size_t& searched, std::size_t& length, std::size_t& end) const {
   const char* from = buffer_.data() + begin_;
   const std::size_t available = end_ - begin_;

@@ -1,5 +1,5 @@
-// Lines of a text file through one reused buffer: memory is that of the longest line, whatever the
-// length of the file.
+// Lines of a text file through one reused buffer, so that memory depends on the longest line and
+// not on the length of the file.
 #pragma once
 
 #include <cstdint>
@@ -12,8 +12,8 @@ namespace mrsim {
 
 class LineSource {
  public:
-  /// "-" is the standard input. A pipe is read whole and once, and kept while the program runs: its
-  /// text is needed more than once. Throws Error "file-missing", "file-is-directory",
+  /// "-" is the standard input. The text of a pipe is needed more than once, so it is read as a
+  /// whole and kept while the program runs. Throws Error "file-missing", "file-is-directory",
   /// "file-unreadable".
   explicit LineSource(const std::string& path, std::size_t chunk = std::size_t(1) << 17);
   LineSource(LineSource&& other) noexcept;
@@ -22,11 +22,11 @@ class LineSource {
 
   /// The next line without its end (\n, \r\n or \r); valid until the next call. False at the end.
   bool next(std::string_view& line);
-  /// Up to `bytes` of what comes next, without reading on; valid until the next call.
+  /// Up to `bytes` bytes that come next, which next() will still give; valid until the next call.
   std::string_view ahead(std::size_t bytes);
   /// Bytes of the whole file.
   std::uint64_t size() const { return size_; }
-  /// Goes on at a line start seen earlier.
+  /// Goes on at the start of a line that was read earlier.
   void seek(std::uint64_t offset, int line_number);
 
   /// Offset of the start of the next line, and the number of the last line returned (1-based).

@@ -50,7 +50,7 @@ bool SpecialWords::fagor_instruction(Block& block) {
   return true;
 }
 
-// "S1=1000" of Mitsubishi and machines with several spindles: those of others are of no account.
+// "S1=1000" of Mitsubishi and machines with several spindles. Only the first spindle counts.
 bool SpecialWords::spindle_speed(Block& block, Word& word) {
   if (dialect_ != Dialect::fanuc || !starts_number(at(p_ + 1))) return false;
   if (word.value != 1) word.address = Address::data;
@@ -58,7 +58,7 @@ bool SpecialWords::spindle_speed(Block& block, Word& word) {
   return number(block, word, false);
 }
 
-// "G64 ON" and "G64 OFF" of Centroid: smoothing.
+// "G64 ON" and "G64 OFF" of Centroid switch smoothing.
 bool SpecialWords::skips_switch(const Block& block) {
   const std::string name = upper_case(line_.substr(p_, 3));
   const std::size_t length = name.starts_with("OFF") ? 3 : name.starts_with("ON") ? 2 : 0;
@@ -69,7 +69,7 @@ bool SpecialWords::skips_switch(const Block& block) {
   return true;
 }
 
-// Marlin: what stands behind M117 and M118, and as words behind M0, is for its display.
+// Marlin shows the text behind M117 and M118, and words behind M0, on its display.
 bool SpecialWords::has_message(const Word& word) const {
   if (dialect_ != Dialect::iso && dialect_ != Dialect::ngc) return false;
   if (word.value == 117 || word.value == 118) return true;
@@ -79,8 +79,8 @@ bool SpecialWords::has_message(const Word& word) const {
 }
 
 // FANUC: ,R rounds the corner to the next block, ,C cuts it off, ,A is the angle of a line.
-// Mitsubishi: ,S is the speed of a tap on its way back, ,I and ,J how exactly a place is met.
-// Mazak: ,K beside G61.1 is how exactly its shape is.
+// Mitsubishi: ,S is the speed of a tap on its way back; ,I and ,J say how exactly a place is met.
+// Mazak: ,K beside G61.1 says how exactly the shape is met.
 bool SpecialWords::corner_word(Block& block) {
   const std::size_t from = p_;
   std::size_t value = p_ + 1;
@@ -132,7 +132,7 @@ bool SpecialWords::bare_axis(Block& block) {
   return true;
 }
 
-// L!4 of CODESYS: where G20 L?4 jumps to.
+// L!4 of CODESYS is the label that G20 L?4 jumps to.
 void SpecialWords::jump_label() {
   p_ = line_.find('!', p_) + 1;
   while (is_digit(at(p_))) ++p_;

@@ -1,5 +1,5 @@
 // Words that only some controls have: names of CODESYS, corners of FANUC, instructions of Fagor's
-// 8070, commands of Grbl. Each function reads the word at the place, or gives false.
+// 8070, commands of Grbl. Each function reads the word at the place, or returns false.
 // Private to src/interp.
 #pragma once
 
@@ -15,7 +15,7 @@ class SpecialWords : public LineParser {
   bool fagor_instruction(Block& block);
   bool spindle_speed(Block& block, Word& word);
   bool skips_switch(const Block& block);
-  /// A text for the display follows `word`, an M word. Reads nothing.
+  /// Whether a text for the display follows `word`, an M word. Reads nothing.
   bool has_message(const Word& word) const;
   bool corner_word(Block& block);
   bool bare_axis(Block& block);

@@ -21,7 +21,7 @@ bool is_dash(std::string_view text) {
          text.starts_with("\xE2\x80\x94");
 }
 
-// Whether a statement or an assignment stands there, and not comments and N words alone.
+// Whether a statement or an assignment stands there, and not only comments and N words.
 bool says_something(std::string_view head) {
   for (std::size_t i = 0; i < head.size(); ++i) {
     if (head[i] == '(')
@@ -34,8 +34,8 @@ bool says_something(std::string_view head) {
 
 }  // namespace
 
-// FANUC's ";" ends a block, and many write comments behind it: where the line goes on with words,
-// either may be meant. Behind a tool "Z4" counts its flutes.
+// FANUC's ";" ends a block, and many programmers write a comment behind it. Where words follow,
+// either may be meant. Z4 behind a tool is its number of flutes.
 void StrangeText::doubt_comment(const Block& block) {
   const auto is_tool = [](const Word& word) { return word.address == letter('T'); };
   if (dialect_ != Dialect::fanuc || (block.words.empty() && !says_something(line_.substr(0, p_))) ||
@@ -53,7 +53,7 @@ void StrangeText::doubt_comment(const Block& block) {
       sign, "comment-as-block");
 }
 
-// "GO X5", "MO3": the letter where the digit is meant.
+// "GO X5" and "MO3" have the letter O where a zero is meant.
 bool StrangeText::zero_as_letter(Block& block) {
   const char c = upper(at(p_));
   if ((c != 'G' && c != 'M') || upper(at(p_ + 1)) != 'O') return false;
@@ -127,7 +127,7 @@ void StrangeText::character(Block& block) {
 // FANUC reads "G1 95" as G195; whoever wrote it meant something else. A sign may stand apart.
 void StrangeText::check_inner_blanks(std::size_t from) {
   std::string_view token = line_.substr(from, p_ - from);
-  token = token.substr(0, token.find_last_not_of(" \t") + 1);  // those behind it end the number
+  token = token.substr(0, token.find_last_not_of(" \t") + 1);  // blanks behind it end the number
   const std::size_t blank = token.find_first_of(" \t", token.find_first_of("0123456789."));
   if (blank == std::string_view::npos) return;
   reporter_.add(

@@ -1,5 +1,5 @@
-// Text that is no word: characters without a meaning, letters without a number; and what can be
-// read but is hardly meant. Private to src/interp.
+// Text that is no word: characters without a meaning, letters without a number. Also text that can
+// be read but is probably a mistake. Private to src/interp.
 #pragma once
 
 #include "interp/text/line_parser.h"
@@ -14,7 +14,7 @@ class StrangeText : public LineParser {
   void character(Block& block);
   /// Reports the word that begins at `from`.
   void word(Block& block, std::size_t from);
-  /// False: no such word is at the place.
+  /// Reports the letter O where a zero is meant. False: no such word is at the place.
   bool zero_as_letter(Block& block);
   /// Warns of a comment behind ";" that may be a block.
   void doubt_comment(const Block& block);

@@ -20,8 +20,8 @@ bool WordReader::read(Block& block) {
   return any;
 }
 
-// "X10. Y-2.5": reads on while words are a letter and a number that ends at a blank, a letter or
-// the line's end, as nearly all do, and mean no more than that. step() reads all others.
+// Reads words such as "X10. Y-2.5": a letter and a number that ends at a blank, a letter or the end
+// of the line, as nearly all words are. Stops at any other word, which step() reads.
 void WordReader::plain_words(Block& block) {
   if (dialect_ == Dialect::sinumerik || dialect_ == Dialect::codesys) return;
   const char *const begin = line_.data(), *const end = begin + line_.size();
@@ -105,7 +105,7 @@ WordReader::Step WordReader::step(Block& block) {
   return Step::more;
 }
 
-// "//" is a comment of some routers' software, and no control's skip twice.
+// "//" begins a comment in the software of some routers. No control writes block skip twice.
 void WordReader::slashes(Block& block) {
   Word sign;
   sign.column = static_cast<int>(p_);
@@ -122,15 +122,15 @@ bool WordReader::is_end_sign() const {
          line_.find_first_not_of(" \t\r", p_ + 1) == line_.npos;
 }
 
-// FANUC ends blocks with ";". Behind one that is not the last there is another block, if the line
-// ends with ";" too ("G1X1;Y2;"); else a comment.
+// FANUC ends blocks with ";". What follows is another block if the line ends with ";" as well
+// ("G1X1;Y2;"), else a comment.
 bool WordReader::ends_block() const {
   if (dialect_ != Dialect::fanuc) return false;
   const std::size_t last = line_.find_last_not_of(" \t\r");
   return line_[last] == ';';
 }
 
-// "[BILLET X100 Y80 Z15" of Denford: for a simulation, no word of the control.
+// "[BILLET X100 Y80 Z15" of Denford is for a simulation, and no word of the control.
 bool WordReader::is_directive() const {
   if (line_[p_] != '[' || (dialect_ != Dialect::fanuc && dialect_ != Dialect::iso)) return false;
   const std::string head = upper_case(line_.substr(p_ + 1, 8));
@@ -138,7 +138,7 @@ bool WordReader::is_directive() const {
          head == "STEP";
 }
 
-// What stands only before the words: "%", "/2", ":1234".
+// Reads what may only stand before the words: "%", "/2", ":1234".
 bool WordReader::head_of_block(Block& block) {
   const std::size_t from = p_;
   const char c = line_[p_];
@@ -181,7 +181,7 @@ bool WordReader::head_of_block(Block& block) {
   return true;
 }
 
-// "G0 Z50. /2M9" of FANUC: what stands behind the sign is left out where its level is.
+// "G0 Z50. /2M9" of FANUC: words behind the slash are left out where block skip 2 is in force.
 bool WordReader::skip_rest(Block& block) {
   if (line_[p_] != '/' || dialect_ != Dialect::fanuc || block.words.empty()) return false;
   std::size_t end = p_ + 1;
@@ -194,7 +194,7 @@ bool WordReader::skip_rest(Block& block) {
   return true;
 }
 
-// "X#1/2 F9": who writes that means a division.
+// "X#1/2 F9": the slash is block skip, but whoever wrote it probably means a division.
 void WordReader::warn_of_division(const Block& block, std::size_t end) {
   const Word& last = block.words.back();
   const auto from = static_cast<std::size_t>(last.column);
@@ -230,12 +230,12 @@ void WordReader::read_comment(Block& block, char close) {
   if (text.find('(') != text.npos) end_of_outer_comment(block);
 }
 
-// "(HOLE (61.0, 67.7))": nothing is lost where the outer comment ends behind the inner one.
+// "(HOLE (61.0, 67.7))": where the outer comment ends behind the inner one, no word is lost.
 void WordReader::end_of_outer_comment(Block& block) {
   const std::size_t outer = line_.find(')', p_);
   if (outer == line_.npos || line_.find('(', p_) < outer) return;
   const bool at_once = line_.find_first_not_of(" \t", p_) == outer;
-  p_ = outer;  // words of an outer comment are no blocks
+  p_ = outer;  // the words of an outer comment are no block
   if (!at_once) return strange_.character(block);
   reporter_.add(Severity::warning, "comment-nested",
                 "a comment ends at its first ): some controls stop at this second one",

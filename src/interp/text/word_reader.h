@@ -1,5 +1,5 @@
-// The words of a block, one after another: recognised by their first character, and where a control
-// has words of its own, given to their reader. Private to src/interp.
+// Reads the words of a block one after another. The first character says what a word is; words of
+// one control alone go to their own reader. Private to src/interp.
 #pragma once
 
 #include "interp/text/okuma_words.h"

@@ -17,7 +17,7 @@ bool CompensationWords::select(Code code, const Word& word) {
     block_.comp_selected = code != m.comp;
     m.comp = code;
     m.comp_diameter = code != Code::comp_off && word.value != std::floor(word.value);
-    if (code == Code::comp_off && is(Dialect::ngc)) {  // the next G41 needs a D of its own
+    if (code == Code::comp_off && is(Dialect::ngc)) {  // the next G41 needs its own D
       m.edge = 0;
       m.edge_given = false;
     }
@@ -70,7 +70,7 @@ bool CompensationWords::begin_move(const Motion& motion, const Word& where) {
   const Basis b = stock_basis();
   const Vec2 travel = in_plane(b, motion.end - motion.start);
   const bool straight = motion.kind != MotionKind::arc;
-  const bool moves = !straight || length(travel) > kRounding;  // full circles, too
+  const bool moves = !straight || length(travel) > kRounding;  // a full circle moves, too
   block_.comp_moved = moves && straight;
   if (modal_.comp != Code::comp_off && !started_) {
     if (!straight && !is(Dialect::ngc))
@@ -102,26 +102,27 @@ void CompensationWords::end_block(bool move_waits) {
   modal_.comp = block_.comp_before;
 }
 
-// D. LinuxCNC without one, or with D0: that of the tool in the spindle.
+// The D of the block. Without one, or with D0, LinuxCNC takes the number of the tool in the
+// spindle.
 std::string CompensationWords::edge_name() const {
   const std::string& current = control_.tool.current;
   if (!is(Dialect::ngc) || modal_.edge > 0) return fmt::format("D{}", modal_.edge);
   return "D" + (current.empty() ? "1" : current);
 }
 
-// D of LinuxCNC and Mach is the number of a tool, which need not be that in the spindle.
+// D of LinuxCNC and Mach is the number of a tool, which need not be the one in the spindle.
 const Tool* CompensationWords::tool_of_edge() const {
   const Tool* listed =
       is(Dialect::ngc) && modal_.edge > 0 ? tools_.given(fmt::format("{}", modal_.edge)) : nullptr;
   return listed ? listed : tools_.current();
 }
 
-// The tool radius in force, from the register or the tool.
+// Finds the tool radius in force: that of the register, else that of the tool.
 void CompensationWords::set_radius(const Word& where) {
   const bool is_off = options_.comp == CompRadius::off;
   was_on_ = true;
   asked_option_ = asked_option_ || is_off;
-  if (is(Dialect::codesys) || modal_.comp_diameter) {  // D is the size itself
+  if (is(Dialect::codesys) || modal_.comp_diameter) {  // D is the size, not a number
     radius_ = is_off ? 0 : modal_.edge_radius;
     tip_ = {};
     key_.clear();
@@ -172,7 +173,8 @@ void CompensationWords::set_radius(const Word& where) {
   if (turning && !tool->tip_is_nose_centre) tip_ = tip_vector(*tool, radius_);
 }
 
-// From the programmed point to the nose centre, in the plane (first axis Z, second X).
+// The way from the programmed point to the centre of the nose, in the plane (first axis Z, second
+// X).
 Vec2 CompensationWords::tip_vector(const Tool& tool, double radius) {
   static constexpr int kZ[] = {0, -1, 1, 1, -1, -1, 0, 1, 0, 0};
   static constexpr int kX[] = {0, -1, -1, 1, 1, 0, -1, 0, 1, 0};
@@ -207,7 +209,7 @@ Compensation CompensationWords::for_move() const {
   c.side = (modal_.comp == Code::comp_left) != control_.tool.below ? 1 : -1;
   c.suspended = modal_.comp_suspended;
   c.radius = radius_ + modal_.offn;
-  if (c.radius < 0) {  // a negative radius is the other side
+  if (c.radius < 0) {  // a negative radius means the other side
     c.side = -c.side;
     c.radius = -c.radius;
   }

@@ -1,5 +1,5 @@
-// Radius compensation as the program switches it: start, end, radius in force. The offset itself is
-// made by CompensationStage. Private to src/interp.
+// Radius compensation as the program switches it: start, end, radius in force. CompensationStage
+// computes the offset path. Private to src/interp.
 #pragma once
 
 #include "interp/path/corners.h"
@@ -11,24 +11,25 @@ class CompensationWords : public ControlPart {
  public:
   CompensationWords(Control& control, ToolChanger& tools) : ControlPart(control), tools_(tools) {}
 
-  /// G40 G41 G42 and what says how the path is moved. False: another word.
+  /// Takes G40 G41 G42 and the words that say how the path is offset. False: it is another word.
   bool select(Code code, const Word& word);
-  /// LinuxCNC and Mach: what must not change while the path is moved. False: an error was reported.
+  /// LinuxCNC and Mach forbid some words while compensation is on. False: an error was reported.
   bool allows_block();
-  /// Before a move is given on: G40 G41 G42 take effect with a straight move in the plane.
+  /// Called before a move is emitted: G40 G41 G42 take effect with a straight move in the plane.
   /// False: an error was reported.
   bool begin_move(const Motion& motion, const Word& where);
-  /// After the block. SINUMERIK: G41 and G42 count only in a block that moves in the plane.
+  /// Called after the block. On SINUMERIK G41 and G42 count only in a block that moves in the
+  /// plane.
   void end_block(bool move_waits);
-  /// What CompensationStage needs to know about the next move.
+  /// The compensation of the next move, for CompensationStage.
   Compensation for_move() const;
   bool started() const { return started_; }
-  /// At the end of the program: whether a radius was asked for, and depended on --comp.
+  /// Whether the program has asked for a radius, so that --comp had an effect.
   bool was_on() const { return was_on_; }
   bool asked_option() const { return asked_option_; }
-  /// For a cycle that moves its contour aside by itself: radius and point of the tool in force.
+  /// Radius and point of the tool in force, for a cycle that offsets its contour by itself.
   Compensation of_tool();
-  /// The tool's radius by the register in force, mm.
+  /// The tool's radius that the register in force gives, mm.
   double register_radius(const Word& where) {
     tools_.require(where, true);
     set_radius(where);
@@ -47,7 +48,7 @@ class CompensationWords : public ControlPart {
   bool was_on_ = false, asked_option_ = false;
   double radius_ = 0;
   Vec2 tip_;
-  std::string key_;  ///< register and tool that `radius_` was made of
+  std::string key_;  ///< register and tool from which `radius_` was found
   int changes_ = 0;  ///< Control::register_changes when radius_ was found
   int tool_ = -2;
 };

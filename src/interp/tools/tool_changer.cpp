@@ -48,7 +48,7 @@ std::string ToolChanger::id_of(const Word& word) {
   return fmt::format("{}", station);
 }
 
-// Digits from which on a T word names a station and an offset; 0: it never does.
+// How many digits a T word needs to name a station and an offset; 0: it never does.
 std::size_t ToolChanger::turret_digits() const {
   if (!lathe()) return 0;
   return is(Dialect::fanuc) ? 3 : is(Dialect::ngc) ? 4 : 0;
@@ -130,7 +130,7 @@ bool ToolChanger::apply() {
   return true;
 }
 
-// "T1", "M6 T2" behind it: machines whose T makes a tool ready bring T1, and T2 is the next.
+// "T1" and then "M6 T2": on machines whose T makes a tool ready, M6 brings T1, and T2 is the next.
 bool ToolChanger::brings_waiting(const Word& word) {
   if (!block_.tool_change || !tool_.pending.active || tool_.pending.id == id_of(word)) return false;
   const bool behind = std::any_of(block_.words.begin(), block_.words.end(), [&](const Word& m) {
@@ -148,7 +148,7 @@ bool ToolChanger::brings_waiting(const Word& word) {
   return true;
 }
 
-// "N3 G0 X1 Y1 T2", cuts, "M6", "T3": T2 has been made ready, and comes with M6 alone. True: an
+// "N3 G0 X1 Y1 T2", cuts, "M6", "T3": the first T made T2 ready, and only M6 brings it. True: an
 // error was reported.
 bool ToolChanger::brings_assumed() {
   const Word* word = peek('T');
@@ -163,8 +163,8 @@ bool ToolChanger::brings_assumed() {
   return true;
 }
 
-// T0101.1 of Mazak's lathes: the digits behind the point number tools of one station. False: an
-// error was reported.
+// T0101.1 of Mazak's lathes: the digits behind the point tell the tools of one station apart.
+// False: an error was reported.
 bool ToolChanger::suffix(const Word& word) {
   if (!lathe() || !is(Dialect::fanuc))
     return error("value-range",
@@ -212,8 +212,8 @@ void ToolChanger::change() {
   notes_.change(tool_.current);
 }
 
-// "(T1 - SPOT DRILL)", "N3 G0 X1 Y1 S900 M3 T2", no M6 before: T1 may be in the spindle, and T2 the
-// next. H2 says that T2 is.
+// "(T1 - SPOT DRILL)" and "N3 G0 X1 Y1 S900 M3 T2" without an M6 before: T1 may be in the spindle
+// and T2 the next tool. H2 would say that T2 is in the spindle.
 bool ToolChanger::next_is_pending() const {
   const std::string named = notes_.only();
   const bool is_measured = parse_number(tool_.pending.id) == modal_.length_number;
@@ -221,7 +221,7 @@ bool ToolChanger::next_is_pending() const {
          named != tool_.pending.id && !is_measured;
 }
 
-// Posts for machines without a tool changer (Grbl) name the tool in a comment alone.
+// Posts for machines without a tool changer (Grbl) name the tool only in a comment.
 void ToolChanger::take_commented(const Word& where) {
   const std::string id = notes_.only();
   if (id.empty()) {
@@ -292,7 +292,7 @@ void ToolChanger::require(const Word& where, bool cuts) {
     reporter_.add(said, "tool-inferred", text, where);
 }
 
-// `read`: what the comments do say of it.
+// Reports that the tool has no data. `read`: what the comments say of it.
 void ToolChanger::missing(const Word& where, const std::string& why, const Tool& read) {
   tool_.failed = true;
   if (!tool_.chosen) {
@@ -304,7 +304,7 @@ void ToolChanger::missing(const Word& where, const std::string& why, const Tool&
                   where.column, where.length);
     return;
   }
-  Tool unknown;  // so that traces can name it; the error stops everything else
+  Tool unknown;  // so that traces can name it; the error prevents everything else
   unknown.id = tool_.current;
   unknown.origin = "no data";
   use(std::move(unknown));
@@ -351,7 +351,7 @@ const OffsetRegister* ToolChanger::find_register(const std::string& name) const 
   return nullptr;
 }
 
-// The cycle cuts: a tool without M6 is in the spindle from here on.
+// The cycle cuts, so a tool without M6 is in the spindle from here on.
 double ToolChanger::radius_for(const std::string& cycle, int edge, const Word& where) {
   require(where, true);
   const double found = radius(edge);

@@ -15,19 +15,19 @@ class ToolChanger : public ControlPart {
  public:
   explicit ToolChanger(Control& control);
 
-  /// Comments come before the words of their block: a hint may be for the T in it.
+  /// Reads the comments of the block before its words, because they may be about the T in it.
   void read_comments();
-  /// T and M6 of the block.
+  /// Carries out T and M6 of the block. False: an error was reported.
   bool apply();
   /// A block with words was read.
   void end_block() { notes_.end_block(); }
   /// Gives the tool in the spindle an entry in Program::tools. A tool without data is a fault only
   /// when it cuts.
   void require(const Word& where, bool cuts);
-  /// The tool of a lathe that comments call a bar stop, a gripper or a probe: its feeds cut
+  /// Whether the tool of a lathe is a bar stop, a gripper or a probe by its comments: its feeds cut
   /// nothing.
   bool only_touches(const Word& where);
-  /// A comment gives a tool that has cut a size of the trade in inches.
+  /// Whether a comment gives a tool that has cut a usual size in inches.
   bool sized_in_inches() const;
   /// The tool in the spindle, or null.
   const Tool* current() const {
@@ -36,12 +36,12 @@ class ToolChanger : public ControlPart {
   /// The tool of the table with this number or name, or null.
   const Tool* given(const std::string& id) const { return data_.given(id); }
   const OffsetRegister* find_register(const std::string& name) const;
-  /// mm, of the tool in the spindle: as the register of the cutting edge says, else the tool's own;
-  /// 0 without a tool. `edge` below 0: the tool's own.
+  /// The radius of the tool in the spindle, mm: that of the register of the cutting edge, else the
+  /// tool's own; 0 without a tool. `edge` below 0: the tool's own.
   double radius(int edge);
   /// As radius(); a radius that is missing is an error, reported once for each tool.
   double radius_for(const std::string& cycle, int edge, const Word& where);
-  /// What the comments about the tool say of its register: "WEAR COMP", "CONTROL COMP".
+  /// What its register holds according to the tool's comments: "WEAR COMP", "CONTROL COMP".
   CompRadius commented_radius() const;
 
  private:

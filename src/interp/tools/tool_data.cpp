@@ -13,7 +13,8 @@
 namespace mrsim {
 namespace {
 
-// "R5 BUTTON", "ROUND 8MM", "FULL RADIUS R2", "RDMT 10": no sharp insert of 35 degrees.
+// Whether the comment describes a round end, "R5 BUTTON", "ROUND 8MM", "FULL RADIUS R2", "RDMT 10":
+// the tool is no sharp insert of 35 degrees.
 bool tells_round_end(std::string_view comment) {
   if (std::none_of(comment.begin(), comment.end(), is_digit)) return false;
   const std::string text = upper_case(comment);
@@ -22,7 +23,7 @@ bool tells_round_end(std::string_view comment) {
   return false;
 }
 
-// "LAMA 3MM": one number, of a few mm.
+// Whether the comment has one number, of a few mm, such as "LAMA 3MM".
 bool tells_blade_width(std::string_view comment) {
   constexpr double kThinnest = 1, kWidest = 6;  // mm
   const std::size_t first = comment.find_first_of("0123456789");
@@ -36,13 +37,14 @@ bool tells_blade_width(std::string_view comment) {
          std::none_of(unit.begin(), unit.end(), is_digit);
 }
 
-// "DRILL ALL HOLES" above T="DRILL_8".
+// Whether the comment names a kind without a size, as "DRILL ALL HOLES" above T="DRILL_8".
 bool lacks_size(const ToolHint& comment) {
   return comment.type && !is_turning(*comment.type) && comment.diameters.empty() &&
          comment.doubt.empty();
 }
 
-// An end mill by what a comment says may have a corner by its name: "MILL_D20R2".
+// Whether the name may add to the comment: what a comment calls an end mill may have a corner by
+// its name, "MILL_D20R2".
 bool is_kind_of(const ToolHint& name, const ToolHint& comment) {
   if (!name.type) return false;
   const bool corner = name.type == ToolType::bullmill && comment.type == ToolType::endmill;
@@ -61,15 +63,16 @@ const Tool* ToolData::given(const std::string& id) const {
   return at == given_.end() ? nullptr : &options_.table.tools[at->second];
 }
 
-// ".250 BALL EM" where no G word says inches: of a shop whose control wakes up in them?
+// ".250 BALL EM" where no G word says inches: the program may be from a shop whose control starts
+// in inches.
 bool ToolData::of_unknown_unit(const ToolHint& hint) const {
-  constexpr double kSmall = 1;  // in mm rare, in inches usual
+  constexpr double kSmall = 1;  // a size that is rare in mm and usual in inches
   if (modal_.units_given || is(Dialect::sinumerik) || is(Dialect::codesys)) return false;
   if (hint.diameters.empty() || hint.diameter >= kSmall) return false;
   return hint.diameters.front().unit == 0 && !hint.diameters.front().fraction;
 }
 
-// '; T="ROUGHER_80" D1' says no more than the name.
+// Whether the comment only repeats the name, as '; T="ROUGHER_80" D1'.
 bool ToolData::repeats_name(const std::string& comment, const std::string& id) const {
   const std::size_t at = comment.find(id);
   if (!lathe() || at == comment.npos || id.find_first_not_of("0123456789") == id.npos) return false;
@@ -77,8 +80,8 @@ bool ToolData::repeats_name(const std::string& comment, const std::string& id) c
   return std::count_if(rest.begin(), rest.end(), is_digit) <= 1;
 }
 
-// From what comments say of it, else from its name. False and a reason where they do not suffice;
-// no reason: nothing is said. `said`: a warning where the tool's shape is not all there.
+// Finds the data of a tool in its comments, else in its name. False and a reason where they do not
+// suffice; no reason: nothing is said of it. `said`: a warning where the shape is incomplete.
 bool ToolData::infer(const std::string& id, Tool& out, std::string& why, Severity& said) const {
   const ToolHint* said_of_it = notes_.find(id);
   if (const ToolHint* hint = said_of_it) {
@@ -100,7 +103,8 @@ bool ToolData::infer(const std::string& id, Tool& out, std::string& why, Severit
       with_points(id);  // "ENDMILL_D10"; "PLUNGE_CUTTER_3" of a lathe is a tool, not its work
   std::replace(name.begin(), name.end(), '_', ' ');
   if (lathe()) name = spelled_turret_name(with_points(id));
-  if (!lathe() && name.starts_with("CUTTER")) name.replace(0, 6, "END MILL");  // of ShopMill
+  if (!lathe() && name.starts_with("CUTTER"))
+    name.replace(0, 6, "END MILL");  // CUTTER of ShopMill is an end mill
   ToolHint hint = read_tool_comment(name);
   if (lathe() && !hint.type && hint.inside) hint.type = ToolType::boring;  // "ID_ROUGH"
   hint.text = id;
@@ -108,7 +112,7 @@ bool ToolData::infer(const std::string& id, Tool& out, std::string& why, Severit
   if (said_of_it && lacks_size(*said_of_it) && !is_kind_of(hint, *said_of_it)) return false;
   if (!hint.type || !fill_tool(hint, scale(), lathe(), out, ignored)) {
     const bool asks = hint.type == ToolType::grooving || hint.insert == "R" || hint.padded_radius;
-    if (why.empty() && hint.type && asks)  // no insert that turns
+    if (why.empty() && hint.type && asks)  // it is no turning insert
       why = fmt::format("its name \"{}\" {}", id, ignored);
     return false;
   }

@@ -1,4 +1,4 @@
-// Where the data of a tool come from: the table, what comments say of it, its name.
+// Finds the data of a tool: in the tool table, in comments, in its name.
 // Private to src/interp.
 #pragma once
 
@@ -21,8 +21,8 @@ class ToolData : public ControlPart {
 
   /// The tool of the table with this number or name, or null.
   const Tool* given(const std::string& id) const;
-  /// The data of a tool, and where they came from. False when there are none. `why`: a reason, if
-  /// anything is said of the tool; `said`: a warning where its shape is not all there.
+  /// The data of a tool, and where they came from. False: there are none. `why`: the reason, if
+  /// anything is said of the tool. `said`: a warning where its shape is incomplete.
   bool resolve(const std::string& id, Tool& out, std::string& why, Severity& said) const;
 
  private:

@@ -8,12 +8,12 @@
 namespace mrsim {
 namespace {
 
-constexpr double kSameNose = 0.01;  // mm: of radii in inches with three decimals
+constexpr double kSameNose = 0.01;  // mm: the rounding of a radius in inches with three decimals
 
 }  // namespace
 
-// T0303 and T0313: a blade often has an offset for each of its corners, and no program says
-// which is which.
+// T0303 and T0313 call one tool. A blade often has an offset for each of its corners, and no
+// program says which is which.
 void ToolEdges::compare_offset(const Word& word, const Tool* used) {
   const long number = static_cast<long>(word.value), offset = number % 100;
   if (!lathe() || !is(Dialect::fanuc) || word.string || number < 100 || number > 9999 ||
@@ -35,7 +35,7 @@ void ToolEdges::tell_second(const std::string& offset, const std::string& id, co
       where, id);
 }
 
-// "3.D2" of a SINUMERIK lathe where the tool table has it: another edge, with a point of its own.
+// "3.D2" for D2 of a SINUMERIK lathe, where the tool table has it: an edge with a point of its own.
 std::string ToolEdges::id_at_edge() const {
   if (!lathe() || !is(Dialect::sinumerik) || modal_.edge < 2) return tool_.current;
   std::string id = fmt::format("{}.D{}", tool_.current, modal_.edge);
@@ -53,7 +53,7 @@ void ToolEdges::compare_edge(const Tool& tool, const Word& where) {
   tell_second(edge, fmt::format("{}.{}", tool_.current, edge), tool, where);
 }
 
-// R of G10 P, whose offset is that of T0101.
+// R of G10 P1 is the nose radius of the offset that T0101 calls.
 void ToolEdges::compare_nose(const Tool& tool, const Word& where) {
   const auto told = control_.told_noses.find(static_cast<long>(tool_.written) % 100);
   if (told == control_.told_noses.end() || !is_turning(tool.type)) return;

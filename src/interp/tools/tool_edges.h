@@ -1,5 +1,5 @@
-// Several offsets of one turning tool: edges with data of their own, and second offsets of blades,
-// which may be their other corner. Private to src/interp.
+// Several offsets of one turning tool: edges with their own data, and a second offset of a blade,
+// which may be that of its other corner. Private to src/interp.
 #pragma once
 
 #include "interp/tools/tool_data.h"
@@ -30,7 +30,7 @@ class ToolEdges : public ControlPart {
 
   const ToolState& tool_;
   const ToolData& data_;
-  std::unordered_map<std::string, long> offsets_;  ///< id -> the first offset that it had
+  std::unordered_map<std::string, long> offsets_;  ///< id -> the first offset of that tool
 };
 
 }  // namespace mrsim

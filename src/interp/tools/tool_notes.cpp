@@ -21,11 +21,12 @@ bool heads_list(const std::string& comment) {
   return false;
 }
 
-// "%", "O0001": behind them and a block of modes a lone comment is no title any more.
+// Blocks of the head, "%" and "O0001". Behind them and a block of modes, a comment on its own is no
+// title any more.
 constexpr std::size_t kHeaderBlocks = 2;
 
-// "GROOVE4", "PROFILE1", as Fusion numbers what is done; a title ("BORE 25 H7 BUSH") has other
-// words.
+// Whether the text is an operation as Fusion numbers them, "GROOVE4" or "PROFILE1". A title has
+// other words ("BORE 25 H7 BUSH").
 bool is_numbered_operation(std::string_view text) {
   const std::size_t digits = text.find_first_of("0123456789");
   return digits != text.npos && digits > 0 &&
@@ -33,16 +34,18 @@ bool is_numbered_operation(std::string_view text) {
          std::all_of(text.begin(), text.begin() + static_cast<std::ptrdiff_t>(digits), is_letter);
 }
 
-// Comments and lists that are kept: a program of nothing but comments fills no memory.
+// How many comments of a list are kept, so that a program of nothing but comments needs little
+// memory.
 constexpr std::size_t kLongestList = 1000;
 
-// "(BALL MILL D8)", "(TOOL NUMBER: 5)", "(DRILL D6)", "(TOOL NUMBER: 6)": the number ends what is
-// said of a tool.
+// Whether the number ends what is said of a tool: "(BALL MILL D8)", "(TOOL NUMBER: 5)", "(DRILL
+// D6)",
+// "(TOOL NUMBER: 6)".
 bool numbers_come_last(const std::vector<ToolHint>& comments) {
   return comments.front().id.empty() && comments.back().bare_id && !comments.back();
 }
 
-// As a whole word: MILL_D10 is none in "MILL_D10_R1".
+// Whether the text has the name as a whole word: "MILL_D10_R1" does not have MILL_D10.
 bool has_name(const std::string& text, const std::string& id) {
   const auto inside = [&](std::size_t i) { return i < text.size() && is_name(text[i]); };
   for (std::size_t at = text.find(id); at != text.npos; at = text.find(id, at + 1))
@@ -50,12 +53,12 @@ bool has_name(const std::string& text, const std::string& id) {
   return false;
 }
 
-// "MILL_D20R2" of a tool list; DRILL alone is a word of many comments.
+// Whether a name is distinct, as "MILL_D20R2" of a tool list; DRILL is a word of many comments.
 bool is_distinct_name(const std::string& id) {
   return id.find_first_of("0123456789") != id.npos && id.find_first_not_of("0123456789") != id.npos;
 }
 
-// "6mm endmill" is a tool wherever it stands; "drill 6mm" may be the work.
+// "6mm endmill" is a tool wherever it stands, while "drill 6mm" may be the work.
 bool is_tool_with_size(const ToolHint& hint) {
   if (!hint.type || !hint.firm || hint.diameters.empty()) return false;
   return hint.diameters.front().unit > 0 || hint.diameters.front().fraction;
@@ -66,7 +69,7 @@ bool is_open_cone(const ToolHint& hint) {
   return hint.trade == ToolTrade::vee && hint.firm && hint.tip_angle + hint.taper_angle > 0;
 }
 
-// Where their number doubles.
+// Checks the memory for that many comments, each time their number has doubled.
 void require_notes(std::size_t count) {
   constexpr std::size_t kFew = 1024;
   constexpr double kNote = 550;  // bytes, measured
@@ -123,9 +126,9 @@ void ToolNotes::comment(std::string_view bytes, const std::string& called, bool 
 }
 
 void ToolNotes::stands_alone(ToolHint hint, bool heads) {
-  // "USES BAR PULLER" is no name of a tool: its moves would not be swept.
+  // "USES BAR PULLER" is no name of the tool. If it were, the tool's moves would not be swept.
   if (lathe_ && hint.trade == ToolTrade::no_cutter && hint.id.empty() && !hint.bare_kind) return;
-  // Behind the first cut it is no list of what the program does.
+  // Behind the first cut, operations are no list of what the program does.
   if (lathe_ && (cuts_ || heads) && !hint && (hint.operation || hint.bores))
     name_by_operation(hint);
   if (tells_kind(hint)) return add(open_id(), hint);
@@ -154,8 +157,8 @@ void ToolNotes::stands_alone(ToolHint hint, bool heads) {
   comments_.push_back(std::move(hint));
 }
 
-// The comments between two blocks, sorted by the tools that they name. The last of them wait
-// for their tool.
+// Sorts the comments between two blocks by the tools that they name. The last of them wait for
+// their tool.
 void ToolNotes::settle_comments() {
   if (comments_.empty()) return;
   end_group();
@@ -177,8 +180,9 @@ void ToolNotes::end_group() {
   group_ = {};
 }
 
-// A tool with its size: one that a T word has named and no M6 brought yet (pcb2gcode), or the one
-// in the spindle before its first cut; or the next, as that may be none.
+// A comment with a size and no number is about the tool that a T word has named and no M6 has
+// brought yet (pcb2gcode), or about the one in the spindle before its first cut, else about the
+// next.
 void ToolNotes::add_unnumbered(const ToolHint& hint) {
   if (!(hint.firm || hint.names_tool) || !(hint.diameter > 0)) return;
   const bool is_ready = !called_.empty() && (current_.empty() || cuts_since_change_);
@@ -189,50 +193,50 @@ void ToolNotes::add_unnumbered(const ToolHint& hint) {
     add(current_, hint);
 }
 
-// "(T1 D6.)" at the head and "(DRILL 118)", "(BALL MILL D8)" at the call: the kind counts, and
-// what contradicts is asked about.
+// "(T1 D6.)" stands at the head and "(DRILL 118)" or "(BALL MILL D8)" at the call: the kind is
+// added, and a contradiction becomes a doubt.
 bool ToolNotes::tells_more(const std::string& id, const ToolHint& hint) const {
   const ToolHint* const known = find(id);
   return known && hint.id.empty() && hint.type && (hint.firm || !known->type);
 }
 
 // "T0303 (GROOVE 3MM)", "T0404 (OD THREAD)", "T0505 (FINISH BORE)", "T0101 (OD ROUGH R0.8)": on a
-// lathe the tool of the block does that. No pointed insert cuts a groove: without its width the
-// blade is asked for.
+// lathe the operation names the kind of the block's tool. A groove needs a blade, not a pointed
+// insert, so without a width the blade is asked for.
 void ToolNotes::name_by_operation(ToolHint& hint) {
   if (hint.operation != ToolType::turning || hint.nose) hint.type = hint.operation;
   if (hint.inside && (!hint.operation || hint.type == ToolType::turning))
     hint.type = ToolType::boring;
 }
 
-// The tool with a number that the comment before is about, or the one just changed to.
+// The numbered tool that the comment before is about, or the one just changed to.
 const std::string& ToolNotes::open_id() const {
   return blocks_since_change_ == 0 && find(current_) != nullptr ? current_ : told_id_;
 }
 
-// "T1 6MM", and "BALL NOSE" below it.
+// Whether the comment adds the kind: "BALL NOSE" below "T1 6MM".
 bool ToolNotes::tells_kind(const ToolHint& hint) const {
   const ToolHint* const open = open_id().empty() ? nullptr : find(open_id());
   return open && !open->type && open->diameter > 0 && hint.type && hint.id.empty() &&
          hint.diameters.empty() && (hint.firm || hint.bare_kind);
 }
 
-// "FINISH R3", "45 DEG" at the change to a tool whose kind is known; next to its own comment they
-// may be about the tool.
+// Whether the comment is about the work: "FINISH R3" or "45 DEG" at the change to a tool whose kind
+// is known. Next to the tool's own comment they may be about the tool.
 bool ToolNotes::is_of_work(const ToolHint& hint) const {
   const ToolHint* const known = blocks_since_change_ == 0 ? find(current_) : nullptr;
   const bool is_open = hint.plain_radius || (hint.only_angle() && !hint.own_angle);
   return known && known->type && is_open;
 }
 
-// "TAPER ANGLE: 5.", "D10. R1." below a kind without its size.
+// Whether the comment adds details: "TAPER ANGLE: 5." or "D10. R1." below a kind without its size.
 bool ToolNotes::adds_details(const ToolHint& hint) const {
   if (hint.only_angle() || (hint.size_line && !hint)) return true;
   const ToolHint* const open = open_id().empty() ? nullptr : find(open_id());
   return hint.size_line && open && open->type;
 }
 
-// "DIAMETER: 10.0", "CORNER RADIUS: 1.0": they count beside other comments about the tool only.
+// "DIAMETER: 10.0" and "CORNER RADIUS: 1.0" count only beside other comments about the tool.
 bool ToolNotes::add_size(const ToolHint& hint) {
   if (const std::string& id = open_id(); !id.empty()) {
     add(id, hint);
@@ -283,7 +287,7 @@ void ToolNotes::call(const std::string& id) {
   called_ = id;
 }
 
-// T="BAR_STOP".
+// T="BAR_STOP" names no cutter.
 void ToolNotes::add_no_cutter(const std::string& id) {
   if (id.find_first_not_of("0123456789") == id.npos || find(id) != nullptr) return;
   std::string name = id;
@@ -292,7 +296,8 @@ void ToolNotes::add_no_cutter(const std::string& id) {
   if (hint.trade == ToolTrade::no_cutter && hint.bare_kind) add(id, hint);
 }
 
-// "; MILL_D20R2 (D20 R2)" in a list of names. False: no comment names the tool.
+// Takes what a list says behind the name, "; MILL_D20R2 (D20 R2)". False: no comment names the
+// tool.
 bool ToolNotes::add_by_name(const std::string& id) {
   if (!is_distinct_name(id)) return false;
   bool found = false;
@@ -309,7 +314,7 @@ void ToolNotes::change(const std::string& id) {
   current_ = id;
   called_.clear();
   cuts_since_change_ = false;
-  blocks_since_change_ = -1;  // the block of the change is still to end
+  blocks_since_change_ = -1;  // because the block of the change has not ended
 }
 
 void ToolNotes::end_block() {

@@ -20,12 +20,12 @@ long turret_station(long number, std::size_t digits);
 
 class ToolNotes {
  public:
-  /// `lathe`: a comment beside the T word may name the tool by its work; `turret_digits`: numbers
-  /// of so many digits or more are station and offset, as T0202 of FANUC lathes; 0: none are.
+  /// `lathe`: a comment beside the T word may name the tool by its work. `turret_digits`: a number
+  /// of so many digits or more is station and offset, as T0202 of FANUC lathes; 0: no number is.
   ToolNotes(bool lathe, std::size_t turret_digits) : lathe_(lathe), turret_digits_(turret_digits) {}
 
-  /// A comment. `called`: the T word of its block, or a tool that waits for its M6; `alone`:
-  /// nothing else stands in the block; `heads`: it names a section of work, as NAT01 of Okuma.
+  /// Takes a comment. `called`: the T word of its block, or a tool that waits for its M6. `alone`:
+  /// nothing else stands in the block. `heads`: it names a section of work, as NAT01 of Okuma.
   void comment(std::string_view bytes, const std::string& called, bool alone, bool heads = false);
   /// A T word names `id`: the comments above it are about this tool.
   void call(const std::string& id);
@@ -33,25 +33,25 @@ class ToolNotes {
   void change(const std::string& id);
   /// A block with words has been read.
   void end_block();
-  /// A cut: comments above it are not about the next tool.
+  /// The tool has cut: comments above the cut are not about the next tool.
   void cut() {
     if (!group_.text.empty() || !comments_.empty()) end_waiting();  // asked at every cut
     cuts_ = cuts_since_change_ = true;
     called_.clear();
   }
 
-  /// What is known of the tool; null: nothing.
+  /// What comments say of the tool; null: nothing.
   const ToolHint* find(const std::string& id) const;
-  /// The comment that names the tool, or stands in the block of its T word, and says nothing of it
-  /// that is understood; else empty.
+  /// A comment that names the tool, or stands in the block of its T word, and of which nothing was
+  /// understood; else empty.
   std::string not_understood(const std::string& id) const;
-  /// Where no comment has named a tool by its id: those above the first cut that describe one are
-  /// about the tool without id. False: there are none.
+  /// Takes the comments above the first cut that describe a tool for the tool without id, where no
+  /// comment has named a tool by its id. False: there are none.
   bool adopt_nameless();
-  /// The id of the tool that comments have named, where they have named one alone; else empty.
+  /// The id of the only tool that comments have named; empty where there are none or several.
   std::string only() const { return hints_.size() == 1 ? hints_.begin()->first : std::string(); }
-  /// A comment behind the first cut that names another tool than the one of adopt_nameless(); asked
-  /// once.
+  /// A comment behind the first cut that names another tool than the one of adopt_nameless(). Only
+  /// the first call gives it.
   std::string other_nameless() { return std::exchange(other_, {}); }
 
  private:
@@ -77,18 +77,18 @@ class ToolNotes {
   std::map<std::string, ToolHint> hints_;
   std::map<std::string, std::string> not_understood_;
   std::vector<ToolHint> comments_;  ///< the comments since the last block
-  ToolHint group_;                  ///< those before it that wait for their tool
-  std::vector<ToolHint> named_;     ///< without a number, above the first cut
-  ToolHint nameless_;               ///< above the first cut
+  ToolHint group_;                  ///< earlier comments that wait for their tool
+  std::vector<ToolHint> named_;     ///< comments without a number, above the first cut
+  ToolHint nameless_;               ///< the comments above the first cut together
   bool lists_ = false;              ///< a comment has headed a list of tools
   /// "(GROOVE1)" above the first T word of a lathe, behind the modes at the head and alone there.
   std::optional<ToolHint> operation_;
-  std::size_t blocks_ = 0;  ///< with words
-  bool commented_ = false;  ///< since the last of them
+  std::size_t blocks_ = 0;  ///< blocks with words
+  bool commented_ = false;  ///< a comment came since the last block with words
   bool cuts_ = false, cuts_since_change_ = false;
-  bool adopted_ = false;  ///< nameless_ is the tool
+  bool adopted_ = false;  ///< adopt_nameless() has made nameless_ the tool
   std::string other_, current_;
-  std::string told_id_;  ///< of the comment before, in lines without a block
+  std::string told_id_;  ///< id that the comment before named, in lines without a block
   std::string called_;   ///< the tool that a T word has named, before the next cut and change
   int blocks_since_change_ = 1;
 };

@@ -7,9 +7,9 @@
 
 namespace mrsim {
 
-/// "end mill 5 mm"
+/// The tool in a few words: "end mill 5 mm".
 std::string tool_summary(const Tool& tool);
-/// Words for --tool with what is known of the tool already.
+/// An example for --tool that contains what is known of the tool.
 std::string tool_example(const Tool& known, bool lathe);
 
 }  // namespace mrsim

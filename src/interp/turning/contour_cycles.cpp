@@ -9,13 +9,13 @@
 namespace mrsim {
 namespace {
 
-constexpr double kLongDepth = 50;   // D4000 counts thousandths
-constexpr double kLongShift = 500;  // and so does U14000 of G73
+constexpr double kLongDepth = 50;   // from here on a depth is thousandths: D4000
+constexpr double kLongShift = 500;  // from here on a shift of G73 is: U14000
 constexpr double kLapEscape = 0.5;  // mm: a parameter of Okuma's control
 
 }  // namespace
 
-// The first of two lines: what it says holds for the cycles that follow.
+// Reads the first of two lines, whose values hold for the cycles that follow.
 bool ContourCycles::settings() {
   TurnSettings& set = modal_.turn_settings;
   set.thousandths = block_.turn_cycle == 73 ? counts_thousandths("UW", kLongShift)
@@ -35,7 +35,8 @@ bool ContourCycles::settings() {
   return true;
 }
 
-// How often G73 runs its contour: R4, D4; R0.004 counts thousandths. In code system C it roughs.
+// R4 or D4 says how often G73 runs its contour; R0.004 counts thousandths. In code system C G73
+// roughs.
 bool ContourCycles::read_repeats(const Word& word) {
   TurnSettings& set = modal_.turn_settings;
   const double count = word.value < 0.1 ? std::round(1e6 * word.value) / 1000 : word.value;
@@ -49,7 +50,7 @@ bool ContourCycles::read_repeats(const Word& word) {
   return true;
 }
 
-// D I K of the cycle in one line. D without a point counts least increments where it is long.
+// Reads D I K of a cycle in one line. A long D without a point counts least increments.
 bool ContourCycles::old_words(bool given, Vec3& semi_finish) {
   TurnSettings& set = modal_.turn_settings;
   const Word* d = take('D');
@@ -68,7 +69,7 @@ bool ContourCycles::old_words(bool given, Vec3& semi_finish) {
   return true;
 }
 
-// "U2000 R500", "D4000": no pass is that deep, so what has no point counts least increments.
+// "U2000 R500", "D4000": no pass is that deep, so numbers without a point count least increments.
 bool ContourCycles::counts_thousandths(std::string_view letters, double least) {
   if (options_.least_increments) return false;
   for (const char c : letters) {
@@ -138,7 +139,7 @@ void ContourCycles::end_block() {
   reader_.enter(std::move(request), where);
 }
 
-// The blocks P to Q of this program, which goes on behind them, or of the program A.
+// Finds the blocks P to Q of this program, which goes on behind them, or of the program A.
 bool ContourCycles::find_contour(CallRequest& request) {
   const long first = static_cast<long>(call_.first.value),
              last = static_cast<long>(call_.last.value);
@@ -172,8 +173,8 @@ bool ContourCycles::find_contour(CallRequest& request) {
   return !jumps || reader_.jump(end);
 }
 
-// Of contours with the same numbers, which the manuals forbid, G70 finishes that of the last
-// roughing cycle, the nearest one before.
+// If several contours have the same numbers, which the manuals forbid, G70 finishes the nearest one
+// before it: that of the last roughing cycle.
 void ContourCycles::prefer_contour_before(long first, long last, Place& begin, Place& end) {
   Place nearest, behind;
   if (!statements_->places().find_blocks_before(first, last, nearest, behind) || nearest == begin)
@@ -195,8 +196,8 @@ void ContourCycles::end_program() {
         call_.cut.where);
 }
 
-// G70 ends where it began. Radius compensation is off on the way back and starts again with the
-// next move, as FANUC's manuals say: the contour is finished to its end.
+// G70 ends where it began. By FANUC's manuals radius compensation is off on the way back and starts
+// again with the next move, so that the contour is finished to its end.
 void ContourCycles::finish() {
   block_.forget_words();
   block_.begin();
@@ -215,7 +216,7 @@ void ContourCycles::end_contour() {
   out_.capture(nullptr);
   modal_ = modal_before_;
   position_ = position_before_;
-  modal_.comp = Code::comp_off;  // roughing does not regard it
+  modal_.comp = Code::comp_off;  // roughing ignores compensation
   put_back_block(place_);
   if (contour_.size() >= MotionEmitter::kMostCaptured)
     error("value-range", fmt::format("the contour has {} motions or more", contour_.size()),
@@ -266,7 +267,7 @@ bool ContourCycles::lap() {
   return true;
 }
 
-// D of passes along Z is what they take off the diameter.
+// D of passes along Z is how much they take off the diameter.
 bool ContourCycles::lap_depth() {
   const Word* d = take('D');
   if (!d || d->value == 0)
@@ -277,7 +278,7 @@ bool ContourCycles::lap_depth() {
   return true;
 }
 
-// The program has come to a contour on its way: it goes on behind G80.
+// The program reaches a contour that no cycle calls here: it goes on behind G80.
 void ContourCycles::pass_over_lap() {
   const Word where = *block_.lap_begins;
   if (const auto contour = lap_contour(block_.name, where)) reader_.jump(contour->behind);

@@ -1,6 +1,7 @@
-// G70 to G73 of FANUC lathes: the contour is the blocks N(P) to N(Q), of Okuma's LAP those of a
-// name. They are read like any others with their motions kept; then the passes follow from them.
-// G70 runs the blocks as they stand. Private to src/interp.
+// G70 to G73 of FANUC lathes, whose contour is the blocks N(P) to N(Q), and Okuma's LAP, whose
+// contour is the blocks of a name. These blocks are run as usual, but their motions are kept;
+// ContourPasses makes the passes from them. G70 runs the blocks as they stand. Private to
+// src/interp.
 #pragma once
 
 #include "interp/statements/lap_contour.h"
@@ -19,11 +20,11 @@ class ContourCycles : public ControlPart {
                 MotionEmitter& out)
       : ControlPart(control), reader_(reader), statements_(statements), moves_(moves), out_(out) {}
 
-  /// The words of G70 to G73. False: an error was reported.
+  /// Reads the words of G70 to G73, G85 or G87. False: an error was reported.
   bool run();
-  /// Goes on with the contour, after the block is done.
+  /// Called after the block: goes on with the contour of a cycle.
   void end_block();
-  /// The program ends.
+  /// Called at the end of the program, which may lie inside a contour.
   void end_program();
 
  private:
@@ -32,7 +33,7 @@ class ContourCycles : public ControlPart {
     ContourCut cut;
     Word first, last;
     std::optional<Word> program;    ///< A of Mitsubishi: the program that holds the contour
-    std::optional<LapContour> lap;  ///< of Okuma
+    std::optional<LapContour> lap;  ///< the contour of Okuma's cycle
   };
 
   bool settings();
@@ -59,7 +60,7 @@ class ContourCycles : public ControlPart {
   std::vector<Motion> contour_;
   Modal modal_before_;
   Position position_before_;
-  BlockPlace place_;  ///< of the cycle's block
+  BlockPlace place_;  ///< where the block of the cycle stands
   std::size_t errors_before_ = 0;
 };
 

@@ -24,7 +24,7 @@ void ContourPasses::go(const Vec3& to, MotionKind kind) {
   moves_.compensated_step(target, cut_.where, 0, kind);
 }
 
-// The allowances are left on the side that the passes come from.
+// Gives the allowances the sign of the side from which the passes come.
 void ContourPasses::orient_allowance() {
   const int u = cut_.number == 72 ? 2 : 0, v = 2 - u;
   const Vec3 from = position_.physical;
@@ -38,7 +38,7 @@ void ContourPasses::orient_allowance() {
   component(cut_.allowance, v) = std::copysign(component(cut_.allowance, v), -travel);
 }
 
-// G73: the whole contour, each time nearer.
+// G73 runs the whole contour, each time nearer.
 bool ContourPasses::repeat() {
   const TurnSettings& set = modal_.turn_settings;
   if (static_cast<double>(set.repeats) * static_cast<double>(contour_.size()) > kMostMotions)
@@ -54,7 +54,8 @@ bool ContourPasses::repeat() {
   return true;
 }
 
-// "N20 G0 G40 Z0.1", back to where the cycle began, with nothing of the contour farther out.
+// Removes a rapid back to where the cycle began, "N20 G0 G40 Z0.1", if no point of the contour lies
+// farther out.
 void ContourPasses::leave_out_return() {
   if (contour_.size() < 3) return;
   const Motion& last = contour_.back();
@@ -73,8 +74,8 @@ void ContourPasses::leave_out_return() {
   contour_.pop_back();
 }
 
-// G71 along Z, G72 along X: passes at levels down to the contour, then in its pockets, then once
-// along it.
+// G71 cuts along Z, G72 along X: passes at levels down to the contour, then in its pockets, then
+// once along it.
 bool ContourPasses::rough() {
   leave_out_return();
   if (contour_.size() < 2)
@@ -133,7 +134,8 @@ bool ContourPasses::rough() {
   return true;
 }
 
-// First the stretches that the start sees, from the top down; then the pockets, from the top down.
+// Cuts the stretches that are open to the start, from the top down; then the pockets, from the top
+// down.
 bool ContourPasses::levels(const Rough& r, const RoughContour& shape) {
   const double depth = modal_.turn_settings.depth;
   const double whole = r.down * (shape.deepest() - r.top);
@@ -161,7 +163,7 @@ bool ContourPasses::levels(const Rough& r, const RoughContour& shape) {
   return true;
 }
 
-// To the level, along it to the contour, off at 45 degrees, back.
+// Goes to the level, along it to the contour, away at 45 degrees, and back.
 void ContourPasses::pass(const Rough& r, double at, double end) {
   if ((end - r.start) * r.along <= kRounding) return;
   Vec3 p = position_.physical;
@@ -173,7 +175,7 @@ void ContourPasses::pass(const Rough& r, double at, double end) {
   go(p, kRapid);
 }
 
-// Over the pocket at the height of the start, down to the pass before, into the material.
+// Goes over the pocket at the height of the start, down to the pass before, and into the material.
 void ContourPasses::pocket_pass(const Rough& r, double at, const FreeStretch& stretch) {
   const TurnSettings& set = modal_.turn_settings;
   if ((stretch.to - stretch.from) * r.along <= kRounding) return;

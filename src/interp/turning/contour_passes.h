@@ -1,4 +1,4 @@
-// The passes that cut a turned contour which has been read: G71 and G72 rough down to it in levels,
+// The passes that cut a turned contour after it was read: G71 and G72 rough down to it in levels,
 // G73 repeats it from farther out. Private to src/interp.
 #pragma once
 

@@ -9,7 +9,7 @@
 
 namespace mrsim {
 
-// SPD SPL EPD EPL ZPD ZPL LAGE MID FALX FALZ VARI RF1 RF2 RF3 SDIS FF1 NR DMODE AMODE
+// Its values: SPD SPL EPD EPL ZPD ZPL LAGE MID FALX FALZ VARI RF1 RF2 RF3 SDIS FF1 NR DMODE AMODE.
 bool CornerCycle::read(Corner& c) {
   const double unit = scale();
   if (!call_.given({"SPD", "SPL", "EPD", "EPL", "VARI"}))
@@ -56,7 +56,7 @@ bool CornerCycle::run() {
   return true;
 }
 
-// Each level to the end, off at 45 degrees, back in front of the material.
+// Cuts each level to the end, goes away at 45 degrees, and back in front of the material.
 void CornerCycle::rough(const Corner& c) {
   const Vec3 end = c.end + c.allowance;
   const double from = component(c.start, c.u), stop = component(end, c.v);
@@ -79,7 +79,7 @@ void CornerCycle::rough(const Corner& c) {
   go(from - c.down * c.clear, begin, MotionKind::rapid);
 }
 
-// Along the last level into the corner, and out of it along the other side.
+// Cuts along the last level into the corner, and out of it along the other side.
 void CornerCycle::finish(const Corner& c) {
   const Vec3 out =
       c.start - c.clear * Vec3{sign_of(c.end.x - c.start.x), 0, sign_of(c.end.z - c.start.z)};

@@ -10,11 +10,11 @@ class CornerCycle : public TurnCall {
   CornerCycle(Control& control, Moves& moves, const CycleCall& call, const Word& where)
       : TurnCall(control, moves, call, where) {}
 
-  /// False: an error was reported.
+  /// Carries out the cycle. False: an error was reported.
   bool run();
 
  private:
-  /// The rectangle between two corners; passes follow one another in u and cut along v.
+  /// The rectangle between two corners. Passes follow one another in u and cut along v.
   struct Corner {
     Vec3 start, end, allowance;
     int u = 0, v = 2;

@@ -12,7 +12,8 @@
 
 namespace mrsim {
 
-// SPD SPL WIDG DIAG STA1 ANG1 ANG2 RCO1 RCO2 RCI1 RCI2 FAL1 FAL2 IDEP DTB VARI VRT DN
+// The values of CYCLE93: SPD SPL WIDG DIAG STA1 ANG1 ANG2 RCO1 RCO2 RCI1 RCI2 FAL1 FAL2 IDEP DTB
+// VARI VRT DN.
 bool GrooveCycles::groove_values(Groove& g) {
   const double unit = scale();
   if (!call_.given({"SPD", "SPL", "WIDG", "DIAG", "VARI"}))
@@ -47,10 +48,12 @@ bool GrooveCycles::groove_values(Groove& g) {
   return groove_corners(g, width);
 }
 
-// RCO1 RCO2 at the edge, RCI1 RCI2 at the bottom: above 0 a radius, below 0 a chamfer by its length
-// (VARI below 10) or by its leg. The centre of the blade's corner keeps its radius off them.
+// RCO1 RCO2 are the corners at the edge, RCI1 RCI2 those at the bottom: a radius above 0, a chamfer
+// below 0, given by its length (VARI below 10) or by its leg. The centre of the blade's corner
+// stays its radius away from them.
 bool GrooveCycles::groove_corners(Groove& g, double width) {
-  const double apart = g.nose * (2 - std::sqrt(2.0));  // of the legs, where a chamfer is offset
+  const double apart =
+      g.nose * (2 - std::sqrt(2.0));  // by which the legs of a chamfer change when it is offset
   static constexpr ValueName kEdges[] = {"RCO1", "RCO2"}, kCorners[] = {"RCI1", "RCI2"};
   double beside[2] = {0, 0}, below = 0;
   for (const std::size_t side : {0, 1}) {
@@ -75,7 +78,8 @@ bool GrooveCycles::groove_corners(Groove& g, double width) {
   return true;
 }
 
-// Where the tool's point stands at the two flanks: the blade's corner, or its middle.
+// Finds where the tool's point stands at the two flanks. The point is a corner of the blade or its
+// middle.
 bool GrooveCycles::blade(Groove& g, double low, double high) {
   tools_.require(where_, true);
   const Tool* tool = tools_.current();
@@ -92,7 +96,9 @@ bool GrooveCycles::blade(Groove& g, double low, double high) {
     return fail("value-range", fmt::format("{}: the tip orientation {} does not reach this groove",
                                            call_.name, tip));
   const bool middle = tip == 6 || tip == 8, right = tip == 1 || tip == 4;
-  const double from = middle ? w / 2 : right ? w : 0;  // of the point, from the blade's low corner
+  const double from = middle  ? w / 2
+                      : right ? w
+                              : 0;  // distance of the point from the blade's low corner
   g.flanks[0].z = low + from;
   g.flanks[1].z = high - w + from;
   g.nose = tool->nose_radius;
@@ -115,7 +121,8 @@ void GrooveCycles::plunge(const Groove& g, double z, double bottom) {
   to(g.clear, z, MotionKind::rapid);
 }
 
-// A quarter of a circle to X, Z: it leaves the edge's side along Z, or ends in the bottom along Z.
+// Runs a quarter of a circle to X, Z. It begins along Z at the edge (`from_top`), or ends along Z
+// at the bottom.
 void GrooveCycles::quarter(double x, double z, double radius, double turn, bool from_top) {
   const Vec2 from{position_.programmed.z, position_.programmed.x}, end{z, x};
   const Vec2 center = from_top ? Vec2{from.x, end.y} : Vec2{end.x, from.y};
@@ -123,8 +130,8 @@ void GrooveCycles::quarter(double x, double z, double radius, double turn, bool 
   mover_.piece({true, from, end, center, radius, turn * kPi / 2}, 0, 0);
 }
 
-// Down the flank, with the corner at its edge, and along the bottom up to the middle, with the
-// corner there. `side`: of the groove along Z.
+// Finishes down the flank, with the corner at its edge, and along the bottom to the middle, with
+// the corner there. `side`: which side of the groove along Z.
 void GrooveCycles::finish_flank(const Groove& g, const Flank& f, double side, double middle) {
   const double in = sign_of(g.bottom - g.top), above = std::abs(g.clear - g.top);
   const double edge = g.top + in * f.edge, corner = g.bottom - in * f.corner;
@@ -154,7 +161,7 @@ bool GrooveCycles::groove() {
   double before = std::max(g.flank_allowance - first.corner, 0.0),
          behind = std::max(g.flank_allowance - last.corner, 0.0);
   const double room = most - first.corner - last.corner, wanted = before + behind;
-  if (wanted > room) {  // the allowances meet
+  if (wanted > room) {  // the allowances would meet
     before *= room / wanted;
     behind *= room / wanted;
   }
@@ -174,7 +181,8 @@ bool GrooveCycles::groove() {
   return true;
 }
 
-// SPD SPL DIAG1 DIAG2 RC SDIS SV1 SV2 SDAC FF1 FF2 SS2 DIAGM VARI DN DMODE AMODE
+// The values of CYCLE92: SPD SPL DIAG1 DIAG2 RC SDIS SV1 SV2 SDAC FF1 FF2 SS2 DIAGM VARI DN DMODE
+// AMODE.
 bool GrooveCycles::parting_values(Groove& g) {
   const double unit = scale();
   if (!call_.given({"SPD", "SPL", "DIAG2"}))
@@ -194,7 +202,8 @@ bool GrooveCycles::parting_values(Groove& g) {
   return true;
 }
 
-// The blade's right side cuts the part's face at Z0: straight in, slower from X1 on, and back.
+// Parts off: the right side of the blade cuts the face of the part at Z0, straight in, slower from
+// X1 on, and back.
 bool GrooveCycles::parting() {
   Groove g;
   tools_.require(where_, true);

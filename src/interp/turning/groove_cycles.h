@@ -14,21 +14,22 @@ class GrooveCycles : public TurnCall {
                const Word& where)
       : TurnCall(control, moves, call, where), tools_(tools), mover_(control, moves) {}
 
-  /// False: an error was reported.
+  /// Carries out the cycle. False: an error was reported.
   bool run() { return call_.name == "CYCLE92" ? parting() : groove(); }
 
  private:
-  /// A flank of a groove; of its corners, what the blade's point keeps off them along each side:
-  /// the radius of a rounding, with the blade's own, or the leg of a chamfer.
+  /// A flank of a groove. `edge` and `corner` are how far the blade's point stays from these
+  /// corners along each side: the radius of a rounding and the blade's own, or the leg of a
+  /// chamfer.
   struct Flank {
     double z = 0;                 ///< of the tool
     double edge = 0, corner = 0;  ///< at the groove's edge and at its bottom
     bool edge_round = false, corner_round = false;
   };
-  /// CYCLE93: places of the blade along Z, X as radius.
+  /// The groove of CYCLE93: places of the blade along Z, X as radius.
   struct Groove {
     Flank flanks[2];  ///< the side of SPL first
-    double side = 1;  ///< of the groove along Z, seen from there
+    double side = 1;  ///< direction along Z in which the groove lies from there
     double top = 0, bottom = 0, clear = 0;
     double base_allowance = 0, flank_allowance = 0;
     double infeed = 0, retract = 1, step = 0;

@@ -72,7 +72,7 @@ bool LinuxCncTurning::own_words() {
   return true;
 }
 
-// X and Z are where the cycle begins: a rapid goes there first.
+// X and Z are the beginning of the cycle, to which a rapid goes first.
 bool LinuxCncTurning::go_to_start() {
   Target to;
   if (!axes_.target(to, position_.programmed)) return false;
@@ -109,7 +109,7 @@ void LinuxCncTurning::end_program() {
   error("program-end-missing", "the program ends inside the contour of this cycle", where_);
 }
 
-// U and W count from the end of the block before: they become X and Z.
+// U and W count from the end of the block before. They become X and Z.
 bool LinuxCncTurning::increment(char letter_from, char axis) {
   for (Word& word : block_.words) {
     if (word.address != letter(letter_from)) continue;
@@ -125,7 +125,7 @@ bool LinuxCncTurning::increment(char letter_from, char axis) {
   return true;
 }
 
-// Only G0 to G3 count, and the words that go with them.
+// Only G0 to G3 and their words have an effect in a contour.
 bool LinuxCncTurning::contour_words(const Word*& axis_word) {
   for (const Word& word : block_.words) {
     const auto c = static_cast<char>(word.address);
@@ -196,7 +196,7 @@ bool LinuxCncTurning::move_to(const Word& where) {
   return add_corner();
 }
 
-// As I and K say it, also where the radii at the ends differ a little.
+// The centre that I and K give, also where the radii at the ends differ a little.
 Vec2 LinuxCncTurning::centre(Vec2 otherwise) const {
   const Word *i = peek('I'), *k = peek('K');
   if (!i && !k) return otherwise;
@@ -204,7 +204,7 @@ Vec2 LinuxCncTurning::centre(Vec2 otherwise) const {
   return modal_.center_absolute ? words : (1 / scale()) * in_plane(basis(), at_) + words;
 }
 
-// A and C: a fillet or a chamfer at the end of the piece.
+// A is a fillet and C a chamfer at the end of the piece.
 bool LinuxCncTurning::add_corner() {
   const Word* fillet = take('A');
   const Word* chamfer = take('C');

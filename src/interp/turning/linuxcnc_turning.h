@@ -1,6 +1,6 @@
 // G70, G71, G71.1, G71.2, G72, G72.1, G72.2 of LinuxCNC: the contour is a subprogram, O<Q> sub. Its
-// blocks are not run: their lines and arcs are kept, and the passes follow from them (path/
-// turn_profile). Private to src/interp.
+// blocks are not run; their lines and arcs are kept, and path/turn_profile makes the passes from
+// them. Private to src/interp.
 #pragma once
 
 #include "interp/cycles/cycle_mover.h"
@@ -23,18 +23,18 @@ class LinuxCncTurning : public ControlPart {
         mover_(control, moves),
         arcs_(control, axes) {}
 
-  /// The words of the cycle. False: an error was reported.
+  /// Reads the words of the cycle. False: an error was reported.
   bool run();
-  /// Goes on with the contour, after the block is done.
+  /// Called after the block: goes on with the contour of a cycle.
   void end_block();
-  /// Blocks belong to the contour.
+  /// Whether the blocks being read are the contour.
   bool reads_contour() const { return reading_; }
-  /// U and W of a block of the contour become X and Z, before its words are looked up. False: an
+  /// Makes U and W of a block of the contour X and Z, before its words are looked up. False: an
   /// error was reported.
   bool rewrite_increments() { return increment('U', 'X') && increment('W', 'Z'); }
-  /// The block as a piece of the contour.
+  /// Adds the block to the contour as a piece.
   void contour_block();
-  /// The program ends.
+  /// Called at the end of the program, which may lie inside a contour.
   void end_program();
 
  private:
@@ -66,7 +66,7 @@ class LinuxCncTurning : public ControlPart {
   std::vector<Motion> sources_;  ///< where the pieces stand in the text
   Vec3 at_;                      ///< end of the contour so far, in the frame in force, mm
   Modal modal_before_;
-  BlockPlace place_;  ///< of the cycle's block
+  BlockPlace place_;  ///< where the block of the cycle stands
   std::size_t errors_before_ = 0;
 };
 

@@ -15,8 +15,8 @@ bool ThreadCycles::run() {
   return call_.name == "CYCLE98" ? thread_chain() : thread_turning();
 }
 
-// TDEP FAL NRC NID, and VARI: equal depths, or equal cross-sections; the
-// finishing cut and NID more.
+// Finds the depths of the passes from TDEP FAL NRC NID. VARI says whether depths or cross-sections
+// are equal. Then come the finishing cut and NID more passes.
 bool ThreadCycles::thread_depths(Thread& t, int kind, bool rough, bool finish) {
   const double unit = scale(), full = std::abs(call_.get("TDEP")) * unit;
   const double left = full - std::abs(call_.get("FAL")) * unit;
@@ -37,7 +37,7 @@ bool ThreadCycles::thread_depths(Thread& t, int kind, bool rough, bool finish) {
   return true;
 }
 
-// PIT MPIT SPL FPL DM1 DM2 APP ROP TDEP FAL IANG NSP NRC NID VARI NUMT VRT
+// The values of CYCLE97: PIT MPIT SPL FPL DM1 DM2 APP ROP TDEP FAL IANG NSP NRC NID VARI NUMT VRT.
 bool ThreadCycles::thread_list() {
   const double unit = scale(), kind = call_.get("VARI", 1);
   double pitch = std::abs(call_.get("PIT")) * unit;
@@ -51,7 +51,7 @@ bool ThreadCycles::thread_list() {
   return old_thread(t, static_cast<int>(kind));
 }
 
-// What the lists of CYCLE97 and CYCLE98 have in common.
+// Reads the values that CYCLE97 and CYCLE98 have in common.
 bool ThreadCycles::old_thread(Thread& t, int kind) {
   const double unit = scale();
   t.run_in = std::abs(call_.get("APP")) * unit;
@@ -62,7 +62,8 @@ bool ThreadCycles::old_thread(Thread& t, int kind) {
   return thread_depths(t, kind, true, true) && thread(t);
 }
 
-// PO1 DM1 PO2 DM2 PO3 DM3 PO4 DM4 APP ROP TDEP FAL IANG NSP NRC NID PP1 PP2 PP3 VARI NUMT VRT
+// The values of CYCLE98: PO1 DM1 PO2 DM2 PO3 DM3 PO4 DM4 APP ROP TDEP FAL IANG NSP NRC NID PP1 PP2
+// PP3 VARI NUMT VRT.
 bool ThreadCycles::thread_chain() {
   const double unit = scale(), kind = call_.get("VARI", 1);
   if (call_.values.size() > 22) return refuse("a list of more than 22 values");
@@ -81,8 +82,8 @@ bool ThreadCycles::thread_chain() {
   return old_thread(t, static_cast<int>(kind));
 }
 
-// SPL SPD FPL FPD APP ROP TDEP FAL IANG NSP NRC NID PIT VARI NUMTH SDIS MID GDEP PIT1 FDEP GST GUD
-// IFLANK PITA PITM PTAB PTABA DMODE AMODE
+// The values of CYCLE99: SPL SPD FPL FPD APP ROP TDEP FAL IANG NSP NRC NID PIT VARI NUMTH SDIS MID
+// GDEP PIT1 FDEP GST GUD IFLANK PITA PITM PTAB PTABA DMODE AMODE.
 bool ThreadCycles::thread_turning() {
   const double unit = scale();
   const int kind = call_.digit("VARI", 0), work = call_.digit("VARI", 5);

@@ -1,5 +1,5 @@
-// SINUMERIK's threads on lathes: CYCLE97 cuts one, CYCLE98 a chain of up to three, CYCLE99 one by
-// the current list of values. Private to src/interp.
+// SINUMERIK's threads on lathes: CYCLE97 cuts one, CYCLE98 a chain of up to three, CYCLE99 one with
+// the newer list of values. Private to src/interp.
 #pragma once
 
 #include "interp/turning/turn_call.h"
@@ -13,11 +13,12 @@ class ThreadCycles : public TurnCall {
   ThreadCycles(Control& control, Moves& moves, const CycleCall& call, const Word& where)
       : TurnCall(control, moves, call, where) {}
 
-  /// False: an error was reported.
+  /// Carries out the cycle. False: an error was reported.
   bool run();
 
  private:
-  /// A thread through points, X as radius; pitch i leads from point i to the next. Lengths in mm.
+  /// A thread through points, X as radius. Pitch i holds from point i to the next. Lengths are in
+  /// mm.
   struct Thread {
     std::vector<Vec3> points;
     std::vector<double> pitches;

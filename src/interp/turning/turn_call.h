@@ -9,7 +9,7 @@
 
 namespace mrsim {
 
-/// A cycle with more passes is refused: its infeed is far too small for its depth.
+/// A cycle with more passes is refused, because its infeed is far too small for its depth.
 inline constexpr double kMostTurningPasses = 1e5;
 
 class TurnCall : public ControlPart {
@@ -21,7 +21,7 @@ class TurnCall : public ControlPart {
   static double sign_of(double v) { return v < 0 ? -1 : 1; }
   bool fail(const char* code, const std::string& text) { return error(code, text, where_); }
   bool refuse(const char* what);
-  /// X as radius, in the program's coordinates.
+  /// Moves to X (as radius) and Z in the program's coordinates, mm. `lead`: of a thread, mm.
   void to(double x, double z, MotionKind kind, double lead = 0);
 
   Moves& moves_;

@@ -17,7 +17,7 @@ class TurnCycles : public ControlPart {
       : ControlPart(control), tools_(tools), moves_(moves) {}
 
   static bool knows(std::string_view name);
-  /// False: an error was reported.
+  /// Carries out the cycle. False: an error was reported.
   bool run(const CycleCall& call, const Word& where);
 
  private:

@@ -13,7 +13,7 @@
 namespace mrsim {
 namespace {
 
-constexpr double kLongThread = 50;  // K920 counts thousandths
+constexpr double kLongThread = 50;  // from here on a height is thousandths: K920
 
 double sign_of(double v) { return v < 0 ? -1 : 1; }
 
@@ -36,7 +36,7 @@ bool TurnWords::wants_block() const {
          !block_.suppress_frames && (has_axes() || peek('R'));
 }
 
-// P and Q of the cycles, and R beside them, count least increments where no point is written.
+// P and Q of the cycles, and R beside them, count least increments where they have no point.
 double TurnWords::least(const Word& word) const {
   return word.value * (word.point ? scale() : scale() * modal_.least_increment());
 }
@@ -49,7 +49,7 @@ void TurnWords::go(double x, double z, MotionKind kind, double lead) {
     moves_.step(to, where(), kind, lead, 0);
 }
 
-// X and Z stay in force, as the start of the cycle does.
+// X and Z stay in force, and so does the start of the cycle.
 bool TurnWords::axis_end(Target& to) {
   TurnCycle& cycle = modal_.turn;
   if (!axes_.target(to, position_.programmed)) return false;
@@ -62,7 +62,7 @@ bool TurnWords::axis_end(Target& to) {
   return true;
 }
 
-// G77 of Haas, for which live tools are needed. True: it is an error.
+// G77 of Haas mills flats, for which a live tool is needed. True: it was reported as an error.
 bool TurnWords::mills_flats() {
   const bool flats = std::any_of(block_.words.begin(), block_.words.end(), [](const Word& word) {
     return word.address == letter('G') && word.value == 77;
@@ -108,7 +108,7 @@ bool TurnWords::run() {
   return pecks();
 }
 
-// G74: strokes along Z at places along X; G75: the other way round.
+// G74 makes strokes along Z at places along X; G75 makes strokes along X at places along Z.
 bool TurnWords::pecks() {
   TurnSettings& set = modal_.turn_settings;
   const Word* r = take('R');
@@ -167,8 +167,8 @@ void TurnWords::grooves(const Vec3& from, const Vec3& to, double shift, double s
   at(side0, top, kRapid);
 }
 
-// The first line of two: P mmrraa (finishing passes, chamfer in tenths of the lead, tip angle), Q
-// the least depth of a pass, R the finishing allowance.
+// Reads the first line of two: P mmrraa (finishing passes, chamfer in tenths of the lead, tip
+// angle), Q, the least depth of a pass, and R, the finishing allowance.
 bool TurnWords::thread_settings() {
   TurnSettings& set = modal_.turn_settings;
   if (const Word* p = take('P')) {
@@ -213,7 +213,8 @@ bool TurnWords::thread() {
   return true;
 }
 
-// G76 X Z I K D F A P: I taper, K height, D depth of the first pass, A angle, P the way of infeed.
+// Reads G76 X Z I K D F A P: I is the taper, K the height, D the depth of the first pass, A the
+// angle, P the kind of infeed.
 bool TurnWords::one_line_thread(Thread& t) {
   t.height = std::abs(long_or_least(*take('K')));
   if (const Word* d = take('D')) t.first = std::abs(least(*d));
@@ -228,7 +229,7 @@ bool TurnWords::one_line_thread(Thread& t) {
   return true;
 }
 
-// "K920", as D300 beside it: no thread is that high, so it counts least increments.
+// "K920": no thread is that high, so the number counts least increments, as D300 beside it does.
 double TurnWords::long_or_least(const Word& word) {
   if (word.point || std::abs(word.value) < kLongThread || options_.least_increments)
     return word.value * length_unit(word);
@@ -238,7 +239,8 @@ double TurnWords::long_or_least(const Word& word) {
   return least(word);
 }
 
-// Below the crest: first * sqrt(n), each pass at least `least` deeper, then the finishing passes.
+// Depths below the crest: first * sqrt(n), each pass at least `least` deeper than the one before,
+// then the finishing passes.
 bool TurnWords::thread_depths(const Thread& t, std::vector<double>& depths) {
   if (t.height <= 0 || t.first <= 0)
     return error("value-missing",
@@ -259,8 +261,8 @@ bool TurnWords::thread_depths(const Thread& t, std::vector<double>& depths) {
   return true;
 }
 
-// Each pass: in X to its depth, along the flank in Z, or the two in turn; the thread, its chamfer,
-// out and back.
+// Runs the passes. Each goes in X to its depth and along one flank in Z (or along both in turn),
+// cuts the thread and its chamfer, goes out and back.
 void TurnWords::thread_passes(const Thread& t, const Vec3& from, const Vec3& end,
                               const std::vector<double>& depths) {
   const double out = sign_of(from.x - end.x), along = sign_of(end.z - from.z);
@@ -282,9 +284,10 @@ void TurnWords::thread_passes(const Thread& t, const Vec3& from, const Vec3& end
   go(from.x, from.z, kRapid);
 }
 
-// G76 P Z I J K R Q H E L of LinuxCNC: I from the drive line to the crest (below 0: outside), J the
-// first depth, K the full one (the three as diameters in G7), R degression, Q the angle of the
-// slide, H spring passes, E and L the tapers at the ends.
+// Reads G76 P Z I J K R Q H E L of LinuxCNC. I is the distance from the drive line to the crest
+// (below 0 for an outside thread), J the first depth and K the full one (all three as diameters in
+// G7). R is the degression, Q the angle of the slide, H the number of spring passes; E and L are
+// the tapers at the ends.
 bool TurnWords::drive_line(DriveLine& out, double& springs) {
   if (const Word* x = peek('X'))
     return error("not-supported",

@@ -1,5 +1,5 @@
 // Turning cycles without a contour: G90, G92, G94 of FANUC lathes (code system A), G74, G75 and G76
-// in both forms, G76 of LinuxCNC. Each becomes the motions of its manual's picture.
+// in both forms, G76 of LinuxCNC. Each becomes the motions that its manual shows.
 // Private to src/interp.
 #pragma once
 
@@ -14,29 +14,29 @@ class TurnWords : public ControlPart {
   TurnWords(Control& control, AxisWords& axes, Moves& moves)
       : ControlPart(control), axes_(axes), moves_(moves) {}
 
-  /// G90, G92 or G94 is in force, and the block has words for it.
+  /// Whether G90, G92 or G94 is in force and the block has words for it.
   bool wants_block() const;
-  /// One pass of the cycle in force. False: an error was reported.
+  /// Runs one pass of the cycle in force. False: an error was reported.
   bool pass();
-  /// G74, G75 or G76 of the block. False: an error was reported.
+  /// Carries out G74, G75 or G76 of the block. False: an error was reported.
   bool run();
-  /// Whether the block gives an axis; else it is the first line of a cycle of two.
+  /// Whether the block gives an axis. If not, it is the first line of a cycle in two lines.
   bool has_axes() const;
 
  private:
-  /// A thread of G76, mm; depths are radii.
+  /// A thread of G76. Lengths are in mm, depths in radius.
   struct Thread {
     double lead = 0;
     double height = 0, first = 0, least = 0, finish = 0;
-    double taper = 0;  ///< radius at the start less that at the end
-    double slope = 0;  ///< tangent of half of the tip's angle
+    double taper = 0;  ///< radius at the start minus radius at the end
+    double slope = 0;  ///< tangent of half the angle of the tip
     double chamfer = 0;
     int finishes = 1;
     bool constant_depth = false;
-    bool both_flanks = false;  ///< the passes follow one and the other in turn
+    bool both_flanks = false;  ///< passes follow the two flanks in turn
   };
 
-  /// A thread of LinuxCNC's G76, mm; depths are from the crest.
+  /// A thread of LinuxCNC's G76. Lengths are in mm, depths count from the crest.
   struct DriveLine {
     double pitch = 0, crest = 0, first = 0, full = 0;
     double degression = 1, slide = 0;  ///< tangent of the slide's angle

@@ -8,13 +8,13 @@
 namespace mrsim {
 namespace {
 
-constexpr double kLong = 50;        // s: a number without a point from here on counts thousandths
-constexpr double kComputed = 10;    // of a variable, as in the other words of FANUC
-constexpr double kSuspicious = 99;  // s: more than a program waits
+constexpr double kLong = 50;        // s: from here on a number without a point is thousandths
+constexpr double kComputed = 10;    // s: the same limit for a variable, as in other words of FANUC
+constexpr double kSuspicious = 99;  // s: programs do not wait longer
 
 }  // namespace
 
-// F and S of SINUMERIK are F and S beside G4 only.
+// On SINUMERIK F beside G4 is seconds, and S is turns of the spindle.
 double DwellTime::of_sinumerik() {
   const Word *f = take('F'), *s = take('S'), *other = take(Address::data);
   for (const Word* unread : {take('P'), take('U'), other})
@@ -45,7 +45,8 @@ double DwellTime::of_cycle(const Word& word) {
   return word.point ? word.value : seconds(word, "Fagor's 8055 counts hundredths of them");
 }
 
-// FANUC: milliseconds, Haas with a decimal point: seconds. LinuxCNC and its kin, CODESYS: seconds.
+// P is milliseconds on FANUC, seconds on Haas with a decimal point, and seconds on LinuxCNC, its
+// kin and CODESYS.
 double DwellTime::of_p(const Word& word) {
   const bool computed = text_of(word).find_first_of("#[") != std::string::npos;
   if (is(Dialect::ngc) || is(Dialect::codesys))
@@ -59,7 +60,7 @@ double DwellTime::of_p(const Word& word) {
                             : milliseconds(word);
 }
 
-// X and U: seconds; without a decimal point FANUC counts least increments.
+// X and U are seconds. Without a decimal point FANUC counts least increments.
 double DwellTime::of_axis(const Word& word) {
   if (!is(Dialect::fanuc) || word.point) return word.value;
   if (options_.least_increments) return word.value / 1000;

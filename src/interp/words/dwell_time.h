@@ -9,11 +9,11 @@ class DwellTime : public ControlPart {
  public:
   explicit DwellTime(Control& control) : ControlPart(control) {}
 
-  /// s that the words of G4 say; 0 where they say none.
+  /// The seconds that the words of G4 say; 0 where they say none.
   double of_block();
-  /// s that P or K of a cycle says.
+  /// The seconds that P or K of a cycle says.
   double of_cycle(const Word& word);
-  /// s of so many turns of the spindle; 0, and noted, where its speed is not known.
+  /// The seconds of so many turns of the spindle; 0, with a note, where its speed is not known.
   double of_turns(double turns, const Word& where);
 
  private:

@@ -32,8 +32,8 @@ void EventWords::read_words() {
   }
 }
 
-// As DIN 66025 has it: what ends something waits for the block's motion. LinuxCNC's order of
-// execution has the stops alone behind it.
+// By DIN 66025, words that end something take effect after the block's motion. In LinuxCNC's order
+// of execution only the stops do.
 bool EventWords::is_late(MCode code) const {
   switch (code) {
     case MCode::stop:
@@ -74,7 +74,7 @@ void EventWords::tell(MCode code) {
       return stop(StopKind::program);
     case MCode::optional_stop:
       return stop(StopKind::optional);
-    case MCode::end:  // in a subprogram of SINUMERIK a return
+    case MCode::end:  // it is a return in a subprogram of SINUMERIK
       if (block_.stop_after) stop(StopKind::end);
       return;
     default:

@@ -1,7 +1,7 @@
-// What a block does beside moving, handed on as events: spindle, coolant, stops, path mode, tool
+// Emits what a block does beside moving as events: spindle, coolant, stops, path mode, tool
 // changes. Dwells come from the words and cycles that make them. Events of a spindle with a number
-// (M2=3 of SINUMERIK, $1 of LinuxCNC) are left out: they are not that of the tool. Private to
-// src/interp.
+// (M2=3 of SINUMERIK, $1 of LinuxCNC) are left out, because it is not the spindle of the tool.
+// Private to src/interp.
 #pragma once
 
 #include "interp/moves/motion_emitter.h"
@@ -15,9 +15,9 @@ class EventWords : public ControlPart {
  public:
   EventWords(Control& control, MotionEmitter& out) : ControlPart(control), out_(out) {}
 
-  /// What counts from the block's motion on.
+  /// Emits the events that take effect with the block's motion.
   void before_motion();
-  /// What comes behind it. A cycle may have read other blocks by then.
+  /// Emits the events that follow the motion. A cycle may have read other blocks by then.
   void after_motion();
 
  private:
@@ -32,7 +32,7 @@ class EventWords : public ControlPart {
 
   MotionEmitter& out_;
   std::vector<MCode> late_;  ///< M words that wait for the block's motion
-  bool stops_once_ = false;  ///< a G9 that waits for the motion, too
+  bool stops_once_ = false;  ///< a G9 also waits for the motion
   SpindleTurn turn_ = SpindleTurn::off;
   double told_speed_ = 0;
   bool told_surface_ = false;

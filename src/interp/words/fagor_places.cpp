@@ -30,7 +30,7 @@ bool FagorPlaces::read(Word& word) {
   return true;
 }
 
-// The value of a word, which no other part reads then.
+// Takes the value of a word, so that no other part reads it.
 bool FagorPlaces::take_number(char name, bool is_length, double& out) {
   for (Word& word : block_.words) {
     if (word.address != letter(name)) continue;
@@ -41,7 +41,7 @@ bool FagorPlaces::take_number(char name, bool is_length, double& out) {
   return false;
 }
 
-// Two of: the whole length or angle, the step, the number of places.
+// A row has two of three values: the whole length or angle, the step, the number of places.
 bool FagorPlaces::row(char whole, char step, char number, bool lengths, Row& out) {
   double all = 0, each = 0, count = 0;
   const bool has_all = take_number(whole, lengths, all),
@@ -65,13 +65,14 @@ bool FagorPlaces::row(char whole, char step, char number, bool lengths, Row& out
   return true;
 }
 
-// From the place of now, in the plane.
+// Adds a place at this distance from the current one, in the plane, mm.
 void FagorPlaces::add(double along, double across) {
   const Basis b = basis();
   block_.places.push_back(position_.programmed + along * b.u + across * b.v);
 }
 
-// G60 A X I K; G62 with Y J D for the rows, B degrees from the lines. Each row goes back.
+// G60 A X I K is a line. G62 is a grid: Y J D are the rows, at B degrees to the lines; the tool
+// goes to and fro.
 bool FagorPlaces::line(bool grid) {
   double turn = 0, between = 90;
   Row columns, rows{1, 0};
@@ -91,8 +92,9 @@ bool FagorPlaces::line(bool grid) {
   return true;
 }
 
-// G63 X Y I K, the centre from the place of now, steps of I degrees; G64 with the whole angle B. C
-// is the way from place to place: 2 clockwise, 3 counter-clockwise.
+// G63 X Y I K is a circle: X Y are the centre from the current place, I the step in degrees. G64 is
+// an arc with the whole angle B. C is the direction from place to place: 2 clockwise, 3
+// counter-clockwise.
 bool FagorPlaces::circle(bool arc) {
   double x = 0, y = 0, way = 0, step = 0, number = 0;
   take_number('X', true, x);

@@ -1,5 +1,5 @@
-// G60, G62, G63 and G64 of Fagor's 8055: the cycle in force at more places, in a line, a grid, on a
-// circle, on an arc. Private to src/interp.
+// G60, G62, G63 and G64 of Fagor's 8055 run the cycle in force at more places: in a line, in a
+// grid, on a circle, on an arc. Private to src/interp.
 #pragma once
 
 #include "interp/control/control.h"
@@ -11,12 +11,12 @@ class FagorPlaces : public ControlPart {
   explicit FagorPlaces(Control& control) : ControlPart(control) {}
 
   static bool knows(int g) { return g == 60 || (g >= 62 && g <= 64); }
-  /// Before the words are indexed: fills BlockWords::places, behind the place of now, and takes the
-  /// words away. False: an error was reported.
+  /// Called before the words are indexed. Fills BlockWords::places with the places that follow the
+  /// current one, and removes the words. False: an error was reported.
   bool read(Word& word);
 
  private:
-  /// Places in a row, the first among them.
+  /// A row of places, with the first one.
   struct Row {
     long number = 0;
     double step = 0;

@@ -14,7 +14,7 @@
 namespace mrsim {
 namespace {
 
-/// What a G word does that is not read; empty: another one.
+/// What an unsupported G word does; empty for any other word.
 std::string_view unread(int code) {
   switch (code) {
     case 32:
@@ -56,7 +56,7 @@ bool IsoWords::rewrite() {
   return ok && rewrite_polar();
 }
 
-// T2.12: tool 2 with the offset 12.
+// T2.12 is tool 2 with the offset 12.
 void IsoWords::split_tool() {
   Word* const tool = in_block('T');
   if (!tool || tool->string || tool->value == std::floor(tool->value)) return;
@@ -74,9 +74,9 @@ void IsoWords::split_tool() {
   if (!in_block('D')) block_.words.push_back(edge);
 }
 
-// Q, and R beside it, in a straight move, at the places of a cycle and in an arc about the polar
-// origin: AP and RP. What is left out is that of the position. Anything else is left to
-// check_polar().
+// Q, and R beside it, become AP and RP in a straight move, at the places of a cycle and in an arc
+// about the polar origin. A value that is left out is that of the position. check_polar() reports
+// all other uses.
 bool IsoWords::rewrite_polar() {
   Word* const angle = in_block('Q');
   Word* const radius = in_block('R');
@@ -116,7 +116,7 @@ bool IsoWords::rewrite_polar() {
   return true;
 }
 
-// G3 Q I J: the end lies at the angle Q about the centre, in G91 so much further.
+// G3 Q I J: the end lies at the angle Q about the centre; in G91 Q counts from the start.
 void IsoWords::to_end_of_angle(Word& angle, bool incremental) {
   constexpr std::string_view kAxes[] = {"XY", "ZX", "YZ"};
   const Basis b = basis();
@@ -141,7 +141,7 @@ void IsoWords::to_end_of_angle(Word& angle, bool incremental) {
   block_.words.push_back(second);
 }
 
-// `gone`: the G word has been read.
+// `gone`: the G word has been read and is removed.
 bool IsoWords::rewrite_word(std::size_t at, bool& gone) {
   Word& word = block_.words[at];
   const int code = word.value >= 0 && word.value < 100 ? static_cast<int>(word.value) : -1;
@@ -181,7 +181,7 @@ bool IsoWords::rewrite_word(std::size_t at, bool& gone) {
     case 17:
     case 18:
     case 19:
-      position_.pole = {};  // each plane begins with its own
+      position_.pole = {};  // each plane begins with its own polar origin
       return true;
     case 87:
     case 88:
@@ -190,7 +190,7 @@ bool IsoWords::rewrite_word(std::size_t at, bool& gone) {
       return true;
     case 93:
       return to_polar_origin(word);
-    case 51:  // Fagor's look-ahead, with the acceleration and how exact it is
+    case 51:  // Fagor's look-ahead, with its acceleration and tolerance
       gone = !has_any("XYZPIJK");
       for (const char c : {'A', 'B', 'E'})
         if (Word* const value = in_block(c); value && gone) value->address = Address::data;
@@ -227,8 +227,8 @@ bool IsoWords::read_places(Word& word, int code) {
                word);
 }
 
-// G87 Z I J K B C D: the words are lengths of the pocket, none an axis or a register. H, L and V
-// are how it is finished.
+// G87 Z I J K B C D: the words are lengths of the pocket, not axes or registers. H, L and V say how
+// it is finished.
 bool IsoWords::to_pocket(Word& word) {
   const bool round = word.value == 88;
   bool incremental = modal_.incremental;
@@ -275,7 +275,7 @@ bool IsoWords::to_corner(Address corner, const Word& word) {
   return true;
 }
 
-// G93 I J: abscissa and ordinate of the polar origin. G93 without them is a feed.
+// I and J of G93 are abscissa and ordinate of the polar origin. G93 without them is a feed.
 bool IsoWords::to_polar_origin(Word& word) {
   constexpr std::string_view kAxes[] = {"XY", "ZX", "YZ"};
   Word *const i = in_block('I'), *const j = in_block('J');
@@ -290,7 +290,7 @@ bool IsoWords::to_polar_origin(Word& word) {
   return true;
 }
 
-// G9 X Y I J: an arc through the point I J. Without it G9 stops exactly.
+// G9 X Y I J is an arc through the point I J. G9 without these words is an exact stop.
 bool IsoWords::to_point_arc(Word& word) {
   if (!has_any("IJK")) return true;
   for (Word& other : block_.words)

@@ -1,6 +1,6 @@
-// Words of the ISO dialect as its family (Fagor 8055) means them, in the addresses that the other
-// parts know: G36 R is RND, G39 R is CHR, G8 is CT, G9 is CIP, G6 makes I J K absolute.
-// What moves the machine and is not read is an error by name. Private to src/interp.
+// Writes words of the ISO dialect anew, as its family (Fagor 8055) means them, in the addresses
+// that other parts know: G36 R becomes RND, G39 R CHR, G8 CT and G9 CIP; G6 makes I J K absolute. A
+// word that moves the machine and is not read is an error by name. Private to src/interp.
 #pragma once
 
 #include "interp/control/control.h"
@@ -11,9 +11,9 @@ class IsoWords : public ControlPart {
  public:
   explicit IsoWords(Control& control) : ControlPart(control) {}
 
-  /// Before the words are indexed: changes addresses and takes G words away. False: reported.
+  /// Called before the words are indexed. Changes addresses and removes G words. False: reported.
   bool rewrite();
-  /// After the block: R and Q that nothing wanted are polar coordinates. False: reported.
+  /// Called after the block: R and Q that no part has taken are polar coordinates. False: reported.
   bool check_polar();
 
  private:

@@ -22,7 +22,7 @@ std::optional<bool> MakerWords::read(const Word& word, Code code) {
                              "not supported: write those of system A, G90, G92 and G94",
                              text_of(word)),
                  word);
-  // LinuxCNC's have the diameter in D, in programs that are read as FANUC's, too.
+  // G41.1 of LinuxCNC has the diameter in D, also in programs that are read as FANUC's.
   const bool follows_path = word.value == 41.1 || word.value == 42.1;
   if (is(Dialect::fanuc) && follows_path && !peek('D'))
     return error("not-supported",
@@ -46,7 +46,7 @@ std::optional<bool> MakerWords::read(const Word& word, Code code) {
   if (is(Dialect::fanuc) && !lathe())
     if (const std::optional<bool> local = okuma_frame(word)) return local;
   if (!is(Dialect::fanuc) || lathe() || !peek(word.value == 71 ? 'Z' : 'T')) return std::nullopt;
-  if (word.value == 116 && !has_m6()) {  // Okuma's change of the tool
+  if (word.value == 116 && !has_m6()) {  // G116 of Okuma changes the tool
     block_.tool_change = true;
     return true;
   }
@@ -55,8 +55,8 @@ std::optional<bool> MakerWords::read(const Word& word, Code code) {
   return std::nullopt;
 }
 
-// G22 X Y Z R I L of GSK's mills clears a circle, and so on up to G26. FANUC's G22 has X Y Z I J K,
-// and G23, G25 and G26 no axes.
+// G22 X Y Z R I L of GSK's mills clears a circle, and G23 to G26 are pockets, too. FANUC's G22 has
+// X Y Z I J K, and its G23, G25 and G26 have no axes.
 bool MakerWords::is_pocket_of_gsk(const Word& word) const {
   if (is(Dialect::sinumerik) || is(Dialect::codesys) || is(Dialect::ngc)) return false;
   if (word.value == 22) return peek('R') && (peek('X') || peek('Y') || peek('Z'));
@@ -71,7 +71,7 @@ bool MakerWords::refuse_pocket(const Word& word) {
                word);
 }
 
-// G20 X46. Z-30. F.25, and no motion word.
+// G20 X46. Z-30. F.25 without a motion word is a cycle of code system C.
 bool MakerWords::is_cycle_of_system_c(const Word& word) const {
   if (!lathe() || !is(Dialect::fanuc) || (word.value != 20 && word.value != 21)) return false;
   if (!peek('F') || !(peek('X') || peek('Z') || peek('U') || peek('W'))) return false;
@@ -86,7 +86,7 @@ bool MakerWords::has_m6() const {
                      [](const Word& w) { return w.address == letter('M') && w.value == 6; });
 }
 
-// X0 Y0 beside the G word, and nothing else.
+// Whether places of 0 (X0 Y0) stand beside the G word, and nothing else.
 bool MakerWords::names_zero_places() const {
   bool named = false;
   for (const Word& w : block_.words) {
@@ -97,7 +97,7 @@ bool MakerWords::names_zero_places() const {
   return named;
 }
 
-// G101 X0 of Haas mirrors X about the zero, G100 X0 ends that.
+// G101 X0 of Haas mirrors X about the zero, and G100 X0 ends that.
 bool MakerWords::haas_mirror(const Word& word) {
   block_.frame_code = &word;
   block_.frame_op = word.value == 101 ? Code::mirror_on : Code::mirror_off;
@@ -114,7 +114,8 @@ bool MakerWords::okuma_offset(const Word& word) {
       word);
 }
 
-// G11 with words and the G10 that ends it, which FANUC writes around data; G62 X1, a mirror image.
+// G11 with words is a local frame of Okuma, and G10 ends it; FANUC writes G10 and G11 around data.
+// G62 X1 is a mirror image.
 std::optional<bool> MakerWords::okuma_frame(const Word& word) {
   const bool places = peek('X') || peek('Y') || peek('Z');
   if (word.value == 62 && modal_.okuma && places)
@@ -126,7 +127,7 @@ std::optional<bool> MakerWords::okuma_frame(const Word& word) {
   return true;
 }
 
-// "G90 X10. G91 Y5.": Mitsubishi and Mazak read each axis as the G word before it says.
+// "G90 X10. G91 Y5.": on Mitsubishi and Mazak the G word before an axis holds for that axis.
 void MakerWords::warn_of_mixed(const Word& word) {
   const Word* other = nullptr;
   for (const Word& before : block_.words) {
@@ -146,8 +147,8 @@ void MakerWords::warn_of_mixed(const Word& word) {
   }
 }
 
-// G101 to G120 of Okuma's mills are macros of the machine's owner; G110 and G111 of its lathes say
-// whose turret the constant surface speed follows.
+// G101 to G120 of Okuma's mills are macros of the machine's owner. G110 and G111 of its lathes say
+// which turret the constant surface speed follows.
 bool MakerWords::okuma_macro(const Word& word) {
   if (lathe() && (word.value == 110 || word.value == 111)) return true;
   return error(
@@ -178,7 +179,7 @@ std::optional<bool> MakerWords::okuma_lap(const Word& word) {
   return true;
 }
 
-// G20 HP=1 and G21 HP=2 go to home positions; HP= stands in P.
+// G20 HP=1 and G21 HP=2 go to home positions. The parser has put HP= into P.
 bool MakerWords::okuma_home(const Word& word) {
   const Word* p = peek('P');
   if ((word.value != 20 && word.value != 21) || !p || upper(text_of(*p).front()) != 'H')
@@ -188,23 +189,24 @@ bool MakerWords::okuma_home(const Word& word) {
   return true;
 }
 
-// G71 Z: Z alone, and no other G word. Elsewhere G71 is a pattern of holes or the unit.
+// Whether G71 Z is the return level: Z stands alone, with no other G word. Otherwise G71 is a
+// pattern of holes or the unit.
 bool MakerWords::stands_for_level(const Word& word) const {
   return std::all_of(block_.words.begin(), block_.words.end(), [&](const Word& w) {
     return &w == &word || w.address == letter('Z') || w.address == letter('M');
   });
 }
 
-// The level that drilling cycles return to under M53.
+// Sets the level to which drilling cycles return under M53.
 bool MakerWords::okuma_level() {
   const Word& z = *take('Z');
   modal_.return_level = z.value * length_unit(z);
   return true;
 }
 
-// G100 T1 X Y Z G43 H1 of Brother: the tool changes above, then it goes to the place.
+// G100 T1 X Y Z G43 H1 of Brother changes the tool above the part, then goes to the place.
 bool MakerWords::brother_change(const Word& word) {
-  for (const char c : {'L', 'R'}) take(c);  // the next tool, and where the door stands
+  for (const char c : {'L', 'R'}) take(c);  // the next tool, and the position of the door
   block_.tool_change = true;
   block_.home = &word;
   block_.motion_code = &word;

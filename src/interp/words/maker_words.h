@@ -1,5 +1,5 @@
 // G words that machine makers read in their own way on a control of FANUC's kind: Okuma's OSP,
-// Brother, Haas, GSK. The words beside it distinguish each from FANUC's. Private to src/interp.
+// Brother, Haas, GSK. The words beside such a G word tell it from FANUC's. Private to src/interp.
 #pragma once
 
 #include "interp/frames/frame_words.h"
@@ -12,7 +12,7 @@ class MakerWords : public ControlPart {
  public:
   MakerWords(Control& control, FrameWords& frames) : ControlPart(control), frame_words_(frames) {}
 
-  /// Reads the word. Nothing: it is none of them. False: an error was reported.
+  /// Reads the word. Nothing: it is no word of a maker. False: an error was reported.
   std::optional<bool> read(const Word& word, Code code);
 
  private:

@@ -61,7 +61,7 @@ CodeEntry ModalWords::lookup(const Word& word) const {
   return find_g_code(control_.dialect, program_.machine, number);
 }
 
-// Two words of one modal group contradict each other; what happens then is the dialect's.
+// Two words of one modal group contradict each other; the dialect decides what happens then.
 bool ModalWords::claim_group(const Word& word, const CodeEntry& entry) {
   if (entry.code == Code::motion_off || entry.code == Code::cycle_off) return true;
   const bool dynamics = entry.group == Group::exact || entry.group == Group::path;
@@ -85,8 +85,8 @@ bool ModalWords::claim_group(const Word& word, const CodeEntry& entry) {
   return true;
 }
 
-// G92 and G94 of a lathe. Without an axis G92 S limits the speed, and G94 is the feed per minute of
-// code systems B and C, which write G77 G78 G79 for the cycles.
+// G92 and G94 of a lathe are cycles. But without an axis G92 S limits the speed, and G94 is the
+// feed per minute of code systems B and C, which write the cycles as G77 G78 G79.
 bool ModalWords::select_turning(const Word& word, int number) {
   if (number >= 77 && number <= 79) number = number == 79 ? 94 : 90 + 2 * (number - 77);
   const bool axes = peek('X') || peek('Z') || peek('U') || peek('W');
@@ -98,7 +98,7 @@ bool ModalWords::select_turning(const Word& word, int number) {
   return true;
 }
 
-// P of G4; X alone in the block is WinCNC's.
+// P of G4 is the time of a dwell. WinCNC writes it as X, alone in the block.
 bool ModalWords::pause(const Word& word) {
   block_.pause = take('P');
   if (block_.pause) return true;
@@ -118,7 +118,7 @@ bool ModalWords::refuse_unknown(const Word& word) {
                word);
 }
 
-// G70 and G71 alone are units.
+// G70 and G71 without other words are units, not patterns.
 bool ModalWords::hole_pattern(const Word& word, Code code) {
   if ((word.value == 70 || word.value == 71) && !peek('I') && !peek('L'))
     return plain_.apply(word.value == 70 ? Code::inch_feed : Code::metric_feed, word);
@@ -228,7 +228,7 @@ bool ModalWords::apply_code(const Word& word, const CodeEntry& entry) {
   }
 }
 
-// G64 P Q of Mach and LinuxCNC; R belongs to it where no motion of the block can use it.
+// G64 P Q of Mach and LinuxCNC. An R belongs to it where no motion of the block can use R.
 bool ModalWords::path_control(const Word& word) {
   if (is(Dialect::sinumerik) || (word.value != 61 && word.value != 64)) return true;
   if (word.value == 64)
@@ -254,14 +254,14 @@ bool ModalWords::for_oneshot(const Word& word, Code code) {
   return true;
 }
 
-// A motion of this block alone; then that before it holds again.
+// A motion for this block only. After it the motion before holds again.
 bool ModalWords::for_one_block(const Word& word, Code code) {
   block_.motion_code = &word;
   block_.motion = code;
   return true;
 }
 
-// Mach and Vectric write G70 and G71 for the units; LinuxCNC's cycles of these numbers have words.
+// Mach and Vectric write G70 and G71 for the units. LinuxCNC's cycles of these numbers have words.
 bool ModalWords::units_of_mach(const Word& word) {
   if (!is(Dialect::ngc) || (word.value != 70 && word.value != 71) || peek('Q')) return false;
   return plain_.apply(word.value == 70 ? Code::inch_feed : Code::metric_feed, word);
@@ -278,7 +278,7 @@ bool ModalWords::refuse(const Word& word) {
                word);
 }
 
-// G5 P10000, G5.1 Q1, G8 P1 look ahead; the same words with axes are splines.
+// G5 P10000, G5.1 Q1 and G8 P1 switch look-ahead. The same G words with axes are splines.
 bool ModalWords::high_speed(const Word& word) {
   for (const char c : {'X', 'Y', 'Z', 'I', 'J', 'K'})
     if (peek(c))
@@ -289,12 +289,12 @@ bool ModalWords::high_speed(const Word& word) {
   return true;
 }
 
-// A cycle behind another keeps its values (LinuxCNC: R), and the level before the first of them.
+// A cycle behind another keeps its values (LinuxCNC: only R), and the level before both of them.
 void ModalWords::select_cycle(const Word& word, int number) {
   modal_.turn.number = 0;
   DrillCycle& cycle = modal_.drill;
   if (cycle.number == 0) cycle = {};
-  if (is(Dialect::ngc) && cycle.number != number) {  // only R is kept for another cycle
+  if (is(Dialect::ngc) && cycle.number != number) {  // another cycle keeps only R
     cycle.bottom.given = cycle.dwells = false;
     cycle.peck = 0;
   }
@@ -333,7 +333,7 @@ bool ModalWords::apply_modal_code(const Word& word, const CodeEntry& entry) {
       block_.motion = entry.code;
       return true;
     case Code::one_way:
-      if (modal_.drill.number != 0) return true;  // places of the cycle
+      if (modal_.drill.number != 0) return true;  // the axis words are places of the cycle
       [[fallthrough]];
     case Code::dwell:
     case Code::reference:
@@ -357,7 +357,7 @@ bool ModalWords::apply_modal_code(const Word& word, const CodeEntry& entry) {
 }
 
 // On FANUC lathes G90 with axes is a turning cycle of code system A, unless a motion word stands
-// beside it or the program has said G91, which only systems B and C and Okuma have.
+// beside it, or the program has said G91, which only systems B and C and Okuma have.
 bool ModalWords::select_distance(Code code, const Word& word) {
   modal_.has_increments |= code == Code::incremental;
   if (is(Dialect::fanuc) && lathe() && (peek('X') || peek('Z') || peek('U') || peek('W'))) {

@@ -1,4 +1,4 @@
-// G words that last: which mode each sets. Private to src/interp.
+// Modal G words: which mode each sets. Private to src/interp.
 #pragma once
 
 #include "interp/tools/compensation_words.h"
@@ -19,7 +19,7 @@ class ModalWords : public ControlPart {
         plain_(control),
         unread_(control) {}
 
-  /// All function words of the block, in order. False: errors were reported.
+  /// Applies all function words of the block, in order. False: errors were reported.
   bool apply();
 
  private:

@@ -10,7 +10,7 @@ Word* OkumaTurning::in_block(char c) {
   return nullptr;
 }
 
-// Words that do not change the shape.
+// Removes words that do not change the shape.
 void OkumaTurning::drop(std::string_view letters) {
   for (Word& word : block_.words)
     if (word.address < Address::function &&
@@ -23,7 +23,7 @@ void OkumaTurning::move_to(char from, char to, double factor) {
   if (!word) return;
   word->address = letter(to);
   word->value *= factor;
-  word->point = true;  // no least increments
+  word->point = true;  // its value is not in least increments
 }
 
 bool OkumaTurning::refuse(const Word& code, std::string_view what) {
@@ -34,7 +34,8 @@ bool OkumaTurning::refuse(const Word& code, std::string_view what) {
 
 bool OkumaTurning::rewrite() {
   if (!lathe() || !is(Dialect::fanuc) || !modal_.okuma) return true;
-  if (in_block('P') && in_block('Q')) return true;  // a contour by its blocks: FANUC's
+  if (in_block('P') && in_block('Q'))
+    return true;  // FANUC's cycle, whose contour is given by blocks
   for (std::size_t i = 0; i < block_.words.size(); ++i) {
     Word& code = block_.words[i];
     if (code.address != letter('G')) continue;
@@ -45,14 +46,15 @@ bool OkumaTurning::rewrite() {
     if (code.value == 72) return refuse(code, "threads on a face");
     if (code.value == 73) grooves(code);
     if (code.value == 74) deep_hole();
-    if (code.value == 77 || code.value == 78) drop("K");  // where a tap begins
-    if (code.value == 94) code.value = 98;                // the feed per minute
+    if (code.value == 77 || code.value == 78) drop("K");  // K says where a tap begins
+    if (code.value == 94) code.value = 98;                // G94 is the feed per minute
   }
-  drop("E");  // the feed along the contour of LAP
+  drop("E");  // E is the feed along the contour of LAP
   return !moves_other_axis();
 }
 
-// "G0 W-300": the sub-spindle's or the tailstock's axis; X and Z are increments behind G91 alone.
+// W of "G0 W-300" is the axis of the sub-spindle or the tailstock. X and Z are increments only
+// behind G91.
 bool OkumaTurning::moves_other_axis() {
   for (const Word& word : block_.words)
     if (word.address == letter('G') && (word.value == 4 || (word.value >= 70 && word.value < 90)))
@@ -67,7 +69,7 @@ bool OkumaTurning::moves_other_axis() {
   return false;
 }
 
-// A taper by I or A.
+// Whether I or A gives a taper.
 bool OkumaTurning::has_taper(Word& code) {
   for (const char c : {'I', 'A'})
     if (const Word* word = in_block(c); word && word->value != 0)
@@ -76,7 +78,7 @@ bool OkumaTurning::has_taper(Word& code) {
   return false;
 }
 
-// J threads on the length of F.
+// J is the number of threads on the length F.
 void OkumaTurning::share_lead() {
   Word* const lead = in_block('F');
   if (const Word* threads = in_block('J'); threads && lead && threads->value > 0)
@@ -84,19 +86,20 @@ void OkumaTurning::share_lead() {
   drop("J");
 }
 
-// "G33 X Z F", and X alone for the next passes: to X, the thread, out and back, as G92.
+// "G33 X Z F", and then X alone for the next passes: the tool goes to X, cuts the thread, goes out
+// and back, as G92 does.
 bool OkumaTurning::thread(Word& code) {
   if (has_taper(code)) return false;
   share_lead();
-  drop("EKLC");  // phases, and the run-out
+  drop("EKLC");  // phases and run-out
   code.value = 92;
   return true;
 }
 
-// "G71 X Z B D U H F M33 M73": H is the height and D the first depth, of the diameter, B the angle
-// of the tip; M33 infeeds on both flanks. U and the order of depths change no shape.
+// "G71 X Z B D U H F M33 M73": the height H and the first depth D are of the diameter, and B is the
+// angle of the tip. M33 infeeds on both flanks. U and the order of depths do not change the shape.
 bool OkumaTurning::compound_thread(Word& code) {
-  if (!in_block('X') && !in_block('Z')) return true;  // no cycle
+  if (!in_block('X') && !in_block('Z')) return true;  // it is no cycle
   const Word* const growth = in_block('E');
   if (growth && growth->value != 0) return refuse(code, "a thread with a growing lead");
   if (has_taper(code)) return false;
@@ -124,7 +127,7 @@ bool OkumaTurning::compound_thread(Word& code) {
   return true;
 }
 
-// "G73 X Z K D L F": strokes of D, of the diameter, at places K apart, as G75.
+// "G73 X Z K D L F" cuts grooves as G75 does: strokes of D, of the diameter, at places K apart.
 void OkumaTurning::grooves(Word& code) {
   if (!in_block('X') && !in_block('Z')) return;
   drop("ILET");
@@ -132,7 +135,8 @@ void OkumaTurning::grooves(Word& code) {
   code.value = 75;
 }
 
-// "G74 X Z I D L F": strokes of D at places I apart, of the diameter; out of the hole behind L.
+// "G74 X Z I D L F": strokes of D at places I apart, of the diameter. The tool leaves the hole
+// after L.
 void OkumaTurning::deep_hole() {
   drop("KLET");
   move_to('D', 'K', 1);

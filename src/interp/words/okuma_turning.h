@@ -1,5 +1,5 @@
-// The cycles of Okuma's lathes, whose numbers mean other things than FANUC's: written anew as
-// FANUC's of the same motions. Private to src/interp.
+// Writes the cycles of Okuma's lathes anew as FANUC's cycles of the same motions, since their
+// numbers mean other things than FANUC's. Private to src/interp.
 #pragma once
 
 #include "interp/control/control.h"
@@ -13,7 +13,7 @@ class OkumaTurning : public ControlPart {
  public:
   explicit OkumaTurning(Control& control) : ControlPart(control) {}
 
-  /// Before the words are entered by address. False: an error was reported.
+  /// Called before the words are entered by address. False: an error was reported.
   bool rewrite();
 
  private:

@@ -45,7 +45,7 @@ bool OneShotWords::run() {
   }
 }
 
-// G4: the words mean seconds or turns, not axes or feeds.
+// Beside G4, words mean seconds or turns, not axes or feeds.
 bool OneShotWords::dwell() {
   if (is(Dialect::sinumerik)) {
     for (const char c : {'X', 'Y', 'Z'})
@@ -56,8 +56,8 @@ bool OneShotWords::dwell() {
   return true;
 }
 
-// G28 G30: a rapid to the intermediate point, then to the reference point; without axes all of them
-// go there (LinuxCNC, Haas).
+// G28 and G30 are a rapid to the intermediate point, then to the reference point. Without axes all
+// of them go there (LinuxCNC, Haas).
 bool OneShotWords::reference() {
   const Word* p = take('P');
   Target to;
@@ -78,7 +78,7 @@ bool OneShotWords::reference() {
   return true;
 }
 
-// The axes named, or all; "G28 H0": the spindle's axis alone.
+// The axes that the block names, or all of them; "G28 H0" names only the axis of the spindle.
 unsigned OneShotWords::reference_axes(unsigned named) const {
   const std::string_view others = "ABCHUVW";
   const bool all = named == 0 && std::none_of(others.begin(), others.end(),
@@ -86,7 +86,7 @@ unsigned OneShotWords::reference_axes(unsigned named) const {
   return !all ? named : lathe() ? 5U : 7U;
 }
 
-// "X1=0" behind G74 of SINUMERIK, "X" without a number behind G28.
+// Axes without a coordinate: "X1=0" behind G74 of SINUMERIK, "X" without a number behind G28.
 unsigned OneShotWords::bare_axes() const {
   unsigned axes = 0;
   for (const Word& word : block_.words) {
@@ -96,7 +96,7 @@ unsigned OneShotWords::bare_axes() const {
   return axes;
 }
 
-// G74 G75: to the reference point, to a fixed point.
+// G74 goes to the reference point, G75 to a fixed point.
 bool OneShotWords::reference_sinumerik() {
   unsigned axes = bare_axes();
   for (const char c : {'X', 'Y', 'Z'})
@@ -108,10 +108,11 @@ bool OneShotWords::reference_sinumerik() {
   return true;
 }
 
-// G92 (lathe G50): the position gets new coordinates, nothing moves. S alone is a speed limit.
+// G92 (G50 on a lathe) gives the position new coordinates, and nothing moves. S alone is a speed
+// limit.
 bool OneShotWords::set_position() {
   frame_words_.save();
-  if (lathe() && peek('S'))  // the least speed (Mitsubishi), and which spindle (Mazak)
+  if (lathe() && peek('S'))  // the lowest speed (Mitsubishi), and which spindle (Mazak)
     for (const char c : {'P', 'Q', 'R'}) take(c);
   for (int i = 0; i < 3; ++i) {
     const Word* word = take("XYZ"[i]);
@@ -126,7 +127,8 @@ bool OneShotWords::set_position() {
                             "where G92 says, and the zero stays as it was",
                             "XYZ"[i]),
                 *word, fmt::format("touch-off {}", i));
-    if (!is_known || control_.paused || of_tool) {  // the first position that the program states
+    if (!is_known || control_.paused ||
+        of_tool) {  // it is the first position that the program states
       component(position_.physical, i) = value + component(frames_.total.shift, i);
       component(position_.programmed, i) = value;
       position_.known |= 1U << i;
@@ -143,7 +145,7 @@ bool OneShotWords::set_position() {
     component(position_.told, i) = value;
     component(frames_.position_shift, i) += component(position_.programmed, i) - value;
   }
-  for (int i = 0; lathe() && i < 3; i += 2)  // U W: the coordinates grow by as much
+  for (int i = 0; lathe() && i < 3; i += 2)  // U and W: the coordinates grow by that much
     if (const Word* more = take("UVW"[i]))
       component(frames_.position_shift, i) -= axis_value(i, *more, true);
   frames_.position_memory = frames_.position_shift;
@@ -151,8 +153,9 @@ bool OneShotWords::set_position() {
   return true;
 }
 
-// Old lathes have no offsets of tools' geometry: each tool's part of the program begins with a G50
-// that says where its tip is while the turret stands at one place for all. The zero stays.
+// Old lathes have no geometry offsets: the part of the program for each tool begins with a G50 that
+// says where its tip is, while the turret stands at one place for all tools. The zero does not
+// change.
 bool OneShotWords::states_tip() const {
   return lathe() && is(Dialect::fanuc) && position_.new_tool;
 }
@@ -165,7 +168,7 @@ void OneShotWords::note_tip(const Word& word) {
             word, "tip");
 }
 
-// The tool comes in a block behind G50.
+// The tool of such a G50 comes in a block behind it.
 void OneShotWords::settle_tip() {
   if (!states_tip() || position_.told_axes == 0) return;
   frame_words_.save();
@@ -184,7 +187,7 @@ void OneShotWords::settle_tip() {
   note_tip(block_.words.front());
 }
 
-// G27 and G60 arrive with a rapid; from where G60 arrives makes no difference to the part.
+// G27 and G60 arrive with a rapid. The direction from which G60 arrives has no effect on the part.
 bool OneShotWords::rapid_to() {
   Target to;
   if (!axes_.target(to, position_.programmed)) return false;
@@ -192,14 +195,14 @@ bool OneShotWords::rapid_to() {
   return true;
 }
 
-// G92 of FANUC ends G52 for its axes: the shift becomes part of its own.
+// G92 of FANUC ends G52 for its axes: the shift of G52 becomes part of that of G92.
 void OneShotWords::end_local(int axis) {
   component(frames_.position_shift, axis) += component(frames_.local, axis);
   component(frames_.local, axis) = 0;
 }
 
-// G92.1 forgets the shift of G92, of FANUC for the axes beside it, with that of G52; G92.2 sets it
-// aside, G92.3 takes it back.
+// G92.1 deletes the shift of G92; on FANUC only for the axes beside it, and the shift of G52 with
+// it. G92.2 sets the shift aside, G92.3 takes it back.
 bool OneShotWords::suspend_position() {
   unsigned axes = 0;
   if (is(Dialect::fanuc) || is(Dialect::iso))
@@ -217,11 +220,11 @@ bool OneShotWords::suspend_position() {
     component(frames_.position_shift, i) = 0;
   }
   frame_words_.rebuild();
-  if (is(Dialect::ngc)) block_.oneshot = nullptr;  // axes beside it are those of a motion
+  if (is(Dialect::ngc)) block_.oneshot = nullptr;  // axes beside it belong to a motion
   return true;
 }
 
-// CODESYS G92: the position jumps, without a path.
+// G92 of CODESYS moves the position without a path.
 bool OneShotWords::position_jump() {
   Target to;
   if (!axes_.target(to, position_.programmed)) return false;

@@ -16,9 +16,9 @@ class OneShotWords : public ControlPart {
         moves_(moves),
         offsets_(control, frames),
         dwell_(control) {}
-  /// The one-shot word of the block. False: an error was reported.
+  /// Carries out the one-shot word of the block. False: an error was reported.
   bool run();
-  /// A tool that comes behind the G50 that is meant for it.
+  /// Called when a tool has changed: a G50 before it may have been meant for it.
   void settle_tip();
 
  private:

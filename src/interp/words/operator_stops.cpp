@@ -31,7 +31,7 @@ void OperatorStops::keep(std::string_view text, bool stops) {
     texts_.push_back({std::string(text.substr(0, kLongestText)), block_.line_number, stops});
 }
 
-// Comments, and MSG("...") of SINUMERIK.
+// Texts for the operator are comments, and MSG("...") of SINUMERIK.
 void OperatorStops::read_texts() {
   for (const std::string_view comment : block_.comments) keep(comment, stops());
   if (!is(Dialect::sinumerik) || !block_.words.empty()) return;
@@ -62,7 +62,8 @@ void OperatorStops::tell() const {
   }
 }
 
-// "1/8 BALL ENDMILL" behind a stop, and a tool of another diameter in the spindle.
+// Whether the text, such as "1/8 BALL ENDMILL", is about a tool of another diameter than the one in
+// the spindle.
 bool OperatorStops::names_another_tool(std::string_view text) const {
   const int index = control_.tool.index;
   if (lathe() || index < 0 || std::size_t(index) >= program_.tools.size()) return false;

@@ -1,6 +1,6 @@
-// What the operator does while the program waits. A part that is turned over: the cuts behind are
-// of another side, which this simulation cuts from the first one. A tool that is changed by hand:
-// the program does not say by a T word which it is. Private to src/interp.
+// Finds what the operator does while the program waits. If the part is turned over, the cuts that
+// follow are on another side, but this simulation cuts them from the first one. If a tool is
+// changed by hand, no T word says which one it is. Private to src/interp.
 #pragma once
 
 #include "interp/control/control.h"
@@ -15,16 +15,17 @@ namespace mrsim {
 class OperatorStops : public ControlPart {
  public:
   explicit OperatorStops(Control& control) : ControlPart(control) {}
-  /// The texts of a block for the operator, before it runs.
+  /// Reads the texts of a block for the operator, before it runs.
   void read_texts();
-  /// The block has run; `cuts`: of the program so far. Reports at the first cut behind the stop.
+  /// The block has run; `cuts`: how many cuts the program has made. Reports at the first cut behind
+  /// the stop.
   void end_block(std::size_t cuts);
 
  private:
   struct Text {
     std::string bytes;
     int line = 0;
-    bool stops = false;  ///< it stands in the block of the stop
+    bool stops = false;  ///< the text stands in the block of the stop
   };
   void keep(std::string_view text, bool stops);
   bool stops() const;
@@ -33,10 +34,10 @@ class OperatorStops : public ControlPart {
   void tell_turn(const Text& text) const;
   void tell_change(const Text& text) const;
 
-  std::vector<Text> texts_;  ///< since the last cut; read where a stop makes them count
-  bool stopped_ = false;     ///< M0 or M1 since the last cut
-  bool called_ = false;      ///< a T word, or another tool, since the last cut
-  std::string tool_;         ///< of the last cut
+  std::vector<Text> texts_;  ///< since the last cut; they count behind a stop
+  bool stopped_ = false;     ///< an M0 or M1 came since the last cut
+  bool called_ = false;      ///< a T word, or another tool, came since the last cut
+  std::string tool_;         ///< the tool of the last cut
   std::size_t cuts_ = 0;
 };
 

@@ -9,7 +9,7 @@ bool PlainModes::apply(Code code, const Word& word) {
                    code == Code::metric_feed;
   if (code == Code::inch || code == Code::metric) {
     m.inch = code == Code::inch;
-    m.inch_feed = false;  // one group with G700 and G710
+    m.inch_feed = false;  // G70 is in one group with G700 and G710
   } else if (code == Code::inch_feed || code == Code::metric_feed) {
     m.inch = m.inch_feed = code == Code::inch_feed;
   } else if (code == Code::center_absolute || code == Code::center_relative) {
@@ -39,7 +39,7 @@ bool PlainModes::apply(Code code, const Word& word) {
   return true;
 }
 
-// G16 and G15: what stood in the last polar block counts no more.
+// G16 and G15: the values of the last polar block no longer count.
 void PlainModes::turn_polar(bool on, const Word& word) {
   if (on == modal_.polar) return;
   modal_.polar = on;

@@ -10,9 +10,9 @@ class PlainModes : public ControlPart {
  public:
   explicit PlainModes(Control& control) : ControlPart(control) {}
 
-  /// False: not one of them.
+  /// False: the word is none of them.
   bool apply(Code code, const Word& word);
-  /// What F and S mean. False: another word.
+  /// Words that say what F and S mean. False: it is another word.
   bool apply_feed(Code code, const Word& word);
 
  private:

@@ -32,7 +32,7 @@ void SavedModes::leave(std::size_t level) {
   if (saved.automatic) restore(saved, nullptr);
 }
 
-// All modes but the motion, its cycles, and the tool's edge.
+// Restores all modes but the motion, its cycles, and the tool's edge.
 bool SavedModes::restore(const Saved& saved, const Word* word) {
   const Modal now = modal_;
   if (now.comp != saved.modal.comp) {

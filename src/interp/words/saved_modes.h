@@ -1,4 +1,4 @@
-// M70 to M73 of LinuxCNC: the modes in force, saved for the subprogram under way and restored.
+// M70 to M73 of LinuxCNC save the modes in force for the running subprogram, and restore them.
 // Private to src/interp.
 #pragma once
 
@@ -12,7 +12,7 @@ class SavedModes : public ControlPart {
  public:
   explicit SavedModes(Control& control) : ControlPart(control) {}
 
-  /// M`m` in the subprogram at `level`. False: an error was reported.
+  /// Carries out M70 to M73 (`m`) in the subprogram at `level`. False: an error was reported.
   bool run(int m, std::size_t level, const Word& word);
   /// The subprogram at `level` returns.
   void leave(std::size_t level);

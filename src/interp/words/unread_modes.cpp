@@ -10,7 +10,7 @@
 namespace mrsim {
 namespace {
 
-/// G numbers * 10. A mode that its own word ends says so with C0 or P0.
+/// A mode by its G numbers * 10. A mode that its own word ends is ended by C0 or P0.
 struct ModeWords {
   int begin, end;
 };
@@ -18,13 +18,13 @@ struct ModeWords {
 constexpr ModeWords kFanucModes[] = {
     {71, 71},   {121, 131}, {434, 490},   {435, 490},   {542, 542},  {544, 544},  {682, 690},
     {683, 690}, {684, 690}, {1070, 1070}, {1120, 1130}, {1430, 490}, {2340, 490}, {2540, 2550}};
-constexpr int kLeast = 71;  // of the numbers above
+constexpr int kLeast = 71;  // the least of the numbers above
 constexpr int kTiltedPlane = 682;
 constexpr int kRotationOff = 690;
-constexpr int kTiltedMove = 531;  // belongs to the tilted planes
+constexpr int kTiltedMove = 531;  // a move in a tilted plane
 constexpr std::string_view kSinumerikModes[] = {"TRAORI", "TRANSMIT", "TRACYL", "TRAANG"};
-constexpr int kTrafoof = 1;  // ends those
-constexpr int kSwivel = 2;   // the next CYCLE800 does
+constexpr int kTrafoof = 1;  // in place of a G number: TRAFOOF ends the mode
+constexpr int kSwivel = 2;   // the next CYCLE800 ends it
 constexpr int kIsoMode = 2910, kSiemensMode = 2900;
 
 int number_by_10(const Word& word) {
@@ -35,7 +35,7 @@ int number_by_10(const Word& word) {
 
 }  // namespace
 
-// The word that ends the mode in force, or one that says that there is none.
+// Whether the word ends the mode in force, or says that there is none.
 bool UnreadModes::ends(int g) {
   for (const ModeWords& mode : kFanucModes) {
     if (mode.end != g) continue;
@@ -46,8 +46,8 @@ bool UnreadModes::ends(int g) {
   return false;
 }
 
-// G68.2 with the angles of Euler (about Z, X, Z) or, behind P1, about X, Y and Z: the second one,
-// or the first two, tilt.
+// G68.2 has the angles of Euler (about Z, X, Z), of which the second tilts, or behind P1 the angles
+// about X, Y and Z, of which the first two tilt.
 bool UnreadModes::is_untilted() const {
   if (lathe()) return false;
   const auto zero = [&](char c) {
@@ -84,7 +84,7 @@ bool UnreadModes::begins_or_ends(const Word& word) {
   return false;
 }
 
-// What stands between G291 and G290 is FANUC's, down to its characters.
+// The text between G291 and G290 is FANUC's, with FANUC's characters.
 bool UnreadModes::begins_iso_mode(const Word& word) {
   if (number_by_10(word) != kIsoMode) return false;
   error("not-supported",

@@ -1,6 +1,6 @@
-// Modes that are refused by name, such as polar interpolation or tool centre point control. What
-// stands in them has the meaning that the mode gives it, so until the word that ends the mode no
-// move is run and nothing else is reported: one cause, one error. Private to src/interp.
+// Modes that are refused by name, such as polar interpolation or tool centre point control. Words
+// in such a mode have the meaning that the mode gives them. So until the word that ends the mode no
+// move is run and nothing else is reported: one cause gives one error. Private to src/interp.
 #pragma once
 
 #include "interp/control/control.h"
@@ -11,14 +11,14 @@ class UnreadModes : public ControlPart {
  public:
   explicit UnreadModes(Control& control) : ControlPart(control) {}
 
-  /// Looks at a G word or a name before it is read. True: there is nothing more to do about it.
+  /// Looks at a G word or a name before it is read. True: the word is done with.
   bool begins_or_ends(const Word& word);
-  /// A block behind G291 of SINUMERIK: none of its words has a meaning before G290.
+  /// Whether the block stands behind G291 of SINUMERIK: its words have no meaning before G290.
   bool skips_iso_mode();
-  /// CYCLE800 with a tilt, up to the next CYCLE800: true in its block.
+  /// Begins the mode of CYCLE800 with a tilt, which the next CYCLE800 ends.
   void begin_swivel();
   bool ends_swivel();
-  /// A block in such a mode: its words are passed over, and the axes that it names are unknown.
+  /// Passes over the words of a block in such a mode; the axes that it names become unknown.
   void pass_over();
 
  private:

@@ -11,14 +11,14 @@
 namespace mrsim {
 
 bool ValueWords::apply() {
-  if (block_.turn_cycle != 0)  // its A D H K have meanings of their own
+  if (block_.turn_cycle != 0)  // A D H K of a turning cycle have other meanings
     return speed() && (block_.turn_cycle == 76 || feed()) && tools_.apply();
   const bool own = is(Dialect::codesys) ? codesys() : rotary_axes() && speed() && edge();
   if (!own || !feed() || !tools_.apply() || !length_register()) return false;
   return !is(Dialect::sinumerik) || sinumerik();
 }
 
-// FANUC lathes: A is the angle of a line, C a chamfer where one axis stands beside it.
+// On FANUC lathes A is the angle of a line, and C beside one axis is a chamfer.
 bool ValueWords::turned_line(char c) {
   if (!lathe() || !is(Dialect::fanuc) || current_motion() != Code::line || block_.oneshot)
     return false;
@@ -33,7 +33,7 @@ bool ValueWords::turned_line(char c) {
   return true;
 }
 
-// What stands behind the letter: on a lathe B and A rarely turn.
+// What the letter probably is: on a lathe B and A are rarely rotary axes.
 std::string ValueWords::unread_axis(char c) const {
   if (!lathe()) return fmt::format("{} is a rotary axis", c);
   if (c == 'C') return "C turns the spindle of the lathe to an angle";
@@ -41,7 +41,7 @@ std::string ValueWords::unread_axis(char c) const {
       "{} of a lathe is the place of its sub-spindle or tailstock, or the tilt of its tools", c);
 }
 
-// "M11 C8", "M12 C8" of WinCNC: an output of the board, on and off.
+// "M11 C8" and "M12 C8" of WinCNC switch an output of the board on and off.
 bool ValueWords::switches_channel() {
   const Word* m = is(Dialect::ngc) ? peek('M') : nullptr;
   return m && (m->value == 11 || m->value == 12) && take('C');
@@ -50,7 +50,7 @@ bool ValueWords::switches_channel() {
 bool ValueWords::rotary_axes() {
   const bool turns = block_.frame_code && block_.frame_op == Code::rotation_on;
   for (const char c : {'A', 'B', 'C'}) {
-    if (turns && c != 'C') continue;  // the centre of Mach's G68
+    if (turns && c != 'C') continue;  // A and B are the centre of Mach's G68
     if (control_.unread_end == 0 && turned_line(c)) continue;
     if (c == 'C' && switches_channel()) continue;
     const Word* word = block_.unused(letter(c)) ? take(c) : nullptr;
@@ -80,7 +80,7 @@ bool ValueWords::rotary_axes() {
   return true;
 }
 
-// CODESYS: what P Q U V W move is the PLC's affair (a gripper, a laser's power), not the program's.
+// CODESYS: P Q U V W are axes that the PLC uses for something else (a gripper, a laser's power).
 void ValueWords::auxiliary_axes() {
   for (const char c : {'P', 'Q', 'U', 'V', 'W'}) {
     const Word* word = take(c);
@@ -132,7 +132,7 @@ bool ValueWords::sinumerik() {
   return true;
 }
 
-// FZ: the number of teeth is not in the tool table, and of no effect on the part.
+// FZ needs the number of teeth, which is not in the tool table and has no effect on the part.
 bool ValueWords::feed_per_tooth(const Word& word) {
   if (word.value <= 0) return error("feed-range", "FZ must be above 0 (alarm 14800)", word);
   modal_.feed_unit = FeedUnit::mm_per_rev;
@@ -144,12 +144,12 @@ bool ValueWords::feed_per_tooth(const Word& word) {
 
 bool ValueWords::feed() {
   if (const Word* tooth = take(Address::fz)) return feed_per_tooth(*tooth);
-  const Word* word = block_.unused(letter('F')) ? take('F') : nullptr;  // G131 F is no feed
+  const Word* word = block_.unused(letter('F')) ? take('F') : nullptr;  // F of G131 is no feed
   if (!word) return true;
   const bool cycle = modal_.drill.number != 0 || modal_.turn.number != 0 || block_.turn_cycle != 0;
   const bool thread = is_thread(current_motion()) && !cycle;
-  if (thread && !is(Dialect::sinumerik)) return true;  // the lead, see below
-  if (modal_.turn.number == 92) return true;           // the lead, too
+  if (thread && !is(Dialect::sinumerik)) return true;  // F is the lead, see below
+  if (modal_.turn.number == 92) return true;           // F is the lead here, too
   if (word->value < 0 || (word->value == 0 && is(Dialect::sinumerik)))
     return error("feed-range",
                  fmt::format("F{:g}: the feed must be above 0{}", word->value,
@@ -161,21 +161,21 @@ bool ValueWords::feed() {
   return true;
 }
 
-// M300 S440 P200 of routers' boards: a tone.
+// M300 S440 P200 of routers' boards is a tone.
 bool ValueWords::beeps() const {
   return std::any_of(block_.words.begin(), block_.words.end(), [](const Word& word) {
     return word.address == letter('M') && word.value == 300;
   });
 }
 
-// Beside LinuxCNC's G96.
+// Whether D stands beside LinuxCNC's G96.
 bool ValueWords::d_limits_speed() const {
   const bool speeds = (block_.groups >> static_cast<unsigned>(Group::speed) & 1U) != 0;
   return is(Dialect::ngc) && speeds && modal_.surface_speed;
 }
 
-// G25 and G26 S of SINUMERIK, G50 and G92 S, D beside LinuxCNC's G96: how fast the spindle may
-// turn. False: S is a speed. G25 is a lower limit, which no time depends on.
+// S of G25 and G26 of SINUMERIK, S of G50 and G92, and D beside LinuxCNC's G96 limit the speed of
+// the spindle. False: S is a speed. G25 is a lower limit, on which no time depends.
 bool ValueWords::limits_speed(const Word* s) {
   const bool own = block_.frame_code && block_.frame_op == Code::speed_limit;
   if (d_limits_speed())
@@ -190,9 +190,9 @@ bool ValueWords::speed() {
     if (word->value <= 0) return error("value-range", "LIMS must be above 0", *word);
     modal_.speed_limit = word->value;
   }
-  if (is(Dialect::ngc)) take('$');  // which spindle
+  if (is(Dialect::ngc)) take('$');  // the number of the spindle
   const bool speeds = (block_.groups >> static_cast<unsigned>(Group::speed) & 1U) != 0;
-  if (is(Dialect::fanuc) && lathe() && speeds) take('P');  // the axis that G96 counts by
+  if (is(Dialect::fanuc) && lathe() && speeds) take('P');  // the axis to which G96 refers
   const Word* word = take('S');
   if (word && beeps()) return true;
   if (word && word->value < 0) return error("speed-range", "S must not be negative", *word);
@@ -204,11 +204,11 @@ bool ValueWords::speed() {
   return true;
 }
 
-// D: number of a register or of a cutting edge.
+// D is the number of a register or of a cutting edge.
 bool ValueWords::edge() {
-  const Word* word = block_.unused(letter('D')) ? take('D') : nullptr;  // G131 D is a tolerance
+  const Word* word = block_.unused(letter('D')) ? take('D') : nullptr;  // D of G131 is a tolerance
   if (!word || d_limits_speed()) return true;
-  if (modal_.comp_diameter) {  // G41.1: the diameter itself; below 0 the other side
+  if (modal_.comp_diameter) {  // D of G41.1 is the diameter; below 0 it means the other side
     modal_.edge_radius = word->value * length_unit(*word) / 2;
     return true;
   }
@@ -242,7 +242,8 @@ bool ValueWords::take_lengths(const Word* h) {
   return true;
 }
 
-// G43 of LinuxCNC, without H for the tool in the spindle, brings what G10 L1 has set.
+// G43 of LinuxCNC puts the length in force that G10 L1 has set: of the tool H, or of the one in the
+// spindle.
 void ValueWords::meet_table(const Word* h) {
   modal_.length_number = h ? h->value : parse_number(control_.tool.current).value_or(0);
   for (int kind = 0; kind < 3; ++kind)
@@ -294,7 +295,7 @@ bool ValueWords::length_register() {
   return true;
 }
 
-// CODESYS: E, S, FF and EF shape the speed, not the path.
+// E, S, FF and EF of CODESYS shape the speed, not the path.
 void ValueWords::dynamics() {
   const Word* acceleration = take('E');
   if (const Word* more = take(Address::ef); !acceleration) acceleration = more;
@@ -311,7 +312,8 @@ void ValueWords::dynamics() {
               *rapid, "FF");
 }
 
-// Words that only CODESYS has. H, L and O are switch points, without geometry, but checked.
+// Words that only CODESYS has. H, L and O are switch points: they have no geometry, but are
+// checked.
 bool ValueWords::codesys() {
   if (!rotary_axes()) return false;
   auxiliary_axes();
@@ -333,7 +335,7 @@ bool ValueWords::codesys() {
   const Word* d = take('D');
   if (d) {
     if (d->value < 0) return error("value-range", "D is a radius and must not be negative", *d);
-    // Beside G41 and G42 the tool's radius, anywhere else that of smoothing.
+    // The radius is the tool's beside G41 and G42, and that of smoothing anywhere else.
     const bool named = (block_.groups >> static_cast<unsigned>(Group::comp) & 1U) != 0;
     if (named && modal_.comp != Code::comp_off) modal_.edge_radius = d->value;
   }

@@ -1,4 +1,4 @@
-// Words whose values last: F S D H RNDM and their kin. Private to src/interp.
+// Words whose values stay in force: F S D H RNDM and their kin. Private to src/interp.
 #pragma once
 
 #include "interp/tools/tool_changer.h"

@@ -10,12 +10,12 @@
 namespace mrsim {
 namespace {
 
-// The code systems B and C of FANUC's lathes: their numbers are written anew as those of system A.
+// Writes the numbers of code systems B and C of FANUC's lathes anew as those of system A.
 class CodeSystems : public ControlPart {
  public:
   explicit CodeSystems(Control& control) : ControlPart(control) {}
 
-  // Before the words are entered by address.
+  // Called before the words are entered by address.
   void rewrite();
 
  private:
@@ -39,14 +39,14 @@ void CodeSystems::rewrite() {
     if (code.value == 70 || code.value == 71) see_units();
     if (modal_.system_c) rewrite_c(code);
     if (code.value >= 77 && code.value <= 79 && has("XZUW")) modal_.has_increments = true;
-    // System A has no G91: its G92 is the thread, theirs the zero.
+    // System A has no G91. Its G92 is the thread, that of B and C sets the zero.
     if (code.value == 92 && modal_.has_increments && modal_.turn.number != 92 && has("XZUW") &&
         !has("FEI"))
       code.value = 50;
   }
 }
 
-// G70 and G71 alone are units in system C, and cycles in A and B.
+// G70 and G71 without other words are units in system C; in A and B they are cycles.
 void CodeSystems::see_units() {
   modal_.system_c = !has("PQRUWDIKA");
   modal_.has_increments |= modal_.system_c;
@@ -63,7 +63,7 @@ void CodeSystems::rewrite_c(Word& code) {
     rename(code, 79, 94);
   else if (n == 92)
     code.value = 50;
-  else if (n == 98 || n == 99)  // where the tool goes between holes
+  else if (n == 98 || n == 99)  // G98 and G99 say where the tool goes between holes
     code.address = Address::data;
 }
 
@@ -76,7 +76,7 @@ void CodeSystems::rename(Word& code, int number, int in_system_a) {
   code.value = number;
 }
 
-// G1900 to G1904 (a bar, a pipe, a box ...) draw the blank and move nothing.
+// G1900 to G1904 (a bar, a pipe, a box ...) only draw the blank.
 bool is_blank_of_dialogue(const Word& cycle) { return cycle.value >= 1900 && cycle.value < 1905; }
 
 }  // namespace
@@ -97,10 +97,11 @@ WordIndex::WordIndex(Control& control) : ControlPart(control) {
 // Reports an address that this control does not know.
 bool WordIndex::refuse_address(const Word& word) {
   const auto c = static_cast<char>(word.address);
-  if (c == 'U' && !is(Dialect::sinumerik))  // the time of G4
+  if (c == 'U' && !is(Dialect::sinumerik))  // U is the time of G4
     for (const Word& other : block_.words)
       if (other.address == letter('G') && other.value == 4) return true;
-  if (c == 'E' && !is(Dialect::sinumerik))  // how exact G131 and G187 are, the depth feed of G47
+  if (c == 'E' &&
+      !is(Dialect::sinumerik))  // E is the tolerance of G131 and G187, the depth feed of G47
     for (const Word& other : block_.words)
       if (other.address == letter('G') &&
           (other.value == 131 || other.value == 187 || other.value == 47))
@@ -116,7 +117,7 @@ bool WordIndex::refuse_address(const Word& word) {
                word);
 }
 
-// E of Fadal and Centroid, a work offset: never beside a feed.
+// E of Fadal and Centroid is a work offset. It never stands beside a feed.
 bool WordIndex::chooses_fixture() const {
   return is(Dialect::fanuc) && !lathe() &&
          std::none_of(block_.words.begin(), block_.words.end(), [](const Word& word) {
@@ -124,8 +125,8 @@ bool WordIndex::chooses_fixture() const {
          });
 }
 
-// HA and DA of Okuma: the register of the number of the tool in the spindle. HB and HC are further
-// ones of that tool, which the tool table does not have.
+// HA and DA of Okuma are the register whose number is that of the tool in the spindle. HB and HC
+// are further ones of that tool, which the tool table does not have.
 bool WordIndex::use_own_register(Word& word) {
   const std::optional<double> tool = parse_number(control_.tool.current);
   if (word.value == 1 && tool) {
@@ -142,7 +143,8 @@ bool WordIndex::use_own_register(Word& word) {
                word);
 }
 
-// G1040T1.L20.: four digits begin a cycle of FANUC's dialogue, whose addresses are its own.
+// G1040T1.L20.: a G word of four digits begins a cycle of FANUC's dialogue, which has its own
+// addresses.
 const Word* WordIndex::dialogue_cycle() const {
   if (!is(Dialect::fanuc)) return nullptr;
   for (const Word& word : block_.words)
@@ -150,7 +152,7 @@ const Word* WordIndex::dialogue_cycle() const {
   return nullptr;
 }
 
-// G54.1 P2 M98 P5001: each P right behind its own word. The offset's one, or null.
+// In G54.1 P2 M98 P5001 each P stands right behind its word. Gives the P of the offset, or null.
 const Word* WordIndex::number_of_offset() const {
   if (!is(Dialect::fanuc) && !is(Dialect::iso)) return nullptr;
   const Word* offset = nullptr;
@@ -166,8 +168,8 @@ const Word* WordIndex::number_of_offset() const {
   return called ? offset : nullptr;
 }
 
-// "G75 X40. L2." and "G76 X40. L2." of Okuma's lathes: a chamfer, a rounding at the end of the
-// line. FANUC's cycles of these numbers have no L.
+// L of "G75 X40. L2." and "G76 X40. L2." of Okuma's lathes is a chamfer or a rounding at the end of
+// the line. FANUC's cycles of these numbers have no L.
 void WordIndex::read_okuma_corner() {
   if (!lathe() || !is(Dialect::fanuc)) return;
   Word* code = nullptr;
@@ -183,7 +185,8 @@ void WordIndex::read_okuma_corner() {
   code->address = Address::data;
 }
 
-// Fills slots_; an address twice is an error, G and M words and a few of CODESYS excepted.
+// Enters the words by address. An address that stands twice is an error, except for G and M words
+// and a few of CODESYS.
 bool WordIndex::run() {
   if (const Word* cycle = dialogue_cycle()) {
     const auto codes = std::count_if(block_.words.begin(), block_.words.end(),
@@ -234,7 +237,7 @@ bool WordIndex::run() {
   return ok;
 }
 
-// A known address that nothing in its block wanted.
+// Reports a known address that no part has taken.
 void WordIndex::report_unused() {
   for (const Word& word : block_.words) {
     if (!block_.unused(word.address)) continue;

@@ -1,5 +1,5 @@
-// Which addresses a control knows, how often each may stand in a block, and which of them nobody
-// wanted. Private to src/interp.
+// Enters the words of a block by address: which addresses a control knows, how often each may stand
+// in a block, and which of them no part has taken. Private to src/interp.
 #pragma once
 
 #include "interp/control/control.h"
@@ -11,7 +11,7 @@ class WordIndex : public ControlPart {
   explicit WordIndex(Control& control);
   /// Enters the words of the block by address. False: errors were reported.
   bool run();
-  /// Warns of each known address that nothing in its block wanted.
+  /// Warns of each known address in the block that no part has taken.
   void report_unused();
 
  private:

@@ -11,7 +11,7 @@
 namespace mrsim {
 namespace {
 
-// "MATERIAL - STEEL INCH - 1030" of Mastercam, "UNITS: INCHES".
+// Whether the comment says inches: "MATERIAL - STEEL INCH - 1030" of Mastercam, "UNITS: INCHES".
 bool says_inches(std::string_view comment) {
   const std::string text = upper_case(comment.substr(0, 200));
   bool inches = false, units = false;
@@ -28,15 +28,16 @@ bool says_inches(std::string_view comment) {
   return inches && units;
 }
 
-// The numbers of WORKPIECE behind its type: of a box; and what two of them are of other types.
+// The numbers of WORKPIECE behind its type, for a box; and what two of them mean for other types.
 enum : std::size_t { kMask, kTop, kBottom, kFinished, kX0, kY0, kX1, kY1 };
 enum : std::size_t { kLength = kX0, kWidth = kY0, kOuter = kX0, kInner = kY0 };
-// Bits of the mask: the value is a coordinate, not counted from the one before.
+// Bits of the mask. If one is set, the value is a coordinate, else a distance from the one before.
 enum : unsigned { kX1Absolute = 16, kY1Absolute = 32, kBottomAbsolute = 64 };
 
 }  // namespace
 
-// WORKPIECE(,"",,"BOX",mask,za,zi,zb,x0,y0,x1,y1) and its round relatives state the stock.
+// WORKPIECE(,"",,"BOX",mask,za,zi,zb,x0,y0,x1,y1) states the stock, and so do the types of round
+// stock.
 bool WorkpieceWords::run() {
   Word where;
   const std::size_t at = block_.line.find('(');
@@ -117,9 +118,9 @@ bool CommentedStock::may_mean_inches() const {
   return !modal_.units_given && !is(Dialect::sinumerik) && !is(Dialect::codesys);
 }
 
-// --tool endmill:d=0.25 for a tool of 1/4 inch.
+// Warns of --tool endmill:d=0.25 for a tool of 1/4 inch.
 void CommentedStock::compare_typed_tools() {
-  constexpr double kLeastInInches = 1;  // mm: mills of inch programs are larger
+  constexpr double kLeastInInches = 1;  // mm: mills of programs in inches are larger
   if (!modal_.inch) return;
   for (const Tool& tool : program_.tools) {
     if (!tool.origin.starts_with("--tool") || !(tool.diameter > 0) ||
@@ -133,11 +134,12 @@ void CommentedStock::compare_typed_tools() {
   }
 }
 
-// G96 S1000 at X2 is a speed in feet a minute and a diameter in inches.
+// Warns where lengths are probably inches: G96 S1000 at X2 is a speed in feet a minute and a
+// diameter in inches.
 void CommentedStock::compare_units(bool tools_in_inches, double farthest, double slowest) {
   compare_typed_tools();
   constexpr double kSmall = 40;       // mm; as inches it is a metre
-  constexpr double kFastest = 30000;  // rev/min; lathes for watches reach them
+  constexpr double kFastest = 30000;  // rev/min: lathes for watches reach it
   if (says_inches_ || !may_mean_inches() || farthest >= kSmall) return;
   if (tools_in_inches)
     reporter_.add_general(

@@ -1,5 +1,5 @@
-// What states the stock: WORKPIECE(...) of SINUMERIK, and comments of CAM programs. Private to
-// src/interp.
+// Reads the stock that a program states: by WORKPIECE(...) of SINUMERIK, or by comments of CAM
+// programs. Private to src/interp.
 #pragma once
 
 #include "interp/comments/stock_comment.h"
@@ -23,10 +23,12 @@ class CommentedStock : public ControlPart {
  public:
   explicit CommentedStock(Control& control) : ControlPart(control) {}
   void read_comments();
-  /// Behind the first cut, whose zero and unit count: sets Program::workpiece.
+  /// Called behind the first cut, whose zero and unit hold for the comments: sets
+  /// Program::workpiece.
   void settle();
-  /// The program ends: `tools_in_inches` have cut no farther than `farthest` mm from the zero, on a
-  /// lathe at `slowest` rev/min and more.
+  /// Called at the end of the program. Warns where its lengths are probably inches:
+  /// `tools_in_inches` says that tools of sizes in inches have cut, `farthest` how far from the
+  /// zero (mm), `slowest` the lowest speed on a lathe (rev/min).
   void compare_units(bool tools_in_inches, double farthest, double slowest);
   bool is_settled() const { return settled_; }
 
