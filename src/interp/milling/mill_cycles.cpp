@@ -1,10 +1,8 @@
-// What the values of a milling cycle mean, and the areas that they describe.
 #include "interp/milling/mill_cycles.h"
 
 #include "core/numbers/rounding.h"
 #include "core/numbers/trig.h"
 #include "core/numbers/units.h"
-#include "interp/cycles/cycle_planes.h"
 
 #include <algorithm>
 #include <array>
@@ -15,17 +13,14 @@
 namespace mrsim {
 namespace {
 
-// Loops no farther apart than this share of the radius leave nothing between them, not even where
-// a corner is sharp: the square root of 2, a little less.
-constexpr double kWidest = 1.4;
 constexpr std::array<std::string_view, 13> kMillCycles = {
     "POCKET1", "POCKET2", "POCKET3", "POCKET4", "SLOT1",    "SLOT2",  "LONGHOLE",
     "CYCLE61", "CYCLE71", "CYCLE76", "CYCLE77", "CYCLE899", "CYCLE90"};
 constexpr double kMostSlots = 10'000;
 
-Vec2 polar(double radius, double degrees) {
+Vec2 turned(Vec2 p, double degrees) {
   const SinCos sc = sincos_deg(degrees);
-  return {radius * sc.cos, radius * sc.sin};
+  return {p.x * sc.cos - p.y * sc.sin, p.x * sc.sin + p.y * sc.cos};
 }
 
 }  // namespace
@@ -35,14 +30,7 @@ bool MillCycles::knows(std::string_view name) {
 }
 
 bool MillCycles::run(const CycleCall& call, const Word& where, bool at_position) {
-  call_ = &call;
-  where_ = where;
-  at_position_ = at_position;
-  mover_.begin(where);
-  if (modal_.comp != Code::comp_off)
-    return fail("cycle-compensation", "a milling cycle under radius compensation: G40 before it");
-  radius_ = tools_.radius_for(call.shown(), modal_.edge, where_);
-  if (radius_ <= 0) return false;
+  if (!begin(call, where, at_position)) return false;
   if (call.name == "POCKET1" || call.name == "POCKET3") return rectangle();
   if (call.name == "POCKET2" || call.name == "POCKET4") return circle();
   if (call.name == "SLOT1" || call.name == "LONGHOLE") return slots();
@@ -52,102 +40,12 @@ bool MillCycles::run(const CycleCall& call, const Word& where, bool at_position)
   return call.name == "CYCLE90" ? thread() : face();
 }
 
-bool MillCycles::depth(Levels& l) {
-  const auto planes = cycle_planes(*call_, call_->digit("AMODE", 0), scale());
-  if (!planes)
-    return fail("value-missing",
-                fmt::format("{} needs RTP, RFP and DP, its planes and its depth", call_->shown()));
-  if (!planes->cuts())
-    return fail("value-range",
-                fmt::format("{}: the depth does not lie below the reference plane (alarm 61101)",
-                            call_->shown()));
-  l.top = planes->top;
-  l.reference = planes->reference;
-  l.safe = planes->safe;
-  l.bottom = planes->bottom;
-  return true;
+bool MillCycles::clear(const MillLevels& l, const MillArea& area) {
+  return cutter_.clear(l, area) ||
+         fail("value-range", fmt::format("more than {} loops", AreaCutter::kMostLoops));
 }
 
-// The unit of MODE says what is cut, its ten how the tool goes down; POCKET1, POCKET2 and slots
-// know 0, both roughing and finishing.
-bool MillCycles::modes(Levels& l) {
-  const double vari = call_->name == "LONGHOLE" ? 0 : value("VARI");  // there it is not read
-  const int kind = static_cast<int>(vari) % 10;
-  if (kind == 5 && !chamfer(l)) return false;
-  l.rough = kind <= 1;
-  l.finish = kind != 1;
-  if (kind == 0) l.rough = l.finish = true;
-  if (kind >= 4) l.floor = 0;
-  l.entry = static_cast<int>(vari) / 10 % 10;
-  if (!call_->lists("RAD1")) l.entry = call_->name == "SLOT1" && l.entry == 3 ? 3 : 1;
-  if (l.entry > 3) return fail("value-range", "the way of going down is 0 to 3");
-  l.helix = value("RAD1");
-  l.helix_lead = (call_->lists("RAD1") ? value("DP1") : 0) * scale();
-  const int direction = static_cast<int>(value("CDIR"));
-  l.clockwise = direction == 1 || direction == 2;
-  return true;
-}
-
-// FS wide, the tip of the tool at ZFS (AMODE: absolute, or below the edge): one cut along the wall.
-bool MillCycles::chamfer(Levels& l) {
-  if (!call_->lists("FS"))
-    return fail("not-supported",
-                fmt::format("{}: chamfering is not supported yet", call_->shown()));
-  const auto cut = chamfering_.cut(*call_, l.reference, l.top < l.reference ? 1 : -1, where_);
-  if (!cut) return false;
-  radius_ = cut->aside;
-  l.bottom = cut->bottom;
-  l.infeed = l.finish_infeed = l.side = 0;
-  return true;
-}
-
-bool MillCycles::levels(Levels& l) {
-  if (!depth(l)) return false;
-  const double unit = scale();
-  l.infeed = std::abs(value("MID")) * unit;
-  l.finish_infeed = std::abs(value("MIDF")) * unit;
-  l.side = std::abs(value("FAL")) * unit;
-  l.floor = std::abs(value("FALD")) * unit;
-  l.feed = value("FFP1") * feed_scale();
-  l.plunge = value("FFD") * feed_scale();
-  if (l.plunge <= 0) l.plunge = l.feed;
-  double width = std::abs(value("MIDA")) * unit;
-  if (call_->digit("AMODE", 1) == 1)
-    width = width / unit * radius_ / 50;  // per cent of the diameter
-  l.width = width > 0 ? std::clamp(width, 0.02 * radius_, kWidest * radius_) : kWidest * radius_;
-  if (l.feed < 0 || l.plunge < 0) return fail("feed-range", "the feeds must be above 0");
-  if (std::abs(l.bottom - l.reference) <= l.floor)
-    return fail("value-range", "the allowance at the floor is larger than the depth");
-  return modes(l);
-}
-
-// PA PO or CPA CPO; by MCALL without them the place of the tool.
-bool MillCycles::reference_point(Vec2& out) {
-  const bool center = call_->lists("CPA");
-  const ValueName u = center ? ValueName("CPA") : ValueName("PA");
-  const ValueName v = center ? ValueName("CPO") : ValueName("PO");
-  out = {value(u) * scale(), value(v) * scale()};
-  const bool given = value(u) != 0 || value(v) != 0;
-  if (at_position_ && given)
-    return fail("not-supported",
-                fmt::format("MCALL {} with a place of its own is not supported yet", call_->name));
-  if (at_position_ || (!call_->given(u) && !call_->given(v))) out = mover_.position();
-  return true;
-}
-
-// The centre, where a corner or an end is given.
-bool MillCycles::center(double length, double width, double degrees, Vec2& out) {
-  if (!reference_point(out)) return false;
-  const int from = call_->digit("GMODE", 3);
-  if (from > 5) return fail("value-range", "GMODE: the reference point is 0 to 5");
-  if (from < 2) return true;
-  const double x = from % 2 == 0 ? 0.5 : -0.5, y = from < 4 ? 0.5 : -0.5;
-  const Vec2 along = polar(x * length, degrees), across = polar(y * width, degrees + 90);
-  out = out + along + across;
-  return true;
-}
-
-std::vector<Loop> MillCycles::nested(const Levels& l, double last, Vec2 at, double degrees,
+std::vector<Loop> MillCycles::nested(const MillLevels& l, double last, Vec2 at, double degrees,
                                      const std::function<Loop(double)>& make) {
   last = std::max(0.0, last);
   const int n = last < kRounding ? 0 : steps_of(last, l.width);
@@ -161,7 +59,7 @@ std::vector<Loop> MillCycles::nested(const Levels& l, double last, Vec2 at, doub
 }
 
 bool MillCycles::rectangle() {
-  Levels l;
+  MillLevels l;
   if (!levels(l)) return false;
   const double unit = scale(), degrees = call_->name == "POCKET1" ? value("STA1") : value("STA");
   double length = value("LENG") * unit, width = value("WID") * unit, turn = degrees;
@@ -178,7 +76,7 @@ bool MillCycles::rectangle() {
   const double round = std::max(0.0, corner - radius_);
   if (b - l.side < -kRounding)
     return fail("value-range", "the cutter is too large for the pocket (alarm 61105)");
-  Area area;
+  MillArea area;
   area.entry = at;
   area.degrees = turn;
   area.swing = a - b;
@@ -193,7 +91,7 @@ bool MillCycles::rectangle() {
 }
 
 bool MillCycles::circle() {
-  Levels l;
+  MillLevels l;
   Vec2 at;
   if (!levels(l) || !reference_point(at)) return false;
   if (call_->name == "POCKET4" && value("DMODE") >= 100)
@@ -203,7 +101,7 @@ bool MillCycles::circle() {
   const double reach = std::abs(value("PRAD")) * scale() - radius_;
   if (reach - l.side < -kRounding)
     return fail("value-range", "the cutter is too large for the pocket (alarm 61105)");
-  Area area;
+  MillArea area;
   area.entry = at;
   area.helix = reach;
   area.loops = [=](double aside) { return nested(l, reach - aside, at, 0, circle_loop); };
@@ -222,7 +120,7 @@ int MillCycles::count(double& first, double& step, double whole) {
 
 // Slots along the radii of a circle, their inner ends on it; LONGHOLE's are as wide as the cutter.
 bool MillCycles::slots() {
-  Levels l;
+  MillLevels l;
   Vec2 middle;
   if (!levels(l) || !reference_point(middle)) return false;
   double first = 0, step = 0;
@@ -241,7 +139,7 @@ bool MillCycles::slots() {
   const double out = std::abs(value("RAD")) * unit + kEnd[from] * (length / 2 - inset);
   for (int i = 0; i < n; ++i) {
     const double turn = first + i * step;
-    Area area;
+    MillArea area;
     area.entry = middle + polar(out, turn);
     area.degrees = turn;
     area.swing = a - b;
@@ -257,7 +155,7 @@ bool MillCycles::slots() {
 
 // Slots along a circle; AFSL is the angle between the centres of their ends.
 bool MillCycles::arc_slots() {
-  Levels l;
+  MillLevels l;
   Vec2 middle;
   if (!levels(l) || !reference_point(middle)) return false;
   double first = 0, step = 0;
@@ -272,7 +170,7 @@ bool MillCycles::arc_slots() {
     return fail("value-range", "AFSL is an angle up to 360 and RAD larger than half the width");
   for (int i = 0; i < n; ++i) {
     const double turn = first + i * step;
-    Area area;
+    MillArea area;
     area.entry = middle + polar(round, turn);
     area.loops = [=](double aside) {
       return nested(l, b - aside, middle, turn,
@@ -280,6 +178,150 @@ bool MillCycles::arc_slots() {
     };
     if (!clear(l, area)) return false;
   }
+  return true;
+}
+
+// CYCLE76 and CYCLE77: loops from the blank inwards; the tool goes down outside of the blank.
+bool MillCycles::spigot() {
+  MillLevels l;
+  if (!levels(l)) return false;
+  const bool round = call_->name == "CYCLE77";
+  const double unit = scale(), degrees = value("STA");
+  const double length = std::abs(round ? value("CDIAM") : value("LENG")) * unit;
+  const double width = round ? length : std::abs(value("WID")) * unit;
+  const double corner =
+      round ? length / 2 : std::min(std::abs(value("CRAD")) * unit, std::min(length, width) / 2);
+  const double blank_length = std::max(length, std::abs(value("AP1")) * unit);
+  const double blank_width = round ? blank_length : std::max(width, std::abs(value("AP2")) * unit);
+  if (length <= 0 || width <= 0)
+    return fail("value-range", "the length and the width of a spigot must be above 0");
+  if (!round && (value("LENG") < 0 || value("WID") < 0))
+    return fail("not-supported",
+                "CYCLE76: a length below 0 counts from a corner (_ZSD[2]), which is not supported: "
+                "write the centre and lengths above 0");
+  Vec2 at;
+  if (!(round ? reference_point(at) : center(length, width, degrees, at))) return false;
+  const double aside0 = std::max(blank_length - length, blank_width - width) / 2;
+  // The corners of a rectangular blank lie farther out than its sides.
+  const double reach = round ? aside0 : aside0 * 1.4143 + 0.4143 * corner;
+  MillArea area;
+  const double out = length / 2 + reach + 2 * radius_ + std::abs(l.safe - l.reference);
+  area.entry = at + turned({out, 0}, degrees);
+  const int direction = static_cast<int>(value("CDIR"));
+  const bool opposite = direction == 1 || direction == 3;  // climbing goes clockwise outside
+  area.loops = [=, r = radius_](double aside) {
+    const double most = std::max(0.0, reach - aside);
+    std::vector<Loop> loops;
+    for (int n = steps_of(most, l.width), k = n - 1; k >= 0; --k) {
+      const double d = aside + most * k / n + r;
+      const Loop loop = round ? circle_loop(length / 2 + d)
+                              : rounded_rectangle(length / 2 + d, width / 2 + d, corner + d);
+      loops.push_back(transformed(opposite ? loop : reversed(loop), at, degrees));
+    }
+    return loops;
+  };
+  return clear(l, area);
+}
+
+// CYCLE71 by length, width and angle; CYCLE61, whose LIM keeps the cutter inside of edges.
+bool MillCycles::face() {
+  MillLevels l;
+  Vec2 corner;
+  if (!levels(l) || !reference_point(corner)) return false;
+  const bool old = call_->name == "CYCLE71";
+  const double unit = scale(), degrees = old ? value("STA") : 0;
+  const auto extent = [&](ValueName size, int digit, double from) {
+    const bool to = !old && call_->digit("AMODE", digit) == 2;
+    return value(size) * unit - (to ? from : 0);
+  };
+  const double length = extent("LENG", 2, corner.x);
+  const double width = extent("WID", 3, corner.y);
+  const int way = static_cast<int>(value("VARI")) / 10 % 10;
+  const bool along_v = way == 2 || way == 4, one_way = way == 1 || way == 2;
+  if (length == 0 || width == 0) return fail("value-range", "the face has no length or no width");
+  // In the face: from its lower left corner.
+  const double lu = std::abs(along_v ? width : length), lv = std::abs(along_v ? length : width);
+  const auto limit = [&](bool second, bool high) {
+    const int digit = (second ? 2 : 0) + (high ? 1 : 0);
+    return !old && call_->digit("LIM", digit) == 1;
+  };
+  const double out = radius_ + std::abs(l.safe - l.reference);
+  const double u0 = limit(along_v, false) ? radius_ : -out - (old ? value("FDP1") * unit : 0);
+  const double u1 =
+      limit(along_v, true) ? lu - radius_ : lu + out + (old ? value("FDP") * unit : 0);
+  const double v0 = limit(!along_v, false) ? radius_ : 0;
+  const double v1 = limit(!along_v, true) ? lv - radius_ : lv;
+  if (u1 <= u0 || v1 < v0) return fail("value-range", "the cutter is too large for the face");
+  const bool shut = v0 > 0 || v1 < lv;
+  const int n = steps_of(v1 - v0, l.width) + (shut ? 1 : 0);
+  const Vec2 low{std::min(length, 0.0), std::min(width, 0.0)};
+  const auto at = [&](double u, double v) {
+    return corner + turned(low + (along_v ? Vec2{v, u} : Vec2{u, v}), degrees);
+  };
+  std::vector<std::pair<Vec2, Vec2>> lines;
+  for (int i = 0; i < n; ++i) {
+    const double v = shut ? v0 + (v1 - v0) * i / (n - 1) : v0 + (v1 - v0) * (i + 0.5) / n;
+    lines.emplace_back(at(u0, v), at(u1, v));
+  }
+  cutter_.tracks(l, lines, one_way);
+  return true;
+}
+
+// CYCLE899: a slot open at both ends, centre lines side by side.
+bool MillCycles::open_slot() {
+  MillLevels l;
+  Vec2 at;
+  if (!levels(l) || !reference_point(at)) return false;
+  if (call_->digit("GMODE", 3) > 1)
+    return fail("not-supported", "CYCLE899: a reference point other than the centre");
+  const double unit = scale(), length = std::abs(value("LENG")) * unit;
+  const double b = std::abs(value("WID")) * unit / 2 - radius_ - (l.finish ? 0 : l.side);
+  if (length <= 0 || b < -kRounding)
+    return fail("value-range", "the cutter is too large for the slot (alarm 61105)");
+  const double half = length / 2 + radius_ + std::abs(l.safe - l.reference);
+  const int n = b < kRounding ? 0 : steps_of(2 * b, l.width);
+  const auto point = [&](double u, double v) { return at + turned({u, v}, value("STA")); };
+  std::vector<std::pair<Vec2, Vec2>> lines;
+  for (int i = 0; i <= n; ++i) {
+    const double v = n == 0 ? 0 : -b + 2 * b * i / n;
+    lines.emplace_back(point(-half, v), point(half, v));
+  }
+  cutter_.tracks(l, lines, false);
+  return true;
+}
+
+// CYCLE90: a helix with the pitch from above the face to the depth; inside at the nominal
+// diameter, outside at the core.
+bool MillCycles::thread() {
+  MillLevels l;
+  Vec2 at;
+  if (!depth(l) || !reference_point(at)) return false;
+  const double unit = scale(), pitch = std::abs(call_->get("PIT")) * unit;
+  const bool outside = call_->get("TYPTH") == 1;
+  const double nominal = std::abs(call_->get("DIATH")) * unit / 2;
+  const double wall =
+      outside ? std::abs(call_->get("KDIAM")) * unit / 2 + radius_ : nominal - radius_;
+  if (pitch <= 0) return fail("thread-lead", "CYCLE90 needs the pitch of the thread, PIT");
+  if (wall <= kRounding) return fail("value-range", "the cutter is too large for the thread");
+  const double feed = value("FFR") * feed_scale();
+  const double down = l.bottom < l.reference ? -1 : 1;
+  // Whole turns that begin above the face.
+  const double turns = std::ceil(std::abs(l.bottom - l.safe) / pitch);
+  if (turns > 1e5) return fail("value-range", "more than 100000 turns");
+  PlanePiece helix;
+  helix.arc = true;
+  helix.center = at;
+  helix.radius = wall;
+  helix.start = helix.end = at + Vec2{wall, 0};
+  helix.sweep = 2 * kPi * turns * (call_->get("CDIR") == 2 ? -1 : 1);
+  const Vec2 rest = outside ? at + Vec2{wall + nominal + radius_, 0} : at;
+  mover_.rapid_height(l.top);
+  mover_.rapid(rest);
+  mover_.rapid_height(l.bottom - down * turns * pitch);
+  mover_.line(helix.start, feed);
+  mover_.piece(helix, down * turns * pitch, feed);
+  mover_.line(rest, feed);
+  mover_.rapid_height(l.top);
   return true;
 }
 
