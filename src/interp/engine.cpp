@@ -90,7 +90,7 @@ void Engine::run() {
   reporter_.finish();
 }
 
-// What was asked for and met nothing: a slip of the finger, or the wrong program.
+// Tells of options that had no effect: they may be misspelt, or meant for another program.
 void Engine::tell_unused_options() {
   if (statements_) statements_->tell_unread_presets();
   std::string levels;
@@ -101,7 +101,7 @@ void Engine::tell_unused_options() {
     reporter_.add_general(
         Severity::note, "block-skip-unused",
         fmt::format("--block-skip {} does nothing: no block that was read has that level", levels));
-  // The tool's radius is what counts without the option, too.
+  // Without the option, too, the radius is that of the tool.
   const bool differs = options_.comp == CompRadius::wear || options_.comp == CompRadius::off;
   if (differs && !compensation_.asked_option())
     reporter_.add_general(
@@ -137,7 +137,7 @@ void Engine::execute() {
   const Position position = control_.position;
   control_.saved_tool.reset();
   control_.saved_frames.reset();
-  if (!interpret_block()) {  // it leaves no trace
+  if (!interpret_block()) {  // a rejected block leaves no trace in the state
     control_.modal = modal;
     control_.position = position;
     if (control_.saved_frames) control_.frames = *control_.saved_frames;
@@ -163,7 +163,7 @@ bool Engine::ends_data() {
   return !control_.skips_data;
 }
 
-// A move, or holes at its end.
+// Makes the move of the block, or holes at its end.
 bool Engine::run_move() {
   if (control_.unread_end != 0 && !UnreadModes(control_).ends_swivel()) {
     UnreadModes(control_).pass_over();
@@ -187,7 +187,7 @@ bool Engine::run_move() {
   return moves_.run() && cycles_.run_modal(from);
 }
 
-// Each cycle in a block of its own that moves, or a line of values for it.
+// A turning cycle stands in a block that moves, or in a line of values for it.
 bool Engine::run_turning() {
   if (control_.block.turn_cycle > 73) return turning_.run();
   return control_.dialect == Dialect::ngc ? profiles_.run() : contours_.run();

@@ -80,7 +80,7 @@ bool BlockReader::read_line(Activation& top) {
   return true;
 }
 
-// The innermost program or subprogram; repeated parts of a program are no programs.
+// The innermost program or subprogram. A repeated part of a program is none.
 BlockReader::Activation& BlockReader::program_read() {
   std::size_t i = stack_.size() - 1;
   while (i > 0 && !stack_[i].counts_as_call) --i;
@@ -91,7 +91,7 @@ void BlockReader::define_macro(const std::string& name, std::string_view text, b
   (everywhere ? macros_ : program_read().macros).define(name, text);
 }
 
-// "$ XB=40 DB=1" of Okuma goes on with the block of the line before; "$PART.MIN%" does not.
+// "$ XB=40 DB=1" of Okuma continues the block of the line before; "$PART.MIN%" does not.
 void BlockReader::join_lines(Activation& top) {
   LineSource& source = *top.source;
   std::vector<char> text(top.line.begin(), top.line.end());
@@ -163,7 +163,7 @@ bool BlockReader::jump(const Place& to) {
   return true;
 }
 
-// Files stay open for the next call, with what was read of them.
+// A file stays open for the next call, with its buffer.
 std::unique_ptr<LineSource> BlockReader::source_of(const std::string& file) {
   const auto at = idle_.find(file);
   if (at == idle_.end() || at->second.empty())
@@ -232,7 +232,7 @@ bool BlockReader::ends_at_header(const Word* program) {
   if (leader && upper_case(header->text.substr(1, 4)) == "WAIT") return false;  // CNCjs: it pauses
   const bool commented =
       leader && header->text.find_first_not_of("% \t\r") != std::string_view::npos;
-  if (commented && is(Dialect::ngc)) {  // a line for the sender, as those of CNCjs and gSender
+  if (commented && is(Dialect::ngc)) {  // a line for the sender, as CNCjs and gSender have them
     reporter_.once(Severity::warning, "sender-line",
                    "lines of % and a text are for the sender of the program: read over", *header,
                    "sender-line");
@@ -254,7 +254,7 @@ bool BlockReader::ends_at_header(const Word* program) {
 int BlockReader::call_site(int line) {
   const Activation& top = stack_.back();
   const CallSite site{top.file, line, top.call};
-  if (!program_.calls.empty()) {  // a call in a loop of calls is the same place each time
+  if (!program_.calls.empty()) {  // a call in a loop has the same place each time
     const CallSite& last = program_.calls.back();
     if (last.file == site.file && last.line == site.line && last.outer == site.outer)
       return static_cast<int>(program_.calls.size()) - 1;
@@ -274,7 +274,7 @@ std::optional<SubprogramPlace> BlockReader::locate(const SubprogramName& name, c
     const std::string called =
         name.number >= 0 ? fmt::format("O{}", name.number) : upper_case(name.text);
     called_.insert(called);
-    if (place->again != 0 && !is(Dialect::ngc))  // there O100 stands at every part of a structure
+    if (place->again != 0 && !is(Dialect::ngc))  // LinuxCNC has O100 at each part of a structure
       reporter_.once(Severity::warning, "subprogram-twice",
                      fmt::format("{} stands in this file more than once: the program of line {} is "
                                  "run, not that of line {}; a control has only one of that name",
@@ -316,7 +316,7 @@ void BlockReader::end_of_text() {
   end_activation(false);
 }
 
-// A FANUC subprogram whose text ends without M99.
+// Reports a FANUC subprogram whose text ends without M99.
 void BlockReader::missing_return() {
   if (!is(Dialect::fanuc) || stack_.size() < 2 || !stack_.back().counts_as_call) return;
   if (stack_.back().end != std::numeric_limits<std::uint64_t>::max()) return;  // a contour
@@ -328,7 +328,7 @@ void BlockReader::missing_return() {
                  fmt::format("M99:{}:{}", stack_.back().file, stack_.back().begin.offset));
 }
 
-// Behind the second % nothing is read. With text beside it, it may be meant for a comment.
+// Nothing is read behind the second %. If text stands beside it, it may be meant as a comment.
 void BlockReader::end_of_tape(bool commented) {
   Activation& top = stack_.back();
   if (stack_.size() > 1) return;
@@ -368,7 +368,7 @@ void BlockReader::end_activation(bool loops) {
   if (on_left) on_left();
 }
 
-// Programs behind the end of the first one, as two jobs in one file, that nothing has called.
+// Tells of programs behind the end of the first one that were not called, such as a second job.
 void BlockReader::tell_of_others() {
   LineSource& source = *stack_.front().source;
   std::string_view line;

@@ -1,5 +1,5 @@
-// Where blocks come from: the program and the subprograms under way, their repeats and ends.
-// Private to src/interp.
+// Gives one block after another: from the program and its running subprograms, with repeats and
+// ends. Private to src/interp.
 #pragma once
 
 #include "interp/calls/macros.h"
@@ -18,16 +18,16 @@
 
 namespace mrsim {
 
-/// A stretch of text to be run, and what is to happen about it.
+/// A stretch of text to be run, and callbacks before and after it.
 struct CallRequest {
   std::string file;
   Place begin;
-  std::uint64_t end = std::numeric_limits<std::uint64_t>::max();  ///< offset where it ends
+  std::uint64_t end = std::numeric_limits<std::uint64_t>::max();  ///< offset of its end
   long repeats = 1;
-  bool counts_as_call = true;      ///< in the depth, and in the places of findings
+  bool counts_as_call = true;      ///< it counts in levels() and in the places of findings
   std::function<void()> on_start;  ///< before every run
   std::function<void()> on_end;    ///< after every run
-  std::function<void()> on_left;   ///< after the last run, once the caller is read again
+  std::function<void()> on_left;   ///< after the last run, when the caller is read again
 };
 
 class BlockReader : public ControlPart {
@@ -35,30 +35,30 @@ class BlockReader : public ControlPart {
   explicit BlockReader(Control& control);
   void set_language(LanguageReader* language) { parser_.set_language(language); }
 
-  /// Opens the main program; its first `leader_lines` lines lie before the tape mark.
+  /// Opens the main program, whose first `leader_lines` lines lie before the tape mark.
   void open(int leader_lines);
-  /// The next block of what is being read. False: its text ends.
+  /// Reads the next block. False: the text of the program, subprogram or stretch ends.
   bool next();
-  /// The main program has ended.
+  /// Whether the main program has ended.
   bool finished() const { return stack_.empty(); }
-  /// Subprograms under way, the main program included.
+  /// How many programs, subprograms and repeated parts are being read, with the main program.
   std::size_t depth() const { return stack_.size(); }
-  /// Calls under way, without repeated parts of a program.
+  /// How many calls are running, without repeated parts of a program.
   std::size_t levels() const { return levels_; }
 
-  /// Tape marks and headers: whether a new program begins in this block, which ends the one being
-  /// read. `program`: its O word, or null.
+  /// Whether a new program begins in this block, by a tape mark or a header, which ends the one
+  /// being read. `program`: its O word, or null.
   bool ends_at_header(const Word* program);
-  /// Goes on with a subprogram, `repeats` times. False: an error was reported.
+  /// Runs a subprogram next, `repeats` times. False: an error was reported.
   bool call(const SubprogramName& name, long repeats, const Word& word);
   /// The place of a call in this line, as an index into Program::calls.
   int call_site(int line);
-  /// Where a subprogram is; reports what is missing.
+  /// Finds a subprogram. Nothing: it is missing, which was reported.
   std::optional<SubprogramPlace> locate(const SubprogramName& name, const Word& word);
   bool has_subprogram(const SubprogramName& name) { return subprograms_.find(name).has_value(); }
-  /// Goes on with a stretch of text. False: an error was reported.
+  /// Runs a stretch of text next. False: an error was reported.
   bool enter(CallRequest request, const Word& word);
-  /// Where `position` of the line being read is.
+  /// The place of `position` in the line being read.
   Place place_at(std::size_t position) const;
   std::size_t position() const { return stack_.back().position; }
   /// Goes on in the line being read.
@@ -68,38 +68,38 @@ class BlockReader : public ControlPart {
   const std::string& file() const {
     return program_.files[static_cast<std::size_t>(stack_.back().file)];
   }
-  /// DEFINE of SINUMERIK: a name that stands for text in the program that is being read, or in all.
+  /// DEFINE of SINUMERIK: a name is replaced by text in the program that is being read, or in all.
   void define_macro(const std::string& name, std::string_view text, bool everywhere);
-  /// `text` stands for the line being read. False: too many steps of loops and calls.
+  /// Replaces the line being read by `text`. False: too many steps of loops and calls.
   bool replace_line(std::string_view text);
-  /// A block has made `motions`: in a program that repeats itself each beyond the first is a step,
-  /// for a cycle may make thousands each time. False: too many steps of loops and calls.
+  /// A block has made `motions` motions. In a program that repeats itself each one beyond the first
+  /// counts as a step, because a cycle may make thousands. False: too many steps.
   bool count_motions(std::size_t motions);
-  /// No further runs of what is being read.
+  /// Drops further runs of what is being read.
   void drop_repeats() { stack_.back().repeats = 0; }
   /// Ends the repeated parts of a program that surround the current position.
   void leave_stretches();
-  /// The text ended without a word that says so.
+  /// The text has ended without a word that ends it.
   void end_of_text();
-  /// The end of what is being read: the next run of a subprogram, or its caller. `loops`: by M99.
+  /// Ends what is being read: the next run of a subprogram follows, or its caller. `loops`: by M99.
   void end_activation(bool loops);
-  /// The main program has come to its end.
+  /// Ends the main program.
   void end_program();
   void stop();
 
  private:
-  /// A program being read: the main one, or a subprogram under way.
+  /// A program being read: the main one, or a running subprogram.
   struct Activation {
     std::unique_ptr<LineSource> source;
     std::string_view line;
     int line_number = 0;
-    std::vector<char> joined;  ///< the line, where others continue it or names stand for text
+    std::vector<char> joined;  ///< the line, if others continue it or names are replaced
     Macros macros;
     std::uint64_t line_offset = 0;
     std::size_t position = 0;
     std::size_t resume = 0;  ///< position in the next line where reading goes on
     bool has_line = false;
-    bool replaced = false;  ///< the line is none of the file's
+    bool replaced = false;  ///< the line is not one of the file
     bool started = false;   ///< a block was executed
     int file = 0;
     int call = -1;
@@ -124,11 +124,12 @@ class BlockReader : public ControlPart {
   Parser parser_;
   SubprogramIndex subprograms_;
   std::vector<Activation> stack_;
-  Macros macros_;                 ///< of files of definitions
-  std::size_t levels_ = 0;        ///< calls under way
-  std::uint64_t steps_ = 0;       ///< jumps, calls and repeats
+  Macros macros_;                 ///< the names of files of definitions
+  std::size_t levels_ = 0;        ///< running calls
+  std::uint64_t steps_ = 0;       ///< jumps, calls and repeats so far
   std::set<std::string> called_;  ///< programs, "O2" or "ONAME"
-  std::map<std::string, std::vector<std::unique_ptr<LineSource>>> idle_;  ///< to be used again
+  std::map<std::string, std::vector<std::unique_ptr<LineSource>>>
+      idle_;  ///< open files to be used again
 };
 
 }  // namespace mrsim

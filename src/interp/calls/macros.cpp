@@ -6,7 +6,7 @@
 namespace mrsim {
 namespace {
 
-constexpr std::size_t kLongestLine = 4096;  // far above the longest block, which the parser judges
+constexpr std::size_t kLongestLine = 4096;  // far above the longest block, which the parser checks
 
 bool defines(std::string_view line) {
   std::size_t p = line.find_first_not_of(" \t");

@@ -1,4 +1,4 @@
-// DEFINE NAME AS TEXT of SINUMERIK: names that stand for a piece of a block.
+// DEFINE NAME AS TEXT of SINUMERIK: names that are replaced by a piece of a block.
 #pragma once
 
 #include <map>
@@ -12,16 +12,16 @@ class Macros {
  public:
   void define(const std::string& name, std::string_view text) { texts_[name] = text; }
   bool empty() const { return texts_.empty(); }
-  /// The text of a name in upper case, nullptr: there is none.
+  /// The text of a name in upper case; null: there is none.
   const std::string* find(std::string_view name) const;
 
  private:
   std::map<std::string, std::string, std::less<>> texts_;
 };
 
-/// A line with the names of `own`, else of `common`, replaced by their texts, which are not looked
-/// through again. Names in texts and comments stay, and those of a line that defines one. False:
-/// the line has no such name.
+/// Replaces the names of `own`, else of `common`, in a line by their texts. Names in these texts,
+/// in strings, in comments, and in a line that defines one are not replaced. False: the line has no
+/// such name.
 bool expand_macros(std::string_view line, const Macros& own, const Macros& common,
                    std::vector<char>& out);
 

@@ -11,10 +11,10 @@
 namespace mrsim {
 namespace {
 
-constexpr std::size_t kLongest = 20000;  // characters of a line that holds a call
-constexpr int kLines = 20000;  // behind them no subprogram ends that stands before its caller
+constexpr std::size_t kLongest = 20000;  // characters of a line in which a call is looked for
+constexpr int kLines = 20000;            // lines in which a subprogram before its caller must end
 
-/// "M98P1000", "M98 P51000" (five times), "G65 P1000".
+/// Whether the line calls the program: "M98P1000", "M98 P51000" (five times), "G65 P1000".
 bool calls(std::string_view code, long number) {
   if (!has_word(code, "M98") && !has_word(code, "G65")) return false;
   const std::size_t p = code.find('P');

@@ -86,7 +86,7 @@ void SubprogramIndex::scan(const std::string& file) {
   std::string_view line;
   for (std::uint64_t offset = 0; source.next(line); offset = source.next_offset()) {
     std::string name = section_name(line, dialect_);
-    // The header line is read again: it may go on with blocks ("O0002; G91 ...").
+    // The header line is read again, because blocks may follow in it ("O0002; G91 ...").
     if (name.empty()) continue;
     const auto [place, fresh] = inside_.emplace(
         std::move(name), SubprogramPlace{file, offset, source.line_number() - 1, 0});
@@ -112,7 +112,8 @@ std::optional<std::string> SubprogramIndex::find_file(const std::string& folder,
     const auto rank = static_cast<std::size_t>(at - wanted.begin());
     std::error_code ignored;
     if (rank > best || at == wanted.end() || !entry.is_regular_file(ignored)) continue;
-    if (rank == best && name >= found) continue;  // the same answer whatever the folder's order
+    if (rank == best && name >= found)
+      continue;  // the answer must not depend on the order of the folder
     best = rank;
     found = name;
   }
@@ -122,7 +123,7 @@ std::optional<std::string> SubprogramIndex::find_file(const std::string& folder,
   return path.string();
 }
 
-// A link in a folder that is not the user's own may name any file of the machine.
+// A link in a folder of someone else may lead to any file of the machine.
 void SubprogramIndex::stays_inside(const fs::path& file) const {
   const fs::path real = real_path(file);
   for (const std::string& folder : folders_)
@@ -151,7 +152,8 @@ std::optional<SubprogramPlace> SubprogramIndex::find(const SubprogramName& name)
   } else if (key.ends_with("_SPF") || key.ends_with("_MPF")) {
     stems.push_back(key.substr(0, key.size() - 4));
   }
-  if (dialect_ == Dialect::sinumerik && !key.starts_with("_N_"))  // as archives name their files
+  if (dialect_ == Dialect::sinumerik &&
+      !key.starts_with("_N_"))  // files of archives have such names
     for (const char* kind : {"SPF", "MPF"}) stems.push_back(fmt::format("_N_{}_{}", key, kind));
   std::optional<SubprogramPlace> place;
   const bool escapes = key.find('/') != std::string::npos || key.find('\\') != std::string::npos;

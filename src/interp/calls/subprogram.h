@@ -1,4 +1,4 @@
-// Where subprograms are: in the file of the main program, beside it, or in the search path.
+// Finds subprograms: in the file of the main program, beside it, or in the search path.
 #pragma once
 
 #include <mrsim/types.h>
@@ -16,13 +16,13 @@ namespace mrsim {
 /// A subprogram by number (O2, P2) or by name.
 struct SubprogramName {
   long number = -1;
-  std::string text;       ///< as written; for a number, as it is shown
-  bool own_file = false;  ///< not in the main program's file
+  std::string text;       ///< the name as written, or the number as it is shown
+  bool own_file = false;  ///< it is not looked for in the main program's file
 };
 
 struct SubprogramPlace {
   std::string file;
-  std::uint64_t offset = 0;  ///< of its header line
+  std::uint64_t offset = 0;  ///< offset of its header line
   int line = 0;              ///< number of the line before `offset`
   int again = 0;             ///< line of a second program of that name in the file, 0 if none
 };
@@ -31,8 +31,8 @@ class SubprogramIndex {
  public:
   SubprogramIndex(std::string main_file, std::vector<std::string> search_path, Dialect dialect);
 
-  /// Nothing when it is in none of the places. Throws Error "subprogram-outside" where a link there
-  /// leads out of them.
+  /// The place of a subprogram; nothing: it is in none of the places. Throws Error
+  /// "subprogram-outside" if a link leads out of them.
   std::optional<SubprogramPlace> find(const SubprogramName& name);
 
  private:
@@ -49,8 +49,8 @@ class SubprogramIndex {
   std::map<std::string, std::optional<SubprogramPlace>> found_;
 };
 
-/// The name that a header line announces ("O0002", "%_N_POCKET_SPF", "SUBPROGRAM Name{...}"),
-/// upper case; empty when it is none.
+/// The name in a header line ("O0002", "%_N_POCKET_SPF", "SUBPROGRAM Name{...}"), upper case; empty
+/// if the line is no header.
 std::string section_name(std::string_view line, Dialect dialect);
 
 }  // namespace mrsim

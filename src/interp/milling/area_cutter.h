@@ -13,13 +13,13 @@ namespace mrsim {
 /// The levels of a milling cycle, and how it cuts.
 struct MillLevels {
   double top = 0, reference = 0, safe = 0, bottom = 0;  ///< along the normal, mm
-  double infeed = 0, finish_infeed = 0;                 ///< the most of one cut; 0 = all
+  double infeed = 0, finish_infeed = 0;                 ///< the most depth of one cut; 0: all of it
   double side = 0, floor = 0;                           ///< allowances for finishing
   double feed = 0, plunge = 0;
   double width = 0;  ///< between two loops
   bool rough = true, finish = true;
   int entry = 1;                     ///< 0 rapid, 1 feed, 2 helix, 3 swinging
-  double helix = 0, helix_lead = 0;  ///< radius and lead; of swinging the angle
+  double helix = 0, helix_lead = 0;  ///< radius and lead; `helix` of swinging is its angle
   bool clockwise = false;
 };
 
@@ -27,7 +27,7 @@ struct MillLevels {
 struct MillArea {
   std::function<std::vector<Loop>(double aside)> loops;
   Vec2 entry;        ///< where the tool goes down
-  double swing = 0;  ///< half the way that swinging has, along `degrees`
+  double swing = 0;  ///< half the length of swinging, in the direction `degrees`
   double degrees = 0;
   double helix = 0;  ///< the largest radius of a helix at the entry
 };

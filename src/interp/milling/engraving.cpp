@@ -13,8 +13,8 @@ namespace {
 
 constexpr double kSerialVariable = 599;
 constexpr double kMostSerial = 1e9;
-/// The widths of space and exclamation mark that Haas' manual prints, 0.864 and 0.538 of the
-/// height, are those of the font times this.
+/// The manual of Haas prints widths of the space and the exclamation mark, 0.864 and 0.538 of the
+/// height. They are those of the font times this.
 constexpr double kHaasWidth = 1.133;
 
 }  // namespace
@@ -41,7 +41,7 @@ bool Engraving::allowed() {
   return true;
 }
 
-// P0 and P1: the text is the block's comment; others are a character's code.
+// With P0 and P1 the text is the comment of the block. Any other P is the code of a character.
 bool Engraving::read_letters(Text& out) {
   const Word& p = *take('P');
   if (p.value >= ' ' && p.value <= '~' && p.value == std::floor(p.value)) {
@@ -58,7 +58,7 @@ bool Engraving::read_letters(Text& out) {
   return true;
 }
 
-// "####": as many digits of #599; digits set it first. It counts on.
+// "####" is that many digits of #599; digits instead set it first. Then #599 counts on.
 bool Engraving::serial_number(std::string_view form, std::string& out) {
   const Word& p = *peek('P');
   const bool digits = form.find_first_not_of("0123456789") == std::string_view::npos;

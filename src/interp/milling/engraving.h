@@ -1,5 +1,5 @@
-// G47 of Haas mills: a text, or the serial number of #599, cut in letters. The places, heights and
-// depths are the program's, the letters those of a plain font. Private to src/interp.
+// G47 of Haas mills cuts a text, or the serial number of #599. Places, heights and depths are those
+// of the program, the letters those of a plain font. Private to src/interp.
 #pragma once
 
 #include "interp/milling/letter_cutter.h"
@@ -15,15 +15,15 @@ class Engraving : public ControlPart {
   Engraving(Control& control, Statements* statements, AxisWords& axes, Moves& moves)
       : ControlPart(control), statements_(statements), axes_(axes), cutter_(control, moves) {}
 
-  /// The comment of the block is a text to engrave.
+  /// Whether the comment of the block is a text to engrave.
   bool wants_block() const { return block_.oneshot && block_.oneshot_code == Code::engrave; }
-  /// wants_block() before the meaning of the words is read.
+  /// As wants_block(), before the meaning of the words is read.
   static bool holds_text(const BlockWords& block);
-  /// False: an error was reported.
+  /// Cuts the text of the block. False: an error was reported.
   bool run();
 
  private:
-  /// Lengths in mm, levels along Z.
+  /// A text. Lengths are in mm, levels along Z.
   struct Text {
     std::string letters;
     double height = 0, turn = 0;
@@ -37,7 +37,7 @@ class Engraving : public ControlPart {
   bool serial_number(std::string_view form, std::string& out);
   void cut(const Text& text);
 
-  Statements* statements_;  ///< null: a control without a language
+  Statements* statements_;  ///< null: the control has no language here
   AxisWords& axes_;
   LetterCutter cutter_;
 };

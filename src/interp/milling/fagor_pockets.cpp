@@ -14,7 +14,7 @@ bool FagorPockets::wants_block() const {
   return block_.unused(Address::ap);
 }
 
-// To the place at the level of now, then the pocket.
+// Goes to the place at the current level, then cuts the pocket.
 bool FagorPockets::run() {
   FagorPocket& pocket = modal_.pocket;
   Target to;
@@ -27,7 +27,8 @@ bool FagorPockets::run() {
   return mills_.run(call(pocket), where, true);
 }
 
-// Z counts from the level before the cycle in G91, I from Z; D lies between Z and the part.
+// In G91 Z counts from the level before the cycle. I counts from Z; D is the height of Z over the
+// part.
 CycleCall FagorPockets::call(const FagorPocket& pocket) const {
   const auto level = [](const CycleLevel& from, double base) {
     return !from.given ? base : from.incremental ? base + from.value : from.value;
@@ -51,7 +52,7 @@ CycleCall FagorPockets::call(const FagorPocket& pocket) const {
   if (!round) call.set("WID", 2 * pocket.half_width / unit);
   call.set("MID", pocket.infeed / unit);
   call.set("CDIR", pocket.clockwise ? 1 : 0);
-  call.set("VARI", 11);  // down with the feed
+  call.set("VARI", 11);  // the tool goes down with the feed
   call.set("MIDA", pocket.width / unit);
   return call;
 }

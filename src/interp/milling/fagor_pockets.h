@@ -1,5 +1,5 @@
-// G87 and G88 of Fagor's 8055, pockets about the place of their block and of those that follow.
-// They have the shape of POCKET3 and POCKET4, and are cut as these are. Private to src/interp.
+// G87 and G88 of Fagor's 8055 are pockets about the place of their block and of the blocks that
+// follow. They have the shape of POCKET3 and POCKET4 and are cut like these. Private to src/interp.
 #pragma once
 
 #include "interp/frames/axis_words.h"
@@ -12,9 +12,9 @@ class FagorPockets : public ControlPart {
   FagorPockets(Control& control, AxisWords& axes, ToolChanger& tools, Moves& moves)
       : ControlPart(control), axes_(axes), mover_(control, moves), mills_(control, tools, moves) {}
 
-  /// A pocket is in force, and the block is its first or goes to another place.
+  /// Whether a pocket is in force, and the block is its first one or goes to another place.
   bool wants_block() const;
-  /// False: an error was reported.
+  /// Cuts the pocket. False: an error was reported.
   bool run();
 
  private:

@@ -10,7 +10,7 @@ bool HaasPocket::wants_block() const {
   return block_.oneshot && block_.oneshot_code == Code::contour_pocket;
 }
 
-// P X Y Z R Q, I or J, K, with G41 or G42 and D.
+// The words are P X Y Z R Q, I or J, K, beside G41 or G42 and D.
 bool HaasPocket::read_words() {
   const Word *p = take('P'), *q = take('Q'), *r = take('R'), *i = take('I'), *j = take('J'),
              *k = take('K'), *z = peek('Z');
@@ -56,7 +56,7 @@ bool HaasPocket::run() {
   return true;
 }
 
-// A program of that number, else the block N of this one.
+// P is a program of that number, else the block N of this program.
 bool HaasPocket::find_contour() {
   SubprogramName name;
   name.number = static_cast<long>(program_.value);
@@ -119,7 +119,7 @@ void HaasPocket::end_contour() {
   modal_.comp = modal_before_.comp;
 }
 
-// In cuts of Q that leave K, then along the wall at the full depth.
+// Cuts in steps of Q, which leave K, then along the wall at the full depth.
 bool HaasPocket::pocket() {
   const Vec2 hole = mover_.position();
   Loop loop;

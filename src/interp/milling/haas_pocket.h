@@ -1,4 +1,4 @@
-// G150 of Haas mills: a pocket of any contour. The contour stands in the program P, behind one move
+// G150 of Haas mills: a pocket of any contour. The contour stands in the program P, behind a move
 // that leads to it from the start hole X Y. Private to src/interp.
 #pragma once
 
@@ -23,11 +23,11 @@ class HaasPocket : public ControlPart {
         out_(out) {}
 
   bool wants_block() const;
-  /// The words of G150. False: an error was reported.
+  /// Reads the words of G150. False: an error was reported.
   bool run();
-  /// Goes on with the contour, after the block is done.
+  /// Called after the block: goes on with the contour.
   void end_block();
-  /// The program ends.
+  /// Called at the end of the program, which may lie inside the contour.
   void end_program();
 
  private:
@@ -38,7 +38,7 @@ class HaasPocket : public ControlPart {
   bool pocket();
 
   BlockReader& reader_;
-  Statements* statements_;  ///< null: a control without a language
+  Statements* statements_;  ///< null: the control has no language here
   AxisWords& axes_;
   CompensationWords& compensation_;
   CycleMover mover_;
@@ -50,7 +50,7 @@ class HaasPocket : public ControlPart {
   bool left_ = true;                           ///< G41
   CallRequest request_;
   bool waits_ = false;  ///< the contour comes next
-  BlockPlace place_;    ///< of the cycle's block
+  BlockPlace place_;    ///< where the block of the cycle stands
   std::vector<Motion> contour_;
   Modal modal_before_;
   Position position_before_;

@@ -1,5 +1,4 @@
-// A tool that engraves: letters as strokes at one depth, with the tool lifted in between. Private
-// to src/interp.
+// Engraves letters as strokes at one depth, with the tool lifted in between. Private to src/interp.
 #pragma once
 
 #include "interp/cycles/cycle_mover.h"
@@ -10,7 +9,7 @@ namespace mrsim {
 
 class LetterCutter : public ControlPart {
  public:
-  /// mm along the plane's normal; a feed of 0 is the one in force.
+  /// Heights along the normal of the plane, mm. A feed of 0 is the one in force.
   struct Levels {
     double safe = 0, depth = 0;
     double plunge = 0, feed = 0;
@@ -20,7 +19,7 @@ class LetterCutter : public ControlPart {
 
   CycleMover& mover() { return mover_; }
   void begin(const Word& where);
-  /// Strokes in the plane, mm. Warns once that the control's own letters differ.
+  /// Cuts strokes in the plane, mm. Warns once that the control's own letters differ.
   void cut(const std::vector<std::vector<Vec2>>& strokes, const Levels& levels);
 
  private:

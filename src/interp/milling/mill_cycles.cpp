@@ -118,7 +118,8 @@ int MillCycles::count(double& first, double& step, double whole) {
   return n;
 }
 
-// Slots along the radii of a circle, their inner ends on it; LONGHOLE's are as wide as the cutter.
+// Slots along the radii of a circle, with their inner ends on it. Those of LONGHOLE are as wide as
+// the cutter.
 bool MillCycles::slots() {
   MillLevels l;
   Vec2 middle;
@@ -153,7 +154,7 @@ bool MillCycles::slots() {
   return true;
 }
 
-// Slots along a circle; AFSL is the angle between the centres of their ends.
+// Slots along a circle. AFSL is the angle between the centres of their ends.
 bool MillCycles::arc_slots() {
   MillLevels l;
   Vec2 middle;
@@ -181,7 +182,7 @@ bool MillCycles::arc_slots() {
   return true;
 }
 
-// CYCLE76 and CYCLE77: loops from the blank inwards; the tool goes down outside of the blank.
+// CYCLE76 and CYCLE77: loops from the blank inwards. The tool goes down outside of the blank.
 bool MillCycles::spigot() {
   MillLevels l;
   if (!levels(l)) return false;
@@ -223,7 +224,7 @@ bool MillCycles::spigot() {
   return clear(l, area);
 }
 
-// CYCLE71 by length, width and angle; CYCLE61, whose LIM keeps the cutter inside of edges.
+// CYCLE71 has length, width and angle; LIM of CYCLE61 keeps the cutter inside of edges.
 bool MillCycles::face() {
   MillLevels l;
   Vec2 corner;
@@ -239,7 +240,7 @@ bool MillCycles::face() {
   const int way = static_cast<int>(value("VARI")) / 10 % 10;
   const bool along_v = way == 2 || way == 4, one_way = way == 1 || way == 2;
   if (length == 0 || width == 0) return fail("value-range", "the face has no length or no width");
-  // In the face: from its lower left corner.
+  // Coordinates in the face count from its lower left corner.
   const double lu = std::abs(along_v ? width : length), lv = std::abs(along_v ? length : width);
   const auto limit = [&](bool second, bool high) {
     const int digit = (second ? 2 : 0) + (high ? 1 : 0);
@@ -267,7 +268,7 @@ bool MillCycles::face() {
   return true;
 }
 
-// CYCLE899: a slot open at both ends, centre lines side by side.
+// CYCLE899: a slot that is open at both ends, cut in lines side by side.
 bool MillCycles::open_slot() {
   MillLevels l;
   Vec2 at;
@@ -290,8 +291,8 @@ bool MillCycles::open_slot() {
   return true;
 }
 
-// CYCLE90: a helix with the pitch from above the face to the depth; inside at the nominal
-// diameter, outside at the core.
+// CYCLE90: a helix with the pitch of the thread, from above the face to the depth. It cuts to the
+// nominal diameter of an inside thread, and to the core of an outside one.
 bool MillCycles::thread() {
   MillLevels l;
   Vec2 at;
@@ -305,7 +306,7 @@ bool MillCycles::thread() {
   if (wall <= kRounding) return fail("value-range", "the cutter is too large for the thread");
   const double feed = value("FFR") * feed_scale();
   const double down = l.bottom < l.reference ? -1 : 1;
-  // Whole turns that begin above the face.
+  // The helix has whole turns, so that it begins above the face.
   const double turns = std::ceil(std::abs(l.bottom - l.safe) / pitch);
   if (turns > 1e5) return fail("value-range", "more than 100000 turns");
   PlanePiece helix;

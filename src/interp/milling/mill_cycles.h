@@ -1,6 +1,6 @@
 // SINUMERIK's milling cycles: pockets, slots, long holes, spigots, faces, milled threads. Their
-// final shape is that of the manual; the way to it is one of loops, described in docs/interp.md.
-// Private to src/interp.
+// final shape is that of the manual. docs/interp.md describes the loops by which the cutter gets
+// there. Private to src/interp.
 #pragma once
 
 #include "interp/milling/mill_values.h"
@@ -17,7 +17,8 @@ class MillCycles : public MillValues {
       : MillValues(control, tools, moves), cutter_(control, mover_) {}
 
   static bool knows(std::string_view name);
-  /// `at_position`: by MCALL, at the place of the tool. False: an error was reported.
+  /// Carries out the cycle. `at_position`: MCALL runs it at the place of the tool. False: an error
+  /// was reported.
   bool run(const CycleCall& call, const Word& where, bool at_position);
 
  private:
@@ -30,8 +31,8 @@ class MillCycles : public MillValues {
   bool open_slot();
   bool thread();
   bool clear(const MillLevels& levels, const MillArea& area);
-  /// Loops from the middle to `last` from it, turned and moved to the pocket; `make` gives the one
-  /// at a distance.
+  /// Loops from the middle to the distance `last` from it, turned and moved to the pocket. `make`
+  /// gives the loop at a distance.
   static std::vector<Loop> nested(const MillLevels& levels, double last, Vec2 at, double degrees,
                                   const std::function<Loop(double)>& make);
   int count(double& first, double& step, double whole);

@@ -49,10 +49,10 @@ bool MillValues::depth(MillLevels& l) {
   return true;
 }
 
-// The unit of MODE says what is cut, its ten how the tool goes down; POCKET1, POCKET2 and slots
-// know 0, both roughing and finishing.
+// The unit of VARI says what is cut, and its ten how the tool goes down. POCKET1, POCKET2 and slots
+// have 0, both roughing and finishing.
 bool MillValues::modes(MillLevels& l) {
-  const double vari = call_->name == "LONGHOLE" ? 0 : value("VARI");  // there it is not read
+  const double vari = call_->name == "LONGHOLE" ? 0 : value("VARI");  // its VARI is not read
   const int kind = static_cast<int>(vari) % 10;
   if (kind == 5 && !chamfer(l)) return false;
   l.rough = kind <= 1;
@@ -69,7 +69,8 @@ bool MillValues::modes(MillLevels& l) {
   return true;
 }
 
-// FS wide, the tip of the tool at ZFS (AMODE: absolute, or below the edge): one cut along the wall.
+// A chamfer is one cut along the wall, FS wide, with the tip of the tool at ZFS (by AMODE a level,
+// or a depth below the edge).
 bool MillValues::chamfer(MillLevels& l) {
   if (!call_->lists("FS"))
     return fail("not-supported",
@@ -102,7 +103,7 @@ bool MillValues::levels(MillLevels& l) {
   return modes(l);
 }
 
-// PA PO or CPA CPO; by MCALL without them the place of the tool.
+// The reference point is PA PO or CPA CPO; where MCALL runs the cycle, it is the place of the tool.
 bool MillValues::reference_point(Vec2& out) {
   const bool center = call_->lists("CPA");
   const ValueName u = center ? ValueName("CPA") : ValueName("PA");
@@ -116,7 +117,7 @@ bool MillValues::reference_point(Vec2& out) {
   return true;
 }
 
-// The centre, where a corner or an end is given.
+// GMODE says whether the reference point is the centre, a corner or an end.
 bool MillValues::center(double length, double width, double degrees, Vec2& out) {
   if (!reference_point(out)) return false;
   const int from = call_->digit("GMODE", 3);

@@ -12,7 +12,7 @@ namespace {
 
 constexpr double kMostRuns = 1e5;  // loops at all levels
 constexpr std::size_t kMostBorderPieces = 3'000;
-constexpr double kClosed = 0.01;  // mm between the ends of a contour
+constexpr double kClosed = 0.01;  // mm: the largest gap between the ends of a closed contour
 
 }  // namespace
 
@@ -92,7 +92,7 @@ bool RegionCutter::cut(const Region& region, const std::vector<Loop>& loops, dou
   return true;
 }
 
-// From loop to loop straight where that keeps clear of the contours, else over the part.
+// Goes straight from loop to loop where that stays clear of the contours, else over the part.
 void RegionCutter::level(const Region& region, const std::vector<Loop>& loops, double distance,
                          double from, double to, const Levels& l) {
   bool down = false;
