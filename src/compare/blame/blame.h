@@ -48,6 +48,7 @@ class CutSurface {
     double distance = 0;
   };
   bool empty() const { return !tree_; }
+  /// The place of the cut surface nearest to p, and the line that has cut it. Requires: !empty().
   Nearest nearest(const Vec3& p) const;
 
  private:

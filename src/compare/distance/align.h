@@ -6,6 +6,7 @@
 
 namespace mrsim {
 
+/// A place moved by the transform, and a direction turned by it.
 Vec3 apply(const RigidTransform& t, const Vec3& p);
 Vec3 rotate(const RigidTransform& t, const Vec3& v);
 /// First `b`, then `a`.

@@ -27,6 +27,8 @@ class NominalSurface {
   /// Requires: a mesh that passed require_comparable.
   explicit NominalSurface(const TriMesh& mesh, int threads = 0);
 
+  /// The nearest place of the surface to p, with a signed distance. `hint`: a triangle that is
+  /// probably near, for speed only.
   SurfaceHit at(const Vec3& p, std::uint32_t hint = 0) const;
   /// at() for what the tree has found nearest to p.
   SurfaceHit signed_hit(const Vec3& p, const TriangleTree::Hit& hit) const;
@@ -34,6 +36,7 @@ class NominalSurface {
   void query(std::span<const Vec3> points, std::span<SurfaceHit> out, int threads = 0) const;
 
   const TriangleTree& tree() const { return tree_; }
+  /// Bytes that it holds.
   std::size_t memory() const;
 
  private:

@@ -5,6 +5,7 @@
 
 namespace mrsim {
 
+/// The page of a report as HTML, with marks where the data go.
 std::string_view report_template();
 
 }  // namespace mrsim

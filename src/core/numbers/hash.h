@@ -11,6 +11,7 @@ namespace mrsim {
 /// Compares contents, and stands for random identifiers in files. Not for secrets.
 class ContentHash {
  public:
+  /// Adds `size` bytes.
   void update(const void* data, std::size_t size);
   /// 64 bits of everything so far.
   std::uint64_t digest() const;

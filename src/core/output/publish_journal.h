@@ -30,9 +30,11 @@ class PublishJournal {
   /// A set of files of this process. Requires: not empty.
   static PublishJournal begun(std::vector<std::string> paths);
 
+  /// Where file i stands before it is put in place, and where the one that it replaces is kept.
   std::string new_name(std::size_t i) const;
   std::string old_name(std::size_t i) const;
   std::vector<JournalEntry>& entries() { return entries_; }
+  /// The folders of all its files.
   std::set<std::string> folders() const;
 
   /// Writes into the other folders where the journal will be: before files of the set get names

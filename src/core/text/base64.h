@@ -7,6 +7,7 @@
 
 namespace mrsim {
 
+/// The bytes as text of base 64, with "=" at the end.
 std::string base64(std::string_view bytes);
 /// The bytes again; nothing for text that base64() can not have made.
 std::optional<std::string> from_base64(std::string_view text);

@@ -31,6 +31,7 @@ std::string unzip(std::string_view bytes, const ZipEntry& entry, std::size_t lim
 class ZipWriter {
  public:
   explicit ZipWriter(const ByteSink& out) : out_(out) {}
+  /// Adds a file, whose bytes `writer` gives to the sink or `content` has.
   void add(const std::string& name, const std::function<void(const ByteSink&)>& writer);
   void add(const std::string& name, const std::string& content) {
     add(name, [&](const ByteSink& out) { out(content.data(), content.size()); });

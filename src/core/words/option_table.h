@@ -66,6 +66,7 @@ constexpr bool is_repeated(OptionValue value) {
          value == OptionValue::folders;
 }
 
+/// The heading of a group of options in --help.
 std::string_view group_title(OptionGroup group);
 
 /// The words of a row, one by one.

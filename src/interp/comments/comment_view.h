@@ -26,11 +26,13 @@ class CommentView {
   bool has(std::size_t i) const { return i < tokens_.size(); }
   bool word(std::size_t i) const { return has(i) && tokens_[i].kind == CommentToken::Kind::word; }
   bool is(std::size_t i, std::string_view what) const { return has(i) && tokens_[i].is(what); }
+  /// Whether token i is one of the words.
   bool is_one(std::size_t i, std::initializer_list<std::string_view> words) const;
   bool glued(std::size_t i) const { return has(i) && tokens_[i].glued; }
 
   bool taken(std::size_t i) const { return has(i) && taken_[i]; }
   void take(std::size_t i) { taken_[i] = true; }
+  /// The tokens [first, end) are explained.
   void take(std::size_t first, std::size_t end);
 
   /// A number that nothing has explained yet.
@@ -49,6 +51,7 @@ class CommentView {
   std::size_t value_behind(std::size_t i) const;
 
   void say_inches(std::size_t i) { tokens_[i].unit = kMmPerInch; }
+  /// The number of token i as a length, with its unit if it has one.
   ToolLength length(std::size_t i) const;
 
  private:

@@ -34,6 +34,7 @@ struct CommentWord {
   NumberSide side = NumberSide::either;
 };
 
+/// What an upper-case word says of the number beside it.
 CommentWord comment_word(std::string_view word);
 
 }  // namespace mrsim

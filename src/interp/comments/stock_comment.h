@@ -18,6 +18,7 @@ namespace mrsim {
 
 class StockComments {
  public:
+  /// Reads a comment in whatever encoding it came; `line`: where it stands.
   void read(std::string_view bytes, int line);
   /// The stock in mm about the program's zero, in a program whose unit is `unit` mm; none: size or
   /// place are missing.

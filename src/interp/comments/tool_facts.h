@@ -93,6 +93,7 @@ struct ToolFacts {
   bool trade_is(ToolTrade trade) const { return kind() && kind()->trade == trade; }
 };
 
+/// Reads the tokens of a folded comment.
 ToolFacts read_tool_facts(std::vector<CommentToken> tokens);
 
 }  // namespace mrsim

@@ -93,7 +93,9 @@ struct Control {
   std::optional<ToolState> saved_tool;
 };
 
+/// Whether the motion is an arc: G2, G3 and their kin.
 bool is_circular(Code c);
+/// Whether the motion cuts or taps a thread.
 bool is_thread(Code c);
 
 class ControlPart {

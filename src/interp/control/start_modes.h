@@ -9,12 +9,14 @@
 
 namespace mrsim {
 
+/// The modes in force before the first block.
 Modal start_modal(Dialect dialect, MachineKind machine);
 
 /// The modes of start_modal() as text for people: "plane" -> "G17".
 std::vector<std::pair<std::string, std::string>> start_mode_names(Dialect dialect,
                                                                   MachineKind machine);
 
+/// The dialect as --dialect writes it.
 const char* dialect_name(Dialect dialect);
 
 }  // namespace mrsim

@@ -121,6 +121,7 @@ struct ExpressionRules {
   std::string_view zero_divide_alarm, range_alarm;
 };
 
+/// The rules of each control.
 const ExpressionRules& linuxcnc_rules();
 const ExpressionRules& fanuc_rules();
 const ExpressionRules& sinumerik_rules();

@@ -48,6 +48,7 @@ class Variables : public VariableReader {
   bool exists(double number) override;
   bool exists(std::string_view name) override;
 
+  /// Sets a variable. False: `why` says why it cannot have the value.
   bool assign(double number, const Value& value, std::string& why);
   bool assign(std::string_view name, std::span<const Value> indices, const Value& value,
               std::string& why);

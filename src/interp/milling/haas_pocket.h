@@ -22,6 +22,7 @@ class HaasPocket : public ControlPart {
         cutter_(control, moves),
         out_(out) {}
 
+  /// Whether the block has G150.
   bool wants_block() const;
   /// Reads the words of G150. False: an error was reported.
   bool run();

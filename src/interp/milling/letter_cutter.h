@@ -18,6 +18,7 @@ class LetterCutter : public ControlPart {
   LetterCutter(Control& control, Moves& moves) : ControlPart(control), mover_(control, moves) {}
 
   CycleMover& mover() { return mover_; }
+  /// Sets the word whose place in the text the motions have.
   void begin(const Word& where);
   /// Cuts strokes in the plane, mm. Warns once that the control's own letters differ.
   void cut(const std::vector<std::vector<Vec2>>& strokes, const Levels& levels);

@@ -16,6 +16,7 @@ class MillCycles : public MillValues {
   MillCycles(Control& control, ToolChanger& tools, Moves& moves)
       : MillValues(control, tools, moves), cutter_(control, mover_) {}
 
+  /// Whether run() knows the name.
   static bool knows(std::string_view name);
   /// Carries out the cycle. `at_position`: MCALL runs it at the place of the tool. False: an error
   /// was reported.

@@ -10,7 +10,9 @@ class CompensationStage {
  public:
   CompensationStage(Reporter& reporter, NextStage next)
       : reporter_(reporter), next_(std::move(next)), ahead_(reporter) {}
+  /// Takes the next move; finished ones go to the next stage.
   void push(const PathMove& move);
+  /// Runs all moves that are held back: none follows.
   void flush();
   bool idle() const { return ahead_.empty() && !active_; }
 

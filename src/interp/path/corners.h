@@ -48,7 +48,9 @@ using NextStage = std::function<void(const PathMove&)>;
 class CornerStage {
  public:
   CornerStage(Reporter& reporter, NextStage next) : reporter_(reporter), next_(std::move(next)) {}
+  /// Takes the next move; finished ones go to the next stage.
   void push(const PathMove& move);
+  /// Gives on all moves that are held back.
   void flush();
   bool idle() const { return held_.empty(); }
 

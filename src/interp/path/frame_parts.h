@@ -19,6 +19,7 @@ struct FrameParts {
 /// 0 to 2 for X, Y, Z; -1 for another name.
 int axis_named(std::string_view name);
 
+/// The frame that has these parts.
 Frame frame_of(const FrameParts& parts);
 /// The parts of a frame. Nothing where the frame is sheared.
 std::optional<FrameParts> parts_of(const Frame& frame);

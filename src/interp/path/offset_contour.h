@@ -27,6 +27,7 @@ inline double height(const PathMove& move, const Vec3& p) { return dot(p, move.b
 bool meeting(const PlanePiece& a, const PlanePiece& b, Vec2 from, Vec2 corner, Vec2& out);
 
 enum class Corner { smooth, inside, outside };
+/// The kind of the corner between two compensated moves, seen from the side of the tool.
 Corner corner_kind(const PathMove& a, const PathMove& b);
 
 /// Whether the transition is tangent up to the rounding of the program, so that its offset elements

@@ -16,12 +16,14 @@ struct PlanePiece {
   double sweep = 0;
 };
 
+/// The motion in the coordinates of the plane; what lies along its normal is left out.
 PlanePiece to_plane(const Motion& motion, const Basis& basis);
 /// Whether the motion has no travel in the plane (an infeed).
 bool is_infeed(const PathMove& move);
 /// Whether the move is an arc whose axis is not the plane's normal.
 bool is_tilted(const PathMove& move);
 
+/// Unit directions of travel at the start and at the end.
 Vec2 start_tangent(const PlanePiece& piece);
 Vec2 end_tangent(const PlanePiece& piece);
 inline Vec2 left_of(Vec2 t) { return {-t.y, t.x}; }

@@ -16,6 +16,7 @@ class LevelCuts {
             std::vector<ProfileMove>& out)
       : pieces_(pieces), how_(how), out_(out), at_(pieces.front().start) {}
 
+  /// Appends all passes to the moves. An empty fault: done.
   ProfileFault run();
 
  private:

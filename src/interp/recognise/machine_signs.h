@@ -9,6 +9,7 @@ namespace mrsim {
 
 class MachineSigns {
  public:
+  /// Looks at line number n.
   void line(const LineScan& s, int n);
   /// Whether a sign was seen that is enough alone.
   bool settled() const { return !mill_.empty() || !lathe_.empty(); }

@@ -8,6 +8,7 @@
 
 namespace mrsim {
 
+/// The picture as SVG, and as PLY.
 std::string path_svg(const Program& program);
 std::string path_ply(const Program& program);
 

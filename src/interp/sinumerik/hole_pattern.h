@@ -16,6 +16,7 @@ class HolePattern : public ControlPart {
   HolePattern(Control& control, const CycleCall& call, const Word& where)
       : ControlPart(control), call_(call), where_(where) {}
 
+  /// Whether places() knows the cycle of this name.
   static bool knows(std::string_view name);
   /// Whether all its values are supported. False: some are not, which was reported.
   bool reads_all_of();

@@ -17,6 +17,7 @@ class HoleValues : public ControlPart {
   HoleValues(Control& control, ToolChanger& tools, const CycleCall& call, const Word& where)
       : ControlPart(control), tools_(tools), dwell_(control), call_(call), where_(where) {}
 
+  /// Whether read() knows the cycle of this name.
   static bool knows(std::string_view name);
   /// Puts the plane in force that the call asks for. False: an error was reported.
   bool choose_plane();

@@ -23,6 +23,7 @@ class SinumerikContours : public ControlPart {
         moves_(moves),
         out_(out) {}
 
+  /// Whether run() knows the cycle of this name.
   static bool knows(std::string_view name);
   /// Reads the call. False: an error was reported.
   bool run(const CycleCall& call, const Word& where);

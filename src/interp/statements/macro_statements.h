@@ -22,6 +22,7 @@ class MacroStatements : public Statements {
 
  protected:
   bool statement(std::size_t p) override;
+  /// Where the block that holds `p` ends.
   std::size_t end_of_block(std::size_t p) const;
 
  private:

@@ -16,6 +16,7 @@ class TurnCycles : public ControlPart {
   TurnCycles(Control& control, ToolChanger& tools, Moves& moves)
       : ControlPart(control), tools_(tools), moves_(moves) {}
 
+  /// Whether run() knows the name.
   static bool knows(std::string_view name);
   /// Carries out the cycle. False: an error was reported.
   bool run(const CycleCall& call, const Word& where);

@@ -42,6 +42,7 @@ struct BallArcFoot {
   double squared = 0;
   Vec3 point;
 };
+/// The foot of p on `part` of the curtain of `s`.
 BallArcFoot ball_arc_foot(const BallArc& s, const Curtain& part, const Vec3& p);
 /// Signed distance of p from what the ball sweeps on that part, mm, and its gradient.
 double ball_arc_distance(const BallArc& s, const Curtain& part, const Vec3& p);

@@ -8,6 +8,7 @@
 
 namespace mrsim {
 
+/// The recipe as bytes, which decode_recipe() reads.
 std::string encode_recipe(const StockRecipe& recipe);
 /// Throws Error "vdb-damaged" for bytes that encode_recipe can not have made.
 StockRecipe decode_recipe(std::string_view bytes, const std::string& name);

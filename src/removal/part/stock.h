@@ -59,6 +59,7 @@ struct VoxelChoice {
   double voxel = 0;
   std::string reason;
 };
+/// The voxel edge for a stock and the smallest cutter radius (mm; 0: none), and why.
 VoxelChoice default_voxel(const StockShape& shape, double smallest_radius);
 /// The largest of 1, 2, 2.5, 5 times a power of ten that is not above `voxel`.
 double round_down_voxel(double voxel);
