@@ -47,10 +47,6 @@ CellOctree::CellOctree(const ExactField& field, const Lattice& lattice, const Oc
   refine({0});
 }
 
-std::span<const std::uint32_t> CellOctree::candidates(std::int32_t n) const {
-  return lists_[static_cast<std::size_t>(n)];
-}
-
 Box3 CellOctree::box(std::int32_t n) const {
   const OctreeNode& a = node(n);
   return {lattice().position(a.origin),
@@ -283,10 +279,6 @@ CellOctree::Sight CellOctree::look_at(std::int32_t n, const Box3& b, const CellS
   sight.owners_seen = known && std::includes(seen.begin(), seen.end(), names.begin(), names.end());
   sight.is_alone = sight.owners_seen && names.size() + near_stock <= 1;
   return sight;
-}
-
-bool CellOctree::is_complete(std::int32_t cell) const {
-  return is_whole() || in_range(node(cell).origin, part_.complete);
 }
 
 bool CellOctree::in_range(const LatticePoint& p, const std::int32_t (&range)[2]) const {

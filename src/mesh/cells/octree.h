@@ -57,12 +57,16 @@ class CellOctree final : public SurfaceCells {
   const FieldSample& sample(std::int32_t i) const { return samples_[static_cast<std::size_t>(i)]; }
 
   /// The sweeps that can decide d in the leaf.
-  std::span<const std::uint32_t> candidates(std::int32_t node) const override;
+  std::span<const std::uint32_t> candidates(std::int32_t node) const override {
+    return lists_[static_cast<std::size_t>(node)];
+  }
   /// The leaf that holds p; on a plane of the grid, up to rounding, one of the two. Faster where
   /// `near` is a cell close to it.
   std::int32_t locate(const Vec3& p, std::int32_t near = 0) const;
   Box3 box(std::int32_t node) const override;
-  bool is_complete(std::int32_t cell) const override;
+  bool is_complete(std::int32_t cell) const override {
+    return is_whole() || in_range(node(cell).origin, part_.complete);
+  }
   /// True where all corners of the cell lie on one side: the surface may still pass between them.
   bool is_far(std::int32_t cell) const override { return !node(cell).signs_differ; }
   bool is_owned_cell(std::int32_t cell) const override { return is_owned(node(cell).origin); }
