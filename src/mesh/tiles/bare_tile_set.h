@@ -5,16 +5,16 @@
 #include "mesh/tiles/tile_search.h"
 
 #include <cstdint>
-#include <functional>
 #include <unordered_set>
+#include <vector>
 
 namespace mrsim::detail {
 
 class BareTileSet {
  public:
-  /// Tiles without candidates, but for those beside a tile, or itself, for which `has_split` holds:
-  /// that one is drawn cell by cell.
-  void find(const TileSet& set, const std::function<bool(const Tile&)>& has_split);
+  /// Tiles without candidates, but for those about a tile that has a cell of `split` (voxels) with
+  /// its rings: that one is drawn cell by cell.
+  void find(const TileSet& set, const std::vector<LatticePoint>& split);
   BareTiles about(const LatticePoint& place) const;
 
  private:

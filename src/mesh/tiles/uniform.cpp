@@ -85,7 +85,10 @@ class UniformMesher {
   void make_all(MeshSink& sink) {
     ++report_.passes;
     show_progress(0);
-    bare_.find(set_, [&](const Tile& tile) { return !forced_in(tile).empty(); });
+    std::vector<LatticePoint> split;
+    for (const CellPlace& cell : forced_)
+      split.push_back({cell.origin.x / unit(), cell.origin.y / unit(), cell.origin.z / unit()});
+    bare_.find(set_, split);
     const std::size_t batch = kBatch * static_cast<std::size_t>(resolve_threads(options_.threads));
     TileMerger merger(set_.order);
     std::size_t joined = 0, triangles = 0;
