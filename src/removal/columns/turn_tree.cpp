@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 
 namespace mrsim {
 namespace {
@@ -13,6 +14,17 @@ namespace {
 constexpr double kSmall = 8;
 
 }  // namespace
+
+TurnRegion turn_region(const Box3& box) {
+  const double near_x = std::max({0.0, box.lo.x, -box.hi.x});
+  const double near_y = std::max({0.0, box.lo.y, -box.hi.y});
+  const double far_x = std::max(std::fabs(box.lo.x), std::fabs(box.hi.x));
+  const double far_y = std::max(std::fabs(box.lo.y), std::fabs(box.hi.y));
+  const double nearest = std::sqrt(near_x * near_x + near_y * near_y);
+  const double farthest = std::sqrt(far_x * far_x + far_y * far_y);
+  return {{0.5 * (nearest + farthest), 0.5 * (box.lo.z + box.hi.z)},
+          {0.5 * (farthest - nearest), 0.5 * (box.hi.z - box.lo.z)}};
+}
 
 void TurnTree::append_sweeps(std::uint32_t pack, std::vector<std::uint32_t>& out) const {
   const Pack& p = packs_[pack / 2];

@@ -24,6 +24,8 @@ namespace mrsim {
 struct TurnRegion {
   Vec2 center, half;
 };
+/// The rectangle that holds a box turned about the axis.
+TurnRegion turn_region(const Box3& box);
 
 class TurnTree {
  public:

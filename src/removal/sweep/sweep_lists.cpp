@@ -229,18 +229,6 @@ void keep_bounded(const SweepColumns& c, const Box3& box, std::vector<std::uint3
   sweeps.erase(std::unique(sweeps.begin(), sweeps.end()), sweeps.end());
 }
 
-// The rectangle of the half plane that holds a box.
-TurnRegion turn_region(const Box3& box) {
-  const double near_x = std::max({0.0, box.lo.x, -box.hi.x});
-  const double near_y = std::max({0.0, box.lo.y, -box.hi.y});
-  const double far_x = std::max(std::fabs(box.lo.x), std::fabs(box.hi.x));
-  const double far_y = std::max(std::fabs(box.lo.y), std::fabs(box.hi.y));
-  const double nearest = std::sqrt(near_x * near_x + near_y * near_y);
-  const double farthest = std::sqrt(far_x * far_x + far_y * far_y);
-  return {{0.5 * (nearest + farthest), 0.5 * (box.lo.z + box.hi.z)},
-          {0.5 * (farthest - nearest), 0.5 * (box.hi.z - box.lo.z)}};
-}
-
 // The sweeps of packs of the turn tree that a ball about the box meets.
 void append_turned(const SweepColumns& c, std::span<const std::uint32_t> numbers, const Box3& box,
                    std::vector<std::uint32_t>& sweeps) {
