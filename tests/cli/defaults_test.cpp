@@ -65,7 +65,7 @@ TEST_F(Defaults, EngravedTextOnALargePlateIsNotLost) {
     EXPECT_EQ(j["tolerance"]["value"].is_null(), rows > 1);
     const double removed = 0.15 * radius * length + strokes * pi * radius * radius * 0.15 / 3;
     EXPECT_NEAR(j["volume"]["removed"], removed, (rows > 1 ? 0.25 : 0.01) * removed);
-    EXPECT_LE(j["voxel"]["value"], 0.1);
+    EXPECT_LT(j["voxel"]["value"], 2 * radius);  // narrower than a groove
   }
 }
 
