@@ -69,6 +69,20 @@ TEST_F(Defaults, EngravedTextOnALargePlateIsNotLost) {
   }
 }
 
+// 0.3 mm deep, on a plate whose usual tolerance would be 0.4 mm.
+TEST_F(Defaults, ShallowGrooveOnALargePlateIsNotLost) {
+  write("groove.nc",
+        "G21 G90 G17\nT1 M6\nS1000 M3\nG0 Z5\nG0 X813 Y610\nG1 Z-0.3 F300\nG1 X1813\nG0 "
+        "Z5\nM30\n");
+  const Outcome o =
+      run("groove.nc --stock box:0,0,-20,2440,1220,0 --tool endmill:d=6 -q -o part.stl "
+          "--json r.json");
+  EXPECT_EQ(o.code, 0) << o.err;
+  const Json j = Json::parse(read("r.json"));
+  const double exact = 0.3 * (6 * 1000 + 3.14159265 * 9);
+  EXPECT_NEAR(j["volume"]["removed"], exact, 0.01 * exact);
+}
+
 // A comment tells its angle alone: the cone reaches up to the stock's top.
 TEST_F(Defaults, AVBitWithoutDiameterHasTheSameGroove) {
   write("vee.nc",

@@ -221,6 +221,11 @@ TEST(ToolCommentDoubts, SizesThatHaveChanged) {
         "T1 ENDMILL 10MM REGROUND TO 9.8", "T1 10MM ENDMILL 0.2 UNDERSIZE"})
     EXPECT_EQ(told(changed, 1, false), "? names two sizes") << changed;
   EXPECT_EQ(told("T1 10MM ENDMILL NOW IN T5 HOLDER", 1, false), "? names several tools");
+  for (const char* one : {"T1 REGROUND 10MM ENDMILL", "TOOL 1 NOW 10MM ENDMILL",
+                          "TOOL 1 WAS SHARPENED - 10MM ENDMILL", "T1 10MM ENDMILL REGROUND 2X",
+                          "10MM ENDMILL, REST FROM LAST TOOL", "10MM ENDMILL - NEXT TOOL DRILL"})
+    EXPECT_EQ(told(one, 1, false), "endmill 10") << one;
+  EXPECT_EQ(told("T1 10. DIA. HELICAL END MILL", 1, false), "endmill 10");
   EXPECT_EQ(told("T1 FASFRAESER 90 GRAD D8", 1, false), "chamfer 8, point 90");
 }
 

@@ -151,6 +151,28 @@ TEST(DefaultStock, FeedsAsideInTheAirAreNoCuts) {
   EXPECT_EQ(table.cut({0, 0, 4}).cut({20, 0, 4}).cut({20, 0, -0.2}).cut({0, 0, -0.2}).top(), 8);
 }
 
+// Where the way up leads to more than one line, or nothing goes down behind it, it led to a cut.
+TEST(DefaultStock, CutsThatAFeedLeadsUpToCount) {
+  StockPath low;
+  low.rapid({0, 0, 40}).cut({0, 0, 5}).cut({40, 0, 5}).cut({40, 0, 15});
+  EXPECT_EQ(StockPath(low).cut({80, 0, 15}).rapid({80, 0, 40}).top(), 15);
+  EXPECT_EQ(StockPath(low).cut({80, 0, 15}).cut({80, 40, 15}).cut({80, 40, 5}).top(), 15);
+  StockPath middle;  // the zero lies between
+  middle.rapid({0, 0, 40}).cut({0, 0, -5}).cut({40, 0, -5}).cut({40, 0, 3}).cut({40, 40, 3});
+  EXPECT_EQ(middle.cut({0, 40, 3}).cut({0, 0, 3}).rapid({0, 0, 40}).top(), 3);
+}
+
+// G83 R2.5 Q0.5 Z-1.7 of a circuit board: most strokes end above the stock.
+TEST(DefaultStock, ShallowHolesInStrokesEndAtZeroToo) {
+  StockPath board;
+  double from = 2.5;
+  for (const double to : {2.0, 1.5, 1.0, 0.5, 0.0, -0.5, -1.0, -1.5, -1.7}) {
+    board.rapid({0, 0, 2.5}).rapid({0, 0, from}).cut({0, 0, to});
+    from = to + 0.1;
+  }
+  EXPECT_EQ(board.rapid({0, 0, 2.5}).rapid({20, 0, 2.5}).top(), 0);
+}
+
 // Rows of a slope that the zero passes, each with a rapid behind it.
 TEST(DefaultStock, EndsOfSlopesAreCuts) {
   StockPath rows;

@@ -141,6 +141,10 @@ bool tells_shape(const CommentView& view, std::size_t i) {
 // "WAS 10MM, NOW 12MM", "10MM REGROUND 9.8", "10MM, 0.2 UNDERSIZE": the number beside is another
 // size than the one that is named.
 bool tells_other_size(const CommentView& view, std::size_t i) {
+  std::size_t sizes = 0;
+  for (std::size_t k = 0; k < view.size(); ++k)
+    sizes += view[k].is_number() && !view.taken(k) && !view.is(k + 1, "X");
+  if (sizes < 2) return false;
   const auto number = [&](std::size_t at) { return view.has(at) && view[at].is_number(); };
   const std::size_t behind = view.is(i + 1, "TO") ? i + 2 : view.behind(i);
   return view.is_one(i, {"WAS", "NOW", "REGROUND", "RESHARPENED", "UNDERSIZE", "UNDERSIZED",

@@ -34,7 +34,17 @@ constexpr std::string_view kSized[] = {"POCKET",  "SLOT",      "TASCHE",   "NUT"
 bool is_round_work(const CommentView& view, std::size_t i) {
   return view.word(i) && !view.taken(i) &&
          view.is_one(i, {"HOLE", "HOLES", "BORE", "BORES", "CIRCLE", "CIRCLES", "CIRCULAR", "RING",
-                         "POCKET", "POCKETS", "RECESS", "BOSS", "BOSSES", "HELICAL", "HELIX"});
+                         "POCKET", "POCKETS", "RECESS", "BOSS", "BOSSES"});
+}
+
+// A way to mill such work, or the teeth of a mill.
+bool is_helical(const CommentView& view, std::size_t i) {
+  return view.word(i) && !view.taken(i) && view.is_one(i, {"HELICAL", "HELIX"});
+}
+
+// The word at i begins the comment, but for a word for tools before it.
+bool leads(const CommentView& view, std::size_t i) {
+  return i == 0 || (i == 1 && is_word_for_tool(view, 0));
 }
 
 bool makes_holes(const ToolKind& kind) {
@@ -60,13 +70,14 @@ bool is_unknown_word(const CommentView& view, std::size_t i) {
 bool mills_round_work(const CommentView& view, const ToolKind& mill) {
   if (!view.is(mill.first, "MILL")) return false;
   for (std::size_t i = 0; i < view.size(); ++i)
-    if (is_round_work(view, i)) return true;
+    if (is_round_work(view, i) || (is_helical(view, i) && i < mill.first)) return true;
   return false;
 }
 
 bool names_next_tool(const CommentView& view) {
   for (std::size_t i = 0; i < view.size(); ++i)
-    if (view.is_one(i, {"NEXT", "NAECHSTES", "N~CHSTES", "SUIVANT", "PROCHAIN", "SIGUIENTE",
+    if (leads(view, i) &&
+        view.is_one(i, {"NEXT", "NAECHSTES", "N~CHSTES", "SUIVANT", "PROCHAIN", "SIGUIENTE",
                         "PROSSIMO", "NASTEPNE"}) &&
         (i == 0 || is_word_for_tool(view, i - 1) || is_word_for_tool(view, i + 1)))
       return true;
@@ -75,7 +86,8 @@ bool names_next_tool(const CommentView& view) {
 
 bool names_last_tool(const CommentView& view) {
   for (std::size_t i = 0; i < view.size(); ++i)
-    if (view.is_one(i, {"LAST", "PREVIOUS", "PREV", "LETZTES", "VORIGES", "PRECEDENT"}) &&
+    if (leads(view, i) &&
+        view.is_one(i, {"LAST", "PREVIOUS", "PREV", "LETZTES", "VORIGES", "PRECEDENT"}) &&
         (is_word_for_tool(view, i + 1) || (i > 0 && is_word_for_tool(view, i - 1))))
       return true;
   return false;

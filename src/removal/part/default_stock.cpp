@@ -62,7 +62,7 @@ class HeightsReader {
     if (is_upright(m)) {
       if (m.end.z > m.start.z) return;  // a tap or a reamer on its way back
       heights_.hole_mouth = std::max(heights_.hole_mouth, m.start.z);
-      if (hole_low_ == -kNoHeight) first_stroke_ = m.end.z;
+      if (hole_low_ == -kNoHeight) mouth_ = m.start.z, first_stroke_ = m.end.z;
       hole_low_ = std::min(hole_low_, m.end.z);
       return;
     }
@@ -83,23 +83,28 @@ class HeightsReader {
     return m.kind != MotionKind::arc && m.start.x == m.end.x && m.start.y == m.end.y;
   }
 
-  // A feed aside above the zero, straight up before and down behind it, is a rapid in the place of
-  // which a post has written G1: "G1 Z5", "X20", "Z-2".
+  // One line aside above the zero, straight up before and down behind it, is a rapid in the place
+  // of which a post has written G1: "G1 Z5", "X20", "Z-2". Any other is a cut at its height.
   bool links(const Motion& m, const Box3& path) {
     const bool came_up = std::exchange(came_up_, is_upright(m) && m.end.z > m.start.z);
-    if (is_upright(m)) {
-      if (link_ != kNoHeight) end_link();
+    if (link_ != kNoHeight) {
+      if (m.end.z < m.start.z - kSameHeight)
+        end_link();
+      else
+        count_link();
+    }
+    if (!came_up || is_upright(m) || m.kind == MotionKind::arc ||
+        path.hi.z - path.lo.z > kSameHeight || path.lo.z <= zero_ + kSameHeight)
       return false;
-    }
-    if (path.hi.z - path.lo.z <= kSameHeight && path.lo.z > zero_ + kSameHeight &&
-        (came_up || link_ != kNoHeight)) {
-      link_ = path.lo.z;
-      return true;
-    }
-    if (link_ == kNoHeight) return false;
-    if (m.end.z > m.start.z) add_height(link_, heights_.entered);
+    link_ = path.lo.z;
+    return true;
+  }
+
+  void count_link() {
+    const double height = link_;
     end_link();
-    return false;
+    is_entry_ = false;
+    add_height(height, heights_.entered);
   }
 
   // What goes down from there is a way in; a ramp that nothing followed has cut to its end.
@@ -139,16 +144,18 @@ class HeightsReader {
     if (!is_entry_) entered = std::max(entered, z);
   }
 
-  // The first strokes of a drill that pecks may end above the stock; not where most of them do.
+  // The first strokes of a drill that pecks may end above the stock. Where a hole goes less than a
+  // third as far below the zero as it begins above it, the zero is that of the table.
   void end_hole() {
     if (hole_low_ == -kNoHeight) return;
-    const bool is_below = zero_ - hole_low_ > first_stroke_ - zero_;
+    const bool is_below = 3 * (zero_ - hole_low_) > mouth_ - zero_;
     heights_.hole_end = std::max(heights_.hole_end, is_below ? hole_low_ : first_stroke_);
     hole_low_ = -kNoHeight;
   }
 
   void end_entry() {
     if (waiting_ != kNoHeight) count_waiting();
+    if (link_ != kNoHeight) count_link();
     end_link();
     came_up_ = false;
   }
@@ -157,11 +164,11 @@ class HeightsReader {
   Heights heights_;
   double waiting_ = kNoHeight;  // height of a feed aside before the way down
   double approach_ = kNoHeight, entry_end_ = kNoHeight;
-  double way_out_ = kNoHeight;    // end of an upright arc, if a rapid follows it
-  double link_ = kNoHeight;       // height of a feed aside that came from straight below
-  bool came_up_ = false;          // the last motion was straight up
-  double first_stroke_ = 0;       // end of the first plunge at the place where the tool is
-  double hole_low_ = -kNoHeight;  // and the lowest one of all there
+  double way_out_ = kNoHeight;           // end of an upright arc, if a rapid follows it
+  double link_ = kNoHeight;              // height of a feed aside that came from straight below
+  bool came_up_ = false;                 // the last motion was straight up
+  double mouth_ = 0, first_stroke_ = 0;  // of the first plunge at the place where the tool is
+  double hole_low_ = -kNoHeight;         // and the lowest one of all there
   bool is_entry_ = true;
 };
 

@@ -24,6 +24,9 @@ namespace {
 // keeps its volume within 0.03 % (docs/accuracy.md) in a run of a second.
 constexpr double kToleranceShare = 1.7e-4;
 
+// Of that tolerance: the least where all of a mill's cuts are shallow.
+constexpr double kLeastShare = 0.1;
+
 // How many times as coarse a mesh within a tolerance may be before the grid takes its place: half
 // of the grid's cells, a quarter of them because of the octree's nodes (MeshPlan::most_tolerance).
 constexpr double kMostRaised = 8;
@@ -81,6 +84,16 @@ std::vector<double> lowest_tips(const CutList& cuts) {
                    : -std::numeric_limits<double>::infinity();
   }
   return lowest;
+}
+
+// How deep the mill cuts that goes least deep below the stock's top, mm; infinite without one.
+double shallowest_mill(const CutList& cuts, double stock_top) {
+  const std::vector<double> lowest = lowest_tips(cuts);
+  double least = std::numeric_limits<double>::infinity();
+  for (std::size_t k = 0; k < lowest.size(); ++k)
+    if (lowest[k] < stock_top && !is_turning(cuts.tools()[k].type))
+      least = std::min(least, stock_top - lowest[k]);
+  return least;
 }
 
 // The smallest radius with which a tool cuts: that of its cutter at the stock's top, since a V-bit
@@ -301,8 +314,14 @@ MeshChoice choose_mesh(const Job& job, const StockShape& stock, const CutList& c
   const double longest = longest_side(stock.box);
   choice.tolerance = longest * kToleranceShare;
   choice.tolerance_reason = fmt::format("0.017 % of the longest side, {:.6g} mm", longest);
+  // What a tool engraves on a large plate must not be lost within the tolerance.
+  const double depth = shallowest_mill(cuts, stock.box.hi.z);
+  if (depth / 2 < choice.tolerance) {
+    choice.tolerance = std::max(depth / 2, kLeastShare * choice.tolerance);
+    choice.tolerance_reason = fmt::format("a mill cuts no deeper than {:.4g} mm", depth);
+  }
   choice.is_default = true;
-  choice.most_tolerance = kMostRaised * choice.tolerance;
+  choice.most_tolerance = std::min(kMostRaised * choice.tolerance, depth);
   if (job.accept > 0 && choice.tolerance > job.accept / 4) {
     choice.tolerance = job.accept / 4;
     choice.tolerance_reason = fmt::format("a quarter of --accept, {:.6g} mm", job.accept);
