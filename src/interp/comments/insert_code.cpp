@@ -239,7 +239,7 @@ std::optional<InsertCode> find_insert_code(const std::vector<CommentToken>& toke
     if (code->angle != first->angle || (sizes && code->nose_radius != first->nose_radius))
       first->other = code->shape;
   }
-  const std::optional<InsertCode> holder = find_holder_code(tokens);
+  std::optional<InsertCode> holder = find_holder_code(tokens);
   if (!first) return holder;
   if (holder && holder->shape[0] == first->shape[0]) first->lead_angle = holder->lead_angle;
   return first;

@@ -115,7 +115,7 @@ bool ContourCycles::run() {
   call.first = *first;
   call.last = *last;
   if (const Word* program = take('A')) call.program = *program;
-  call_ = std::move(call);
+  call_ = call;
   if ((g == 71 || g == 72) && modal_.turn_settings.depth <= 0)
     return error("value-missing", fmt::format("G{} needs the depth of a pass, U, W or D", g),
                  call_.cut.where);
