@@ -10,8 +10,8 @@
 namespace mrsim {
 namespace {
 
-// Holes, bosses and what drills, taps, reamers, countersinks and deburring tools do, in the words
-// of several languages: a diameter beside them is that of the work, or of such a tool.
+// Holes, pockets, bosses and what drills, taps, reamers, countersinks and deburring tools do, in
+// the words of several languages: a diameter beside them is that of the work, or of such a tool.
 constexpr std::string_view kOtherWork[] = {
     "BOHRUNG",    "BOHRUNGEN",   "BOHREN",    "AUFBOHREN",  "LOCH",        "ZAPFEN",
     "REIBEN",     "SENKUNG",     "SENKEN",    "ANSENKEN",   "ZENTRIEREN",  "ENTGRATEN",
@@ -24,12 +24,9 @@ constexpr std::string_view kOtherWork[] = {
     "AGUJERO",    "AGUJEROS",    "TALADRADO", "CAJERA",     "ESCARIADO",   "ROSCADO",
     "AVELLANADO", "BISELADO",    "FURO",      "FUROS",      "FURACAO",     "ROSQUEAR",
     "OTWOR",      "OTW~R",       "OTWORY",    "WIERCENIE",  "GWINTOWANIE", "ROZWIERCANIE",
-    "FAZOWANIE",  "VRTANI",      "VRT~NI",    "SVERLENIE",  "OTVERSTIE",   "RASTOCHKA"};
-
-// Of words about the work those that have a width or a diameter: "POCKET D30".
-constexpr std::string_view kSized[] = {"POCKET",  "SLOT",      "TASCHE",   "NUT",  "POCHE",
-                                       "RAINURE", "CAJERA",    "BOSS",     "BOLT", "PCD",
-                                       "BCD",     "LOCHKREIS", "TEILKREIS"};
+    "FAZOWANIE",  "VRTANI",      "VRT~NI",    "SVERLENIE",  "OTVERSTIE",   "RASTOCHKA",
+    "POCKET",     "SLOT",        "TASCHE",    "NUT",        "POCHE",       "RAINURE",
+    "BOSS",       "BOLT",        "PCD",       "BCD",        "LOCHKREIS",   "TEILKREIS"};
 
 bool is_round_work(const CommentView& view, std::size_t i) {
   return view.word(i) && !view.taken(i) &&
@@ -57,8 +54,7 @@ bool makes_holes(const ToolKind& kind) {
 bool is_other_work(const CommentView& view, std::size_t i) {
   if (!view.word(i) || view.taken(i) || is_word_for_tool(view, i)) return false;
   const std::string_view word = view[i].text;
-  return std::ranges::find(kSized, word) != std::end(kSized) ||
-         std::ranges::find(kOtherWork, word) != std::end(kOtherWork);
+  return std::ranges::find(kOtherWork, word) != std::end(kOtherWork);
 }
 
 bool is_unknown_word(const CommentView& view, std::size_t i) {

@@ -65,7 +65,7 @@ class NodeBudget {
       most_ = std::max(kRaisedShare * given_, kGrown * static_cast<double>(nodes));
   }
 
-  /// As many cells are no longer few: one in a hundred nodes, of a small octree 120.
+  /// From this number on cells are not few: a hundredth of the nodes, 120 at least.
   static double few(std::size_t nodes) {
     constexpr double kShare = 0.01, kSmall = 12000;
     return kShare * std::max(static_cast<double>(nodes), kSmall);

@@ -27,7 +27,7 @@ CellOctree::CellOctree(const ExactField& field, const Lattice& lattice, double t
       tolerance_(tolerance),
       threads_(threads),
       limits_(limits),
-      is_box_(field.has_box_stock()) {
+      is_box_(tolerance > 0 && field.has_box_stock()) {
   part_.size = static_cast<std::int32_t>(lattice.size());
   part_.complete[1] = part_.owned[1] = part_.size;
   OctreeNode root;

@@ -127,7 +127,7 @@ class CellOctree final : public SurfaceCells {
   double tolerance_;
   int threads_;
   OctreeLimits limits_;
-  bool is_box_ = false;    ///< the stock is
+  bool is_box_ = false;    ///< the stock is, and there is a tolerance
   std::size_t drawn_ = 0;  ///< nodes over which the surface was drawn
   std::vector<OctreeNode> nodes_;
   std::vector<std::int32_t> new_leaves_;

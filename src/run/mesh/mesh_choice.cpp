@@ -24,7 +24,7 @@ namespace {
 // keeps its volume within 0.03 % (docs/accuracy.md) in a run of a second.
 constexpr double kToleranceShare = 1.7e-4;
 
-// Of that tolerance: the least where all of a mill's cuts are shallow.
+// Share of that tolerance down to which a mill whose cuts are all shallow may bring it.
 constexpr double kLeastShare = 0.1;
 
 // How many times as coarse a mesh within a tolerance may be before the grid takes its place: half
