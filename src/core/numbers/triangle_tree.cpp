@@ -229,6 +229,24 @@ TriangleTree::Hit TriangleTree::nearest(const Vec3& p, std::uint32_t hint) const
   return best;
 }
 
+bool TriangleTree::is_near(const Vec3& p, double most) const {
+  const double most2 = most * most;
+  std::uint32_t stack[64] = {0};  // depth of a median tree: at most 32
+  for (int top = 1; top > 0;) {
+    const std::uint32_t at = stack[--top];
+    const Node& node = nodes_[at];
+    if (box_distance2(node, p) > most2) continue;
+    for (std::uint32_t i = node.first; i < node.first + node.count; ++i) {
+      const Corners k = corners(order_[i]);
+      if (nearest_on_triangle(p, k.a, k.b, k.c).distance2 <= most2) return true;
+    }
+    if (node.count > 0) continue;
+    stack[top++] = node.first;
+    stack[top++] = at + 1;
+  }
+  return false;
+}
+
 TrianglePoint TriangleTree::nearest_in_plan(const Vec3& p, double most) const {
   TrianglePoint best;
   double best2 = most * most;

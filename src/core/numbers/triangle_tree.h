@@ -45,6 +45,8 @@ class TriangleTree {
   /// least index. A `hint` (any triangle, such as the one nearest to a neighbour of p) makes the
   /// search faster and does not change its result.
   Hit nearest(const Vec3& p, std::uint32_t hint = 0) const;
+  /// Whether p lies no farther than `most` mm from the mesh; cheaper than nearest().
+  bool is_near(const Vec3& p, double most) const;
   /// The point in plan (z = 0) of what the mesh has above p.z that is nearest to p, nearer than
   /// `most`, mm. Without one the distance is infinite.
   TrianglePoint nearest_in_plan(const Vec3& p, double most) const;

@@ -256,12 +256,9 @@ class LostSearch {
   }
   // The mesh has p on this side, or lies no farther off than the tolerance.
   bool is_held(const Vec3& p, bool inside) const {
-    const double d = mesh_.signed_distance(p);
-    return (inside ? -d : d) > -tolerance_;
+    return is_near(p) || (mesh_.signed_distance(p) < 0) == inside;
   }
-  bool is_near(const Vec3& p) const {
-    return mesh_.nearest(p).distance2 <= tolerance_ * tolerance_;
-  }
+  bool is_near(const Vec3& p) const { return mesh_.is_near(p, tolerance_); }
 
   const ExactField& field_;
   const SurfaceCells& cells_;

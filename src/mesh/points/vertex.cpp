@@ -10,6 +10,11 @@ namespace {
 constexpr double kLeastDeterminant = 1e-4;  ///< of the normals of three faces that meet in a corner
 constexpr double kClearDeterminant = 0.25;  ///< of a corner outside of its cell
 constexpr double kSharpDeterminant = 0.05;  ///< of a corner seen from a crease
+constexpr double kBeside = 1e-3;  ///< mm: from a ridge to where the part about it is looked at
+constexpr double kAlong = 16;     ///< of kBeside: from the end of a ridge to where it is looked at
+constexpr double kClear = 0.25;   ///< of the distance to the two faces that is expected there
+constexpr double kOnFace = 0.02;  ///< of kBeside: how far from a face what lies on it may be
+constexpr double kFlatRidge = 0.98;  ///< cosine between faces that need not be kept apart
 
 // Up to `most` different faces, in the order of their first crossing.
 std::size_t distinct_faces(std::span<const FieldSample> in, FieldSample* out, std::size_t most) {
@@ -120,6 +125,23 @@ SurfacePoint passing_crease(const Probe& probe, const Box3& room, const Vec3& st
   return found;
 }
 
+// Whether the two faces with these normals run up to a ridge in p, and more of the surface does.
+// On each face the surface goes on to one side of the ridge only: of an edge to where the other
+// face has material, of a valley to where it has none. To its other side lies air (material).
+bool is_doubled(const Probe& probe, const Vec3& p, const Vec3& n, const Vec3& m) {
+  const double c = dot(n, m), sine = std::sqrt(std::max(0.0, 1 - c * c));
+  if (c > kFlatRidge || sine < kSharpDeterminant) return false;
+  const Vec3 first = (kBeside / sine) * (m - c * n), second = (kBeside / sine) * (n - c * m);
+  const auto at = [&](const Vec3& v) { return probe.sample(p + v).distance; };
+  const double under[] = {at(-first), at(-second)}, over[] = {at(first), at(second)};
+  const double clear = kClear * sine * kBeside;
+  const auto on_surface = [](const double* d) {
+    return std::abs(d[0]) < kOnFace * kBeside && std::abs(d[1]) < kOnFace * kBeside;
+  };
+  return (on_surface(under) && !(over[0] > clear && over[1] > clear)) ||
+         (on_surface(over) && !(under[0] < -clear && under[1] < -clear));
+}
+
 }  // namespace
 
 SurfacePoint point_in_face(const Probe& probe, const Box3& room, int axis, const Vec3& start,
@@ -210,6 +232,24 @@ SurfacePoint point_in_cell(const Probe& probe, const Box3& room, const CellHints
     if (SurfacePoint s = crease_between_some(probe, room, hints); s.count > 0) return s;
   }
   return try_smooth(probe, room, mean);
+}
+
+void keep_apart(const Probe& probe, const Vec3& side, SurfacePoint& ridge) {
+  if (ridge.count < 2) return;
+  const Vec3 p = ridge.position;
+  Vec3 normal[3];
+  for (int k = 0; k < ridge.count; ++k)
+    normal[k] = probe.field.face_plane(p, ridge.faces[k]).normal;
+  for (int k = ridge.count == 2 ? 2 : 0; k < 3; ++k) {
+    const Vec3 &n = normal[(k + 1) % 3], &m = normal[(k + 2) % 3];
+    // The ridge may run either way from its end.
+    const Vec3 along = ridge.count == 2 ? Vec3() : kAlong * kBeside * normalized(cross(n, m));
+    if (!is_doubled(probe, p + along, n, m) &&
+        (ridge.count == 2 || !is_doubled(probe, p - along, n, m)))
+      continue;
+    const Vec3 out = normalized(n + m);
+    ridge.position += std::clamp(dot(side - p, out), -probe.shallow, probe.shallow) * out;
+  }
 }
 
 Vec3 snap_inside(const Vec3& p, const Box3& room, int axis) {

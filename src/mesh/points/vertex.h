@@ -39,6 +39,11 @@ SurfacePoint crease_near(const Probe& probe, const Box3& room, int axis, const V
 SurfacePoint corner_near(const Probe& probe, const Box3& room, const Vec3& start,
                          std::span<const FieldSample> faces);
 
+/// Where two ridges lie on each other (a cutter whose tip just reaches the stock's underside leaves
+/// two edges on one line) no closed mesh can have both. A point of such a ridge, or of its end, is
+/// moved off it by `probe.shallow`, towards `side`; others stay. Costs two samples a crease.
+void keep_apart(const Probe& probe, const Vec3& side, SurfacePoint& ridge);
+
 /// p rounded, in the interior of the rectangle, which is flat on `axis`.
 Vec3 snap_inside(const Vec3& p, const Box3& room, int axis);
 

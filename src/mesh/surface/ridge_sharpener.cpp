@@ -7,7 +7,6 @@
 #include <iterator>
 
 namespace mrsim::detail {
-
 // Where the vertex of each loop goes; count = 0: it stays.
 std::vector<SurfacePoint> RidgeSharpener::find_tips() const {
   std::vector<SurfacePoint> tips = outside_;
@@ -35,13 +34,14 @@ std::size_t RidgeSharpener::segment_vertices() const {
 std::vector<RidgeVertex> RidgeSharpener::find_ridge(const CellOctree& tree) const {
   std::vector<RidgeVertex> ridge;
   std::vector<char> is_near(mesh_.vertices.size(), 0);
-  const auto add_if_moved = [&](std::size_t v, const SurfacePoint& to) {
+  const auto add_if_moved = [&](std::size_t v, SurfacePoint to) {
     if (to.count == 0) return;
     // Other sweeps may matter there than in the cell that it was found from.
     const std::int32_t cell = tree.locate(to.position);
     if (tree.node(cell).region != ExactField::Region::mixed ||
         !probe(cell).is_on_surface(to.position))
       return;
+    keep_apart(probe(cell), mesh_.vertices[v], to);
     ridge.push_back({static_cast<std::uint32_t>(v), to, true});
     is_near[v] = 1;
   };

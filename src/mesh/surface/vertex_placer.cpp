@@ -27,10 +27,16 @@ void VertexPlacer::place() {
   flatten_loops();
 }
 
+void VertexPlacer::count_segments() {
+  segments_in_face_.assign(faces_.size(), 0);
+  for (const Segment& s : segments_) ++segments_in_face_[static_cast<std::size_t>(s.face)];
+}
+
 // Segments between faces of the part that meet in a crease, and where it passes the faces of the
 // cells.
 void VertexPlacer::find_creases() {
   creases_.clear();
+  count_segments();
   for (std::size_t k = 0; k < segments_.size(); ++k) {
     Segment& s = segments_[k];
     s.crease = s.is_crease ? static_cast<std::int32_t>(creases_.size()) : -1;
@@ -76,8 +82,10 @@ KnownPoints::Result VertexPlacer::place_crease(const Segment& s) const {
   if (result.smooth) return result;
   result.point = *point;
   const FieldSample ends[2] = {a.at, b.at};
+  const Vec3 between = 0.5 * (a.position + b.position);
+  if (options_.sharpen && is_crowded(s)) keep_apart(p, between, result.point);
   if (options_.sharpen && result.point.count == 0)
-    result.outside = crease_near(p, box, face.axis, 0.5 * (a.position + b.position), ends);
+    result.outside = crease_near(p, box, face.axis, between, ends);
   return result;
 }
 
@@ -114,14 +122,15 @@ void VertexPlacer::place_loops() {
 std::uint64_t VertexPlacer::key_of(const Segment& s) const {
   const CellFace& face = at(faces_, s.face);
   const std::int32_t cell = face_cell(face);
-  InputHash hash(static_cast<std::uint64_t>(cell) * 8 +
-                 static_cast<std::uint64_t>(2 * face.axis + (cell == face.low)));
+  InputHash hash(
+      static_cast<std::uint64_t>(cell) * 16 +
+      static_cast<std::uint64_t>(4 * face.axis + 2 * (cell == face.low) + is_crowded(s)));
   for (const std::int32_t k : {s.from, s.to}) add_crossing(hash, at(crossings_, k));
   return hash.value();
 }
 
 std::uint64_t VertexPlacer::key_of(const Loop& loop) const {
-  InputHash hash(static_cast<std::uint64_t>(loop.cell));
+  InputHash hash(static_cast<std::uint64_t>(loop.cell) * 2 + is_crowded(loop));
   for (const std::int32_t k : crossings_of(loop)) add_crossing(hash, at(crossings_, k));
   for (const std::int32_t k : segments_of(loop)) {
     const std::int32_t c = at(segments_, k).crease;
@@ -137,6 +146,14 @@ bool VertexPlacer::is_smooth(const Loop& loop) const {
   for (const std::int32_t k : segments_of(loop))
     if (at(segments_, k).crease >= 0) return false;
   return true;
+}
+
+bool VertexPlacer::is_crowded(const Segment& s) const {
+  return segments_in_face_[static_cast<std::size_t>(s.face)] > 1;
+}
+
+bool VertexPlacer::is_crowded(const Loop& loop) const {
+  return loops_in_cell_[static_cast<std::size_t>(loop.cell)] > 1;
 }
 
 Vec3 VertexPlacer::mean_crossing(const Loop& loop) const {
@@ -231,6 +248,7 @@ void VertexPlacer::finish_loop(std::int32_t id) {
     }
     const Probe p = probe(loop.cell);
     if (loop.point.count == 0) loop.point = point_in_cell(p, box, {crossings, faces, creases});
+    if (options_.sharpen && is_crowded(loop)) keep_apart(p, mean_crossing(loop), loop.point);
     if (options_.sharpen && loop.point.count < 2)
       outside_[static_cast<std::size_t>(id)] = crease_near(p, box, -1, mean_crossing(loop), faces);
     if (loop.point.count == 0) {

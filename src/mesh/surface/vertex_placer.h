@@ -50,6 +50,10 @@ class VertexPlacer : public SurfaceStep {
   void place_loops();
   void place_loops_of(std::span<const std::int32_t> loops);
   bool is_smooth(const Loop& loop) const;
+  void count_segments();
+  // Whether another piece of surface passes the same face, or the same cell.
+  bool is_crowded(const Segment& s) const;
+  bool is_crowded(const Loop& loop) const;
   std::optional<BorderSearch> owner_border(const Loop& loop) const;
   Vec3 mean_crossing(const Loop& loop) const;
   void finish_loop(std::int32_t loop);
@@ -57,6 +61,7 @@ class VertexPlacer : public SurfaceStep {
   std::uint64_t key_of(const Segment& s) const;
   std::uint64_t key_of(const Loop& loop) const;
 
+  std::vector<std::uint8_t> segments_in_face_;  ///< by face: one or two
   std::set<std::int32_t> flat_cells_;
   KnownPoints known_loops_, known_creases_;
 };
