@@ -96,7 +96,7 @@ void fill_hausdorff(const TriMesh& part, const TriMesh& nominal, const Deviation
                     Comparison& out) {
   const double largest = std::max({out.part.max, -out.part.min, out.nominal.max, -out.nominal.min});
   const double error =
-      options.hausdorff_error > 0 ? options.hausdorff_error : std::max(1e-4, 0.01 * largest);
+      options.hausdorff_error > 0 ? options.hausdorff_error : kUsualError.of(largest);
   out.part_to_nominal = hausdorff_of(part, of_part, nominal, nominal_surface, error, options);
   out.nominal_to_part = hausdorff_of(nominal, of_nominal, part, part_surface, error, options);
   const bool first = out.part_to_nominal.lower >= out.nominal_to_part.lower;

@@ -19,7 +19,9 @@ namespace mrsim {
 namespace {
 
 constexpr std::size_t kMachineFileLimit = std::size_t(1) << 20;
-constexpr double kLargestRate = 1e7;
+// Speeds and accelerations, in the units of MachineData: what is above 0, and no slip of the
+// keyboard.
+constexpr double kLeastRate = 1e-3, kLargestRate = 1e7;
 
 // A key with one number, and the least that it may be.
 struct NumberKey {
@@ -29,8 +31,8 @@ struct NumberKey {
 };
 constexpr std::array kNumbers = {
     NumberKey{"tool_change", &MachineData::tool_change, 0},
-    NumberKey{"spindle_acceleration", &MachineData::spindle_acceleration, 1e-3},
-    NumberKey{"max_spindle", &MachineData::max_spindle, 1e-3},
+    NumberKey{"spindle_acceleration", &MachineData::spindle_acceleration, kLeastRate},
+    NumberKey{"max_spindle", &MachineData::max_spindle, kLeastRate},
     NumberKey{"corner_tolerance", &MachineData::corner_tolerance, 0},
 };
 // A key with a number for each axis, above 0.
@@ -83,17 +85,16 @@ class MachineReader {
     return *value;
   }
   Vec3 axes(std::string_view key, const toml::node& node) const {
-    constexpr double kLeast = 1e-3;
     const toml::array* row = node.as_array();
     if (row == nullptr) {
-      const double all = number(key, node, kLeast);
+      const double all = number(key, node, kLeastRate);
       return {all, all, all};
     }
     if (row->size() != 3)
       fail(node.source().begin, "machine-value",
            fmt::format("{} must be one number, or three: X, Y, Z", key));
-    return {number(key, (*row)[0], kLeast), number(key, (*row)[1], kLeast),
-            number(key, (*row)[2], kLeast)};
+    return {number(key, (*row)[0], kLeastRate), number(key, (*row)[1], kLeastRate),
+            number(key, (*row)[2], kLeastRate)};
   }
   Vec3 place(std::string_view key, const toml::node& node) const {
     const toml::array* row = node.as_array();

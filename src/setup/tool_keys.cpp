@@ -12,6 +12,8 @@
 namespace mrsim {
 namespace {
 
+constexpr double kLeastLength = 1e-3;  // mm: of a size without which there is no tool
+
 constexpr std::uint32_t bits() { return 0; }
 template <class... Rest>
 constexpr std::uint32_t bits(ToolType first, Rest... rest) {
@@ -25,7 +27,7 @@ constexpr std::uint32_t kRound = kMilling & ~bits(ToolType::form);
 
 using enum ToolType;
 const std::vector<ToolKey> kKeys = {
-    {"diameter", "d", Quantity::length, &Tool::diameter, 1e-3, kLargestLength,
+    {"diameter", "d", Quantity::length, &Tool::diameter, kLeastLength, kLargestLength,
      kRound | bits(turning, boring)},
     {"corner_radius", "r", Quantity::length, &Tool::corner_radius, 0, kLargestLength,
      bits(endmill, bullmill, chamfer, taper, tslot, barrel)},
@@ -36,13 +38,14 @@ const std::vector<ToolKey> kKeys = {
      bits(chamfer, taper, barrel)},
     {"neck_diameter", "n", Quantity::length, &Tool::neck_diameter, 0, kLargestLength,
      bits(tslot, lollipop)},
-    {"profile_radius", "p", Quantity::length, &Tool::profile_radius, 1e-3, kLargestLength,
+    {"profile_radius", "p", Quantity::length, &Tool::profile_radius, kLeastLength, kLargestLength,
      bits(barrel)},
     {"insert_angle", "", Quantity::angle, &Tool::insert_angle, 1, 179, kTurning},
     {"nose_radius", "r", Quantity::length, &Tool::nose_radius, 0, kLargestLength, kTurning},
     {"lead_angle", "a", Quantity::angle, &Tool::lead_angle, 1, 179, kTurning},
-    {"edge_length", "l", Quantity::length, &Tool::edge_length, 1e-3, kLargestLength, kTurning},
-    {"width", "w", Quantity::length, &Tool::width, 1e-3, kLargestLength,
+    {"edge_length", "l", Quantity::length, &Tool::edge_length, kLeastLength, kLargestLength,
+     kTurning},
+    {"width", "w", Quantity::length, &Tool::width, kLeastLength, kLargestLength,
      bits(grooving, tslot, threading)},
 };
 

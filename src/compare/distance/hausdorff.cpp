@@ -296,7 +296,7 @@ HausdorffBound surface_distance(const TriMesh& a, const TriMesh& b, const Distan
                                 int threads) {
   const DirectedWay ways[2] = {{a, b, threads}, {b, a, threads}};
   const double known = std::max(ways[0].known(), ways[1].known());
-  const double enough = std::max(error.least, error.share * known);
+  const double enough = error.of(known);
   HausdorffBound out;
   for (const DirectedWay& way : ways) {
     const HausdorffBound one = way.search(enough, threads);

@@ -15,6 +15,8 @@
 #include "compare/distance/flat_patches.h"
 #include <mrsim/compare.h>
 
+#include <algorithm>
+
 namespace mrsim {
 
 /// Directed: the largest distance of a point of `from` from the surface `to`. `known` is a distance
@@ -29,7 +31,10 @@ inline constexpr std::size_t kHausdorffPieces = 300'000;
 /// How close a bound is searched: to `least` mm, or to `share` of the distance where that is more.
 struct DistanceError {
   double least = 0, share = 0;
+  double of(double distance) const { return std::max(least, share * distance); }
 };
+/// Where nobody asks for another: a tenth of a micrometre, or a hundredth of the distance.
+inline constexpr DistanceError kUsualError{1e-4, 0.01};
 
 /// The larger of both directed distances of two surfaces, of which either may be open.
 HausdorffBound surface_distance(const TriMesh& a, const TriMesh& b, const DistanceError& error,

@@ -9,7 +9,8 @@
 namespace mrsim {
 namespace {
 
-constexpr double kSteepest = 2;  // degrees, of swinging without an angle
+constexpr double kSteepest = 2;   // degrees, of swinging without an angle
+constexpr double kNoRoom = 1e-3;  // mm: too little for a helix, or for swinging
 
 }  // namespace
 
@@ -56,8 +57,8 @@ void AreaCutter::cut(const MillLevels& l, const MillArea& area, const std::vecto
 void AreaCutter::descend(const MillLevels& l, const MillArea& area, double from, double to) {
   if (l.entry == 0) return mover_.rapid_height(to);
   const double radius = std::min(l.helix * scale(), area.helix);
-  if (l.entry == 3 && area.swing > 1e-3) return swing_down(l, area, from, to);
-  if (l.entry != 2 || radius < 1e-3) return mover_.line_height(to, l.plunge);
+  if (l.entry == 3 && area.swing > kNoRoom) return swing_down(l, area, from, to);
+  if (l.entry != 2 || radius < kNoRoom) return mover_.line_height(to, l.plunge);
   const double deep = std::abs(to - from);
   PlanePiece turn;
   turn.arc = true;

@@ -8,8 +8,7 @@
 namespace mrsim {
 namespace {
 
-constexpr double kStep = 5e-4;  // mm: a step that the rounding of a program's last digit makes
-constexpr double kCusp = 0.1;   // |t1 x t2| above which a path does not turn back
+constexpr double kCusp = 0.1;  // |t1 x t2| above which a path does not turn back
 
 // 1 / radius in 1 / mm, above 0 to the left; 0 for a line.
 double curvature(const PlanePiece& piece) {
@@ -65,7 +64,7 @@ Corner corner_kind(const PathMove& a, const PathMove& b) {
   if (dot(t1, t2) < 0 && std::abs(c) < kCusp && (p.arc || q.arc))
     c -= a.comp.radius * (curvature(p) + curvature(q));
   const double step = std::abs(c) * a.comp.radius;  // between the offset ends
-  if ((std::abs(c) < kTurnRounding || step < kStep) && dot(t1, t2) > 0) return Corner::smooth;
+  if ((std::abs(c) < kTurnRounding || step < kLastDigit) && dot(t1, t2) > 0) return Corner::smooth;
   if (std::abs(c) < kTurnRounding) return Corner::outside;  // straight back
   return a.comp.side * c > 0 ? Corner::inside : Corner::outside;
 }

@@ -5,14 +5,17 @@
 
 namespace mrsim {
 
-inline constexpr double kTouch = 1e-6;  ///< mm
+inline constexpr double kTouch = 1e-6;      ///< mm: elements nearer than this meet
+inline constexpr double kLastDigit = 5e-4;  ///< mm: half a unit of the last digit of a program
 
 /// The element on which the tool's centre runs. An arc whose radius is not above 0 then is void.
 PlanePiece moved(const PathMove& move);
 inline bool is_void(const PlanePiece& offset) { return offset.arc && offset.radius <= kTouch; }
 /// A void arc that has the tool's radius, up to the rounding of a program's last digit: the tool
 /// stands at its centre and cuts all of it.
-inline bool is_point(const PlanePiece& offset) { return is_void(offset) && offset.radius > -5e-4; }
+inline bool is_point(const PlanePiece& offset) {
+  return is_void(offset) && offset.radius > -kLastDigit;
+}
 
 /// Whether the move belongs to the contour. False for infeeds, tilted arcs, suspended and
 /// uncompensated moves.

@@ -19,6 +19,7 @@ namespace mrsim {
 namespace {
 
 constexpr double kLargest = 1e9;              // the largest value of a word
+constexpr double kOffWhole = 1e-6;            // rounding of an expression whose value is whole
 constexpr std::size_t kMostCallValues = 128;  // values of a call
 constexpr std::size_t kMostTexts = 100;       // texts of a block
 
@@ -140,7 +141,8 @@ LanguageReader::Answer Statements::value(std::string_view line, std::size_t& p, 
   }
   word.value = out.number;
   const double tenth = nearest_whole(out.number * 10);
-  if ((c == 'G' || c == 'M') && std::abs(out.number * 10 - tenth) < 1e-6) word.value = tenth / 10;
+  if ((c == 'G' || c == 'M') && std::abs(out.number * 10 - tenth) < kOffWhole)
+    word.value = tenth / 10;
   return Answer::value;
 }
 
@@ -274,7 +276,7 @@ bool Statements::condition(std::size_t& p, bool& out) {
 bool Statements::number(std::size_t& p, double& out, bool whole) {
   const std::size_t from = p;
   if (!evaluator_.number_operand(block_.line, p, out)) return report(evaluator_.fault());
-  if (whole && std::abs(out - nearest_whole(out)) > 1e-6)
+  if (whole && std::abs(out - nearest_whole(out)) > kOffWhole)
     return fail("value-range", "a whole number is needed here", from, p);
   if (whole) out = nearest_whole(out);
   return std::abs(out) <= kLargest || fail("number-too-large", "too large", from, p);

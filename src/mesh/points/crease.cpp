@@ -12,6 +12,8 @@ namespace {
 constexpr double kSmoothJoin = 3e-3;      ///< sine of the angle below which two faces join smoothly
 constexpr double kLargestShallow = 0.05;  ///< sine
 constexpr double kParallel = 1e-9;        ///< sine squared: two faces that meet in no line
+constexpr double kParallelThree = 1e-5;   ///< determinant of normals: three that meet in no corner
+constexpr double kParallelPlane = 1e-4;   ///< sine squared: a face that meets no plane of the cell
 constexpr double kLastStep = 1e-10;       ///< mm: Newton's method has converged
 constexpr double kCycle = 0.9;            ///< of the step before the last one: Newton goes round
 constexpr double kAlike = 0.95;           ///< cosine between faces that may be exchanged
@@ -33,7 +35,7 @@ bool newton_step(const Vec3* n, const double* g, int rows, Vec3& step) {
   }
   const Vec3 c12 = cross(n[1], n[2]), c20 = cross(n[2], n[0]), c01 = cross(n[0], n[1]);
   const double det = dot(n[0], c12);
-  if (!(std::abs(det) > 1e-5)) return false;
+  if (!(std::abs(det) > kParallelThree)) return false;
   step = (-1 / det) * (g[0] * c12 + g[1] * c20 + g[2] * c01);
   return true;
 }
@@ -53,7 +55,7 @@ bool project(const Probe& probe, const Box3& room, int axis, double near, Vec3& 
     auto [n, distance] = probe.field.face_plane(p, s);
     if (axis >= 0) component(n, axis) = 0;
     const double nn = dot(n, n);
-    if (!(nn > 1e-4)) return false;
+    if (!(nn > kParallelPlane)) return false;
     p = p - distance / nn * n;
     if (!in_reach(p, room)) return false;
   }

@@ -5,9 +5,8 @@
 namespace mrsim::detail {
 namespace {
 
-constexpr double kLeastHeight = 2e-5;  ///< mm: of a new triangle
-constexpr double kNoDivisor = 1e-30;   ///< mm: in place of the longest side of a point
-constexpr double kGoodHeight = 2e-4;   ///< mm: required of it where it replaces a higher one
+constexpr double kNoSide = 1e-30;     ///< mm: in place of the longest side of a point
+constexpr double kGoodHeight = 2e-4;  ///< mm: of a new triangle in place of a higher one
 
 // Radians: an edge is flipped where the two angles that face it are together more than half a turn
 // by more than this.
@@ -22,7 +21,7 @@ bool circle_holds(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d) {
 
 double height_of(const Vec3& a, const Vec3& b, const Vec3& c) {
   const double longest = std::max({distance(a, b), distance(b, c), distance(c, a)});
-  return length(cross(b - a, c - a)) / std::max(longest, kNoDivisor);
+  return length(cross(b - a, c - a)) / std::max(longest, kNoSide);
 }
 
 }  // namespace

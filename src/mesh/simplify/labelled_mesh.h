@@ -12,6 +12,8 @@ namespace mrsim::detail {
 
 class DualSurface;
 
+inline constexpr double kLeastHeight = 2e-5;  ///< mm: no new triangle is lower
+
 struct LabelledMesh {
   std::vector<Vec3> vertices;
   std::vector<std::array<std::uint32_t, 3>> triangles;

@@ -17,8 +17,7 @@ namespace {
 
 using Triangle = std::array<std::uint32_t, 3>;
 
-constexpr double kGrowth = 1.6;          ///< of the length of new edges, from pass to pass
-constexpr double kLeastAltitude = 2e-5;  ///< mm: of a new triangle
+constexpr double kGrowth = 1.6;       ///< of the length of new edges, from pass to pass
 constexpr double kFineCosine = 0.98;  ///< between a new triangle and the exact surface: 11 degrees
 constexpr double kLeastCosine = 0.3;  ///< where the triangles before lie no better
 constexpr double kNoSquare = 1e-30;   ///< mm^2: in place of the length of two equal places, squared
@@ -191,7 +190,7 @@ class Simplifier {
     const Vec3 n = cross(b - a, c - a);
     const double area = length(n);
     const double longest = std::max({distance(a, b), distance(b, c), distance(c, a)});
-    if (!(area > kLeastAltitude * longest)) return -1;
+    if (!(area > kLeastHeight * longest)) return -1;
     return dot(n, field_.gradient((1.0 / 3) * (a + b + c), mesh_.faces[mesh_.labels[s.triangle]])) /
            area;
   }

@@ -196,8 +196,7 @@ void SweepBuilder::add_horizontal(SweepRef& ref, const LocalMotion& l, const Pro
 // Up and down: a cutter that never narrows upwards counts at its lowest; one that widens once and
 // narrows again is drawn out at its widest.
 void SweepBuilder::add_upright(SweepRef& ref, const LocalMotion& l, const Profile& tool) {
-  const LocalMotion& low = l;
-  LocalMotion at = low;
+  LocalMotion at = l;
   at.start.z = at.end.z = std::min(l.start.z, l.end.z);
   at.end.x = at.start.x, at.end.y = at.start.y;
   if (tool.is_rising()) {

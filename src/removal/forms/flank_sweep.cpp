@@ -22,8 +22,7 @@
 namespace mrsim {
 namespace {
 
-constexpr double kNoTurn = 1e-12;           // radians: nearer to an end of the path is the end
-constexpr double kSamePlaceOfPath = 1e-12;  // mm
+constexpr double kSameDistance = 1e-12;  // mm: two distances are one, but for rounding
 constexpr int kMostNewton = 40;
 
 // A tip (point, ball, disc or bull nose) and the flank that joins it.
@@ -101,7 +100,7 @@ class FlankOnArc {
       if (holds(w) && off_in_plan(w) <= off_in_plan(nearest)) nearest = w;
     const double rho = std::sqrt(square(off_in_plan(nearest)) + beside2_);
     const double wall = rho - tool_.max_radius();
-    known_ = tool_.distance({rho, z_ - radius_ * nearest.y}) <= wall + kSamePlaceOfPath;
+    known_ = tool_.distance({rho, z_ - radius_ * nearest.y}) <= wall + kSameDistance;
     best_ = wall, at_ = nearest;
   }
 
@@ -125,7 +124,7 @@ class FlankOnArc {
   // Within the tool its foot on tip and flank says nothing of the other faces, and a flat tip may
   // be deeper than the mill with the same one.
   bool is_nearest(double rho, double z, double f) const {
-    return core_ == 0 && std::fabs(tool_.distance({rho, z}) - f) <= kSamePlaceOfPath;
+    return core_ == 0 && std::fabs(tool_.distance({rho, z}) - f) <= kSameDistance;
   }
 
   // The slope of G / R in x / R = u, with p mirrored to `x` >= 0: a lean + b times the path's
@@ -207,8 +206,10 @@ std::optional<PathSample> minimum(const Profile& tool, const ToolPath& path, con
   f.ask_positions();
   if (!f.is_found()) return std::nullopt;
   double t = mrsim::atan2(cross(path.begin, f.place()), dot(path.begin, f.place()));
-  if (t < -kNoTurn) t += kTwoPi;
-  return PathSample{f.distance(), t < kNoTurn ? 0 : t > path.sweep - kNoTurn ? path.sweep : t};
+  if (t < -kAtPathEnd) t += kTwoPi;
+  return PathSample{f.distance(), t < kAtPathEnd                ? 0
+                                  : t > path.sweep - kAtPathEnd ? path.sweep
+                                                                : t};
 }
 
 }  // namespace

@@ -45,6 +45,9 @@ PathPoint path_point(const ToolPath& path, double t);
 /// plane.
 bool is_two_sided(const ToolPath& arc);
 
+/// Radians: a place of an arc nearer than this to one of its ends is that end.
+inline constexpr double kAtPathEnd = 1e-12;
+
 /// The least distance, mm, and the place of the path from which it is reached.
 struct PathSample {
   double distance = 0, t = 0;

@@ -12,8 +12,6 @@
 namespace mrsim {
 namespace {
 
-constexpr double kAtEnd =
-    1e-12;  // radians: a place nearer than this to an end of the path is the end
 constexpr Vec2 kAxes[4] = {{1, 0}, {0, 1}, {-1, 0}, {0, -1}};
 
 int quadrant(Vec2 w) {
@@ -84,8 +82,8 @@ double parameter(const ToolPath& path, const Found& found) {
   // After a whole turn the quarter of the start comes again.
   const bool again = path.quarters > 4 && found.branch == path.quarters - 1;
   double t = mrsim::atan2(cross(path.begin, w), dot(path.begin, w));
-  if (t < (again ? kAtEnd : -kAtEnd)) t += kTwoPi;
-  return t < kAtEnd ? 0 : t > path.sweep - kAtEnd ? path.sweep : t;
+  if (t < (again ? kAtPathEnd : -kAtPathEnd)) t += kTwoPi;
+  return t < kAtPathEnd ? 0 : t > path.sweep - kAtPathEnd ? path.sweep : t;
 }
 
 }  // namespace

@@ -5,7 +5,7 @@ struct Row {
   V distance, squared, x, y, z, rest, height_number;
 };
 
-constexpr float kNoDivisor = 1e-20f;  // mm: in place of a divisor that is 0
+constexpr float kNoDivisor = 1e-20f;  // that of rounding.h is 0 as a float
 
 MRSIM_LANE V clamped(V x, V low, V high) { return vmin(vmax(x, low), high); }
 

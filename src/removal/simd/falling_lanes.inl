@@ -39,6 +39,12 @@ MRSIM_LANE V lower_bound(const Place& a, const Place& b, V round) {
   return slab(a.dr, b.dz, round);
 }
 
+/// mm or radians: Newton's method has found a least distance where its step is smaller. The next
+/// step would be the square of it, and the distance changes by the square of that.
+constexpr double kLastNewtonStep = 1e-6;
+/// The square of the step at which Newton's method has found a crossing.
+constexpr double kLastCrossingSquared = 1e-16;
+
 /// The place in [a, b] where dr = dz, which grows from dr <= dz at a to dr >= dz at b. Newton's
 /// method, halving where it leaves the bracket.
 template <class Stretch>
@@ -62,8 +68,8 @@ static inline Place crossing(const Stretch& s, const Place& a, const Place& b, M
     if (!any(active)) break;
     const V step = t - x.t;
     x = choose(active, s.at(t, x, active), x);
-    // Newton's next step is about the square of this one: below rounding.
-    active = except(active, both(newton, less(step * step, splat(1e-16))));
+    // The next step is about the square of this one: below rounding.
+    active = except(active, both(newton, less(step * step, splat(kLastCrossingSquared))));
   }
   return x;
 }

@@ -111,9 +111,6 @@ class FallingTurn {
   }
 
  private:
-  // Newton's method squares the step, and the distance changes by the square of what is left.
-  static constexpr double kLastStep = 1e-6;
-
   V slope(const Place& x) const { return x.dr * x.dr_slope - h_.fall * x.dz; }
   V bend(const Place& x) const {
     const V zero = splat(0.0), lateral = x.dr + h_.core;
@@ -122,7 +119,7 @@ class FallingTurn {
     const V second = select(less(zero, lateral), (along - x.dr_slope * x.dr_slope) / lateral, zero);
     return x.dr_slope * x.dr_slope + x.dr * second + h_.fall * h_.fall;
   }
-  static M is_last(V step) { return less(step * step, splat(kLastStep * kLastStep)); }
+  static M is_last(V step) { return less(step * step, splat(kLastNewtonStep * kLastNewtonStep)); }
 
   // First zero of the slope at or behind a; b if there is none.
   Place stationary(const Place& a, const Place& b, M wanted) const {

@@ -96,15 +96,13 @@ class SlantStretch {
       if (!any(active)) break;
       const V step = t - x.t;
       x = choose(active, at(t), x);
-      active = except(active, both(newton, less(step * step, splat(kLastStep * kLastStep))));
+      active =
+          except(active, both(newton, less(step * step, splat(kLastNewtonStep * kLastNewtonStep))));
     }
     return x;
   }
 
  private:
-  // Newton's method squares the step, and the distance changes by the square of what is left.
-  static constexpr double kLastStep = 1e-6;
-
   Place place(V t, V along, V dz) const {
     const V zero = splat(0.0), lateral = vsqrt(along * along + square_);
     const V slope = select(less(zero, lateral), plan_ * along / lateral, zero);

@@ -52,8 +52,6 @@ MeshPlan grid_plan(const Job& job, const Stock& stock, const MeshChoice& choice)
   return plan;
 }
 
-constexpr DistanceError kError{1e-4, 0.01};
-
 }  // namespace
 
 std::string no_slabs(const Job& job, double tolerance) {
@@ -139,7 +137,7 @@ bool reduce_part(const Job& job, JobResult& result, MeshStore& part, Outputs& ou
                 fmt::format("--max-triangles {}: no mesh of so few triangles was found that does "
                             "not cross itself; {} are possible",
                             job.max_triangles, after.triangles.size()));
-  const HausdorffBound apart = surface_distance(after, before, kError, job.mesh.threads);
+  const HausdorffBound apart = surface_distance(after, before, kUsualError, job.mesh.threads);
   result.reduction = {before.triangles.size(), apart.lower, apart.upper, apart.place};
   part.replace(std::move(after));
   outputs.replace_mesh();
