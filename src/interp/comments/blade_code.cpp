@@ -20,7 +20,7 @@ bool is_whole(const Tokens& tokens, std::size_t i, std::size_t digits) {
          tokens[i].text.size() == digits;
 }
 
-// "MGMN 300", "MGGN-250", "SP300": hundredths of a mm. MRMN has a round end.
+// Reads "MGMN 300", "MGGN-250", "SP300": the width in hundredths of a mm. MRMN has a round end.
 std::optional<BladeCode> read_mgmn(const Tokens& tokens, std::size_t i) {
   const bool round = tokens[i].is("MRMN");
   if (!round && !tokens[i].is("MGMN") && !tokens[i].is("MGGN") && !tokens[i].is("SP"))
@@ -35,7 +35,7 @@ std::optional<BladeCode> read_mgmn(const Tokens& tokens, std::size_t i) {
   return code;
 }
 
-// "DGN 3102J": tenths of a mm, and those of the corner; "GIP 3.00-0.40".
+// Reads "DGN 3102J", width and corner radius in tenths of a mm, and "GIP 3.00-0.40", both in mm.
 std::optional<BladeCode> read_iscar(const Tokens& tokens, std::size_t i) {
   BladeCode code;
   if (one_of(tokens[i].text, {"DGN", "DGR", "DGL"}) && is_whole(tokens, i + 1, 4)) {
@@ -54,7 +54,7 @@ std::optional<BladeCode> read_iscar(const Tokens& tokens, std::size_t i) {
   return code;
 }
 
-// "NG3125L" of Kennametal: thousandths of an inch behind the size of the insert.
+// Reads "NG3125L" of Kennametal: the size of the insert, then the width in thousandths of an inch.
 std::optional<BladeCode> read_top_notch(const Tokens& tokens, std::size_t i) {
   if (!tokens[i].is("NG") || !is_whole(tokens, i + 1, 4) || !is_glued(tokens, i + 1))
     return std::nullopt;
@@ -64,7 +64,7 @@ std::optional<BladeCode> read_top_notch(const Tokens& tokens, std::size_t i) {
   return code;
 }
 
-// "N151.2-300-30-4G": hundredths of a mm.
+// Reads "N151.2-300-30-4G": the width in hundredths of a mm.
 std::optional<BladeCode> read_n151(const Tokens& tokens, std::size_t i) {
   if (!tokens[i].is("N") || i + 3 >= tokens.size() || !tokens[i + 1].text.starts_with("151.") ||
       !tokens[i + 2].is("-") || !is_whole(tokens, i + 3, 3))
@@ -75,7 +75,7 @@ std::optional<BladeCode> read_n151(const Tokens& tokens, std::size_t i) {
   return code;
 }
 
-// "N123G2-0300": hundredths of a mm.
+// Reads "N123G2-0300": the width in hundredths of a mm.
 std::optional<BladeCode> read_n123(const Tokens& tokens, std::size_t i) {
   if (!tokens[i].is("N") || !is_whole(tokens, i + 1, 3) || !is_glued(tokens, i + 3) ||
       tokens[i + 1].text != "123" || tokens[i + 2].text.size() != 1 || i + 5 >= tokens.size() ||
@@ -87,7 +87,7 @@ std::optional<BladeCode> read_n123(const Tokens& tokens, std::size_t i) {
   return code;
 }
 
-// "GTN-3", "TDC3": grooving blades of a size that is only about their width.
+// Reads "GTN-3", "TDC3": grooving blades whose size is only about their width, so they get none.
 std::optional<BladeCode> read_sized_blade(const Tokens& tokens, std::size_t i) {
   if (!one_of(tokens[i].text, {"GTN", "GTR", "GTL", "TDC", "TDJ", "KGT", "KGM"}))
     return std::nullopt;
@@ -98,7 +98,8 @@ std::optional<BladeCode> read_sized_blade(const Tokens& tokens, std::size_t i) {
   return code;
 }
 
-// "16ER AG60", "11IR 1.5 ISO", "16ERAG55", "16NR 14 W"; "16 ER 1.5" with a lead behind it.
+// Reads threading inserts: "16ER AG60", "11IR 1.5 ISO", "16ERAG55", "16NR 14 W"; "16 ER 1.5" has
+// the lead of the thread at its end.
 std::optional<BladeCode> read_thread(const Tokens& tokens, std::size_t i) {
   if (!tokens[i].is_number() || !one_of(tokens[i].text, {"06", "08", "11", "16", "22", "27"}) ||
       i + 1 >= tokens.size() || tokens[i + 1].text.size() < 2)

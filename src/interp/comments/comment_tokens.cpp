@@ -19,8 +19,8 @@ bool starts_value(std::string_view text, std::size_t i) {
   return is_digit(text[i]) || (text[i] == '.' && i + 1 < text.size() && is_digit(text[i + 1]));
 }
 
-// "6", "6.", ".25", "6,35"; a comma counts as a decimal point between digits when no other comma or
-// point follows or precedes ("3.17,0.0" is two numbers).
+// Reads "6", "6.", ".25", "6,35". A comma between digits is a decimal point unless another comma or
+// point is near: "3.17,0.0" is two numbers.
 Token number_token(std::string_view text, std::size_t& at) {
   const std::size_t from = at;
   bool point = false, comma = false;
@@ -88,7 +88,8 @@ Tokens raw_tokens(std::string_view text) {
   return out;
 }
 
-// "TOOL 1 1/2 ENDMILL": the 1 belongs to the word before it; "FACE MILL 1 1/2" is one number.
+// Whether a number behind this token is that of a tool: in "TOOL 1 1/2 ENDMILL" the 1 belongs to
+// TOOL, while "FACE MILL 1 1/2" has one number.
 bool numbers_a_tool(const Token& token) {
   return is_one_of(token, {"T", "TOOL", "WERKZEUG", "WKZ", "HERRAMIENTA", "OUTIL", "UTENSILE",
                            "ORODJE", "NARZEDZIE", "NO", "NR", "NUMBER", "NUMMER", "OP", "H", "D"});
@@ -100,7 +101,7 @@ bool is_inch_part(double denominator) {
   return false;
 }
 
-// "1/4", "1-1/2", "1 1/2": one number in place of its pieces.
+// Makes one number of the pieces of "1/4", "1-1/2", "1 1/2".
 void join_fractions(Tokens& tokens) {
   const auto whole = [&](std::size_t i) {
     return i < tokens.size() && tokens[i].is_number() && !tokens[i].decimals;
@@ -135,14 +136,15 @@ void join_fractions(Tokens& tokens) {
   }
 }
 
-// "80* TURNING TOOL": programs without a degree sign; "5*10" is a product.
+// Whether the token is a star that stands for a degree sign, "80* TURNING TOOL"; "5*10" is a
+// product.
 bool is_degree_star(const Tokens& tokens, std::size_t i, const Token& number) {
   return tokens[i].is("*") && tokens[i].glued && number.value < 180 &&
          !(i + 1 < tokens.size() && tokens[i + 1].is_number());
 }
 
-// "135 SPLIT POINT", "118 PT": how many tokens from `i` on say that `number` is the angle of a
-// point.
+// How many tokens from `i` on say that `number` is the angle of a point: "135 SPLIT POINT", "118
+// PT".
 std::size_t point_words(const Tokens& tokens, std::size_t i, const Token& number) {
   if (number.decimals || number.fraction || number.value < 60 || number.value >= 180) return 0;
   const std::size_t point = tokens[i].is("SPLIT") ? i + 1 : i;
@@ -150,7 +152,7 @@ std::size_t point_words(const Tokens& tokens, std::size_t i, const Token& number
   return point + 1 - i;
 }
 
-// How many tokens from `i` on are the unit of `number`; sets it.
+// How many tokens from `i` on are the unit of `number`, which is set here.
 std::size_t read_unit(const Tokens& tokens, std::size_t i, Token& number) {
   if (i >= tokens.size()) return 0;
   const Token& next = tokens[i];
@@ -158,7 +160,7 @@ std::size_t read_unit(const Tokens& tokens, std::size_t i, Token& number) {
     number.unit = 1;
     return 1;
   }
-  // "5 IN PLATE" is a preposition, ".25 IN" and "5IN" are not.
+  // IN is a unit in ".25 IN" and "5IN", a preposition in "5 IN PLATE".
   const bool inch =
       is_one_of(next, {"INCH", "INCHES", "ZOLL", "PULGADAS", "PULG", "POUCE", "POUCES", "\""}) ||
       (next.is("IN") && (next.glued || next.dotted || number.fraction || number.decimals));
@@ -300,7 +302,7 @@ bool is_cyrillic(std::string_view text) {
   return text.size() > 1 && (text[0] == '\xD0' || text[0] == '\xD1');
 }
 
-// Capitals of Russian in small ones.
+// Makes Russian capitals small letters.
 std::string small_cyrillic(std::string_view utf8) {
   std::string out(utf8);
   for (std::size_t i = 0; i + 1 < out.size(); ++i) {
@@ -313,7 +315,8 @@ std::string small_cyrillic(std::string_view utf8) {
   return out;
 }
 
-// The English of a word that begins `rest`, in blanks; how long the word is with its ending, or 0.
+// Appends the English of the word that begins `rest`, between blanks. Gives the length of the word
+// with its ending, or 0 if the table does not have it.
 std::size_t translate(std::string_view rest, std::string& out) {
   constexpr std::string_view kTool = "\u53f7\u5200";  // behind the number of the tool
   if (rest.starts_with(kTool)) {

@@ -1,4 +1,5 @@
-// A comment cut into words, numbers with their units, and signs, for those who look for tool data.
+// Cuts a comment into words, numbers with their units, and signs. The sources that look for data of
+// tools in comments read these tokens.
 #pragma once
 
 #include <cstdint>
@@ -13,7 +14,7 @@ struct CommentToken {
   Kind kind = Kind::sign;
   std::string_view text;  ///< as in the folded comment
   double value = 0;       ///< of a number, never negative
-  double unit = 0;        ///< mm per unit where one stands behind the number, 0 = none does
+  double unit = 0;        ///< mm per unit if one stands behind the number, else 0
   bool fraction = false;  ///< "1/4", "1-1/2"
   bool decimals = false;  ///< a point or a decimal comma was written
   bool angle = false;     ///< "90 DEG", "118°"
@@ -26,8 +27,8 @@ struct CommentToken {
   bool inch_style() const { return is_number() && text.starts_with('.') && text.size() > 3; }
 };
 
-/// Upper case; one '~' for each character outside of ASCII, but '"' for inch marks, '^' for a
-/// degree sign, 'X' for a times sign and 'A' for the French preposition.
+/// The comment in upper case. Each character outside of ASCII becomes one '~', except that inch
+/// marks become '"', a degree sign '^', a times sign 'X' and the French preposition 'A'.
 std::string fold_comment(std::string_view utf8);
 
 /// The tokens of a folded comment, at most 200 of them. They refer to its text.

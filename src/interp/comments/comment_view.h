@@ -32,22 +32,22 @@ class CommentView {
 
   bool taken(std::size_t i) const { return has(i) && taken_[i]; }
   void take(std::size_t i) { taken_[i] = true; }
-  /// The tokens [first, end) are explained.
+  /// Marks the tokens [first, end) as explained.
   void take(std::size_t first, std::size_t end);
 
   /// A number that nothing has explained yet.
   bool number(std::size_t i) const { return has(i) && tokens_[i].is_number() && !taken_[i]; }
-  /// One without a point, a fraction, a unit or a degree sign.
+  /// A number without a point, a fraction, a unit or a degree sign.
   bool whole(std::size_t i) const;
-  /// Whether the number there is that of a piece of work: "PART 7", "SIDE 2".
+  /// Whether the number at i counts parts or their sides: "PART 7", "SIDE 2".
   bool numbers_work(std::size_t i) const;
   /// A number that may be a size: not behind a letter, a "#", an "=" or a sign of its own.
   bool is_size(std::size_t i) const;
   /// A bare number that nothing has explained, as angles of tools are: "90", "118".
   bool may_be_angle(std::size_t i) const;
-  /// Behind a name, over "=", ":", "-": "DIA. - 10.", "D=6".
+  /// The place behind the name at i, past "=", ":" or "-": that of 10. in "DIA. - 10.".
   std::size_t behind(std::size_t i) const;
-  /// The number there; kNone: there is none, or it is an angle.
+  /// The place of the number there; kNone: there is none, or it is an angle.
   std::size_t value_behind(std::size_t i) const;
 
   void say_inches(std::size_t i) { tokens_[i].unit = kMmPerInch; }

@@ -1,4 +1,4 @@
-// What the words beside the numbers of a tool's comment say of them: "DIA", "LOC", "FLUTE".
+// What the words of a tool's comment say of the numbers beside them: "DIA", "LOC", "FLUTE".
 #pragma once
 
 #include <cstdint>
@@ -11,10 +11,10 @@ enum class WordRole : std::uint8_t {
   adjective,  ///< may stand between a size and the kind of tool: "10 MM CARBIDE LONG ENDMILL"
   flutes,
   diameter,
-  register_of,  ///< "OFF": makes a register of the diameter before it
+  register_of,  ///< "OFF" in "DIA. OFF. - 41": the number is a register, not a diameter
   radius,
   radius_letter,  ///< "R": its number is glued to it
-  corner,         ///< "CORNER": names a radius beside "RADIUS" alone
+  corner,         ///< "CORNER": names a radius only together with "RADIUS"
   nose,
   width,
   length,  ///< of the flutes; "LENGTH" alone is that of the tool
@@ -22,7 +22,7 @@ enum class WordRole : std::uint8_t {
   taper,
   tip,
   count,  ///< "4 HOLES"
-  other,  ///< a number of no interest: depth, speed, shank, register
+  other,  ///< depth, speed, shank, register: the number does not describe the cutter
   work    ///< a number about the work: "STOCK .5", "50MM PCD"
 };
 

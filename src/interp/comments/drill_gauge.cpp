@@ -28,7 +28,7 @@ DrillGauge letter_gauge(const CommentView& view, std::size_t i) {
   return {std::string(view[i].text), kLetters[view[i].text[0] - 'A'], i, i + 1};
 }
 
-// "#7", "NO. 7", "NUMBER 7" from token i on.
+// Reads "#7", "NO. 7", "NUMBER 7" from token i on.
 std::optional<DrillGauge> read_number(const CommentView& view, std::size_t i) {
   if (!view.is_one(i, {"#", "NO", "NUMBER", "NUM", "WIRE"}) || !view.number(i + 1) ||
       !view.whole(i + 1))
@@ -40,7 +40,7 @@ std::optional<DrillGauge> read_number(const CommentView& view, std::size_t i) {
   return DrillGauge{std::string(view[i + 1].text), kNumbers[std::size_t(number) - 1], i, i + 2};
 }
 
-// "LETTER Q", "LTR F", "\"F\"".
+// Reads "LETTER Q", "LTR F", "\"F\"" from token i on.
 std::optional<DrillGauge> read_letter(const CommentView& view, std::size_t i) {
   const bool quoted = view.is(i, "\"") && view.is(i + 2, "\"");
   if (!(quoted || view.is_one(i, {"LETTER", "LTR", "LET"})) || !is_letter_word(view, i + 1))
@@ -51,7 +51,8 @@ std::optional<DrillGauge> read_letter(const CommentView& view, std::size_t i) {
   return gauge;
 }
 
-// "#29 (.136) DRILL"; "#8 SCREW CLEARANCE DRILL" is as large as a screw.
+// Whether no word of its own meaning stands between the gauge and the kind, as in "#29 (.136)
+// DRILL". "#8 SCREW CLEARANCE DRILL" has such words: that drill is as large as a screw.
 bool joined_by_signs(const CommentView& view, std::size_t first, std::size_t end) {
   for (std::size_t i = first; i < end; ++i)
     if (view.word(i) && !view.taken(i) && comment_word(view[i].text).role == WordRole::none)
@@ -59,14 +60,14 @@ bool joined_by_signs(const CommentView& view, std::size_t first, std::size_t end
   return true;
 }
 
-// "DRILL #10 HOLE", "#6 SCREW DRILL": the number may be that of the screw.
+// Whether the number before token i may be that of a screw: "DRILL #10 HOLE", "#6 SCREW DRILL".
 bool is_of_screw(const CommentView& view, std::size_t i) {
   if (view.is(i, "SCREW") && view.is(i + 1, "MACHINE")) return false;  // a short drill
   return view.is_one(i, {"SCREW", "SCREWS", "BOLT", "HOLE", "HOLES", "CLEARANCE", "CLR"});
 }
 
-// "F DRILL". A is an article, C DRILL a centre drill, U DRILL one with inserts, and I and S are
-// read as 1 and 5 too easily; "2 F DRILL" has two flutes.
+// Reads "F DRILL". Five letters are left out: A is an article, C DRILL is a centre drill, U DRILL
+// has inserts, I and S look like 1 and 5. A number before the letter counts flutes: "2 F DRILL".
 std::optional<DrillGauge> read_bare_letter(const CommentView& view, std::size_t kind_first) {
   if (kind_first == 0) return std::nullopt;
   std::size_t i = kind_first - 1;

@@ -10,11 +10,6 @@
 namespace mrsim {
 namespace {
 
-double size_in_mm(const ToolLength& length, double unit) {
-  if (length.unit > 0) return length.value * length.unit;
-  return length.value * (length.fraction ? kMmPerInch : unit);
-}
-
 std::string outline_text(const std::vector<ProfilePoint>& points) {
   std::string text;
   for (const ProfilePoint& p : points)
@@ -33,7 +28,7 @@ std::string dovetail_example(const ToolHint& hint, double diameter) {
                      hint.taper_angle > 0 ? "" : " and its angle 60 degrees");
 }
 
-// A quarter of a circle, hollow, from the tip's cylinder to the full diameter.
+// A corner rounding mill: a hollow quarter circle from the tip's cylinder to the full diameter.
 std::string rounding_example(double radius, double diameter) {
   constexpr double kQuarter = -0.41421356237;  // bulge: clockwise
   const double tip = diameter > 2 * radius ? diameter / 2 - radius : radius;
@@ -52,11 +47,11 @@ std::vector<ProfilePoint> dovetail_outline(double diameter, double angle, double
 }
 
 std::string outline_example(const ToolHint& hint, double unit) {
-  const double diameter = hint.diameters.empty() ? 0 : size_in_mm(hint.diameters.front(), unit);
+  const double diameter = hint.diameters.empty() ? 0 : hint.diameters.front().mm(unit);
   if (hint.trade == ToolTrade::dovetail)
     return dovetail_example(hint, diameter > 0 ? diameter : 20);
   if (hint.trade != ToolTrade::rounding || !hint.corner) return {};
-  return rounding_example(size_in_mm(hint.corner, unit), diameter);
+  return rounding_example(hint.corner.mm(unit), diameter);
 }
 
 }  // namespace mrsim

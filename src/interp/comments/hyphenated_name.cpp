@@ -7,7 +7,7 @@ namespace {
 
 constexpr double kFewNumbers = 4;
 
-// A hyphen with no blank on either side.
+// Whether token i is a hyphen with no blank on either side.
 bool joins(const std::vector<CommentToken>& tokens, std::size_t i) {
   return i + 1 < tokens.size() && tokens[i].is("-") && tokens[i].glued && tokens[i + 1].glued;
 }
@@ -17,7 +17,7 @@ bool is_running_number(const CommentToken& t) {
          (!t.decimals && !t.fraction && t.unit == 0 && t.value < kFewNumbers);
 }
 
-// "SPOT-10-90": the angle of the point stands behind the size.
+// Marks the last number of "SPOT-10-90" as the angle of the point.
 void mark_angle(const ToolKind& kind, std::vector<CommentToken>& tokens, std::size_t at) {
   using enum ToolTrade;
   const bool drill = kind.trade == twist_drill;

@@ -35,7 +35,7 @@ const Shape* find_shape(char letter) {
   return nullptr;
 }
 
-// "TPG 322" of ANSI B212.4: no hole and no chip groove, so the fourth letter is left out.
+// Reads "TPG" of ANSI B212.4: the insert has no hole and no chip groove, so no fourth letter.
 const Shape* find_short_shape(std::string_view letters) {
   const bool usual =
       (letters[1] == 'N' || letters[1] == 'P') && (letters[2] == 'G' || letters[2] == 'U');
@@ -58,7 +58,8 @@ bool all_digits(std::string_view text) {
   return !text.empty() && std::all_of(text.begin(), text.end(), is_digit);
 }
 
-// Diameters of round inserts in mm; "43" is a circle of 4/8 inch and 3/16 thick.
+// Two digits of a round insert are its diameter in mm if that is one of these. Else they are of the
+// inch code: "43" has a circle of 4/8 inch and is 3/16 thick.
 constexpr int kRoundSizes[] = {5, 6, 8, 10, 12, 16, 20, 25};
 
 // "120408": edge 12 mm, thickness 4, nose radius 0.8. "432": inscribed circle 4/8 inch, thickness
@@ -87,12 +88,13 @@ bool read_size(std::string_view digits, const Shape& shape, InsertCode& code) {
   return code.has_size;
 }
 
-// Behind the dash that stands there perhaps.
+// The place behind the dash at i, or i if no dash stands there.
 std::size_t past_dash(const std::vector<CommentToken>& tokens, std::size_t i) {
   return i < tokens.size() && tokens[i].is("-") ? i + 1 : i;
 }
 
-// "09T304", "09 T3 04", "09-T3-04": thickness T3, 3.97 mm. The letter makes tokens of it.
+// Reads "09T304", "09 T3 04", "09-T3-04", which the letter cuts into tokens. T3 is the thickness,
+// 3.97 mm.
 bool read_t_size(const std::vector<CommentToken>& tokens, std::size_t i, const Shape& shape,
                  InsertCode& code) {
   const std::size_t t = past_dash(tokens, i + 1);
@@ -110,7 +112,7 @@ bool read_t_size(const std::vector<CommentToken>& tokens, std::size_t i, const S
   return read_size(std::string(tokens[i].text) + "0" + rest, shape, code);
 }
 
-// "12 04 08", "12-04-08"; "3-2.5-1": circle, thickness and nose of the inch code.
+// Reads "12 04 08", "12-04-08", and "3-2.5-1": circle, thickness and nose of the inch code.
 bool read_spaced_size(const std::vector<CommentToken>& tokens, std::size_t i, const Shape& shape,
                       InsertCode& code) {
   std::string_view parts[3];
@@ -129,7 +131,7 @@ bool read_spaced_size(const std::vector<CommentToken>& tokens, std::size_t i, co
   return read_size(fmt::format("{}{}{}", parts[0], parts[1][0], parts[2]), shape, code);
 }
 
-// "32.51": circle 3/8 inch, thickness 2.5/16, nose radius 1/64.
+// Reads "32.51": circle 3/8 inch, thickness 2.5/16, nose radius 1/64.
 bool read_half_size(std::string_view text, const Shape& shape, InsertCode& code) {
   if (text.size() == 7 && text[4] == '.')  // "CNMG1204.08"
     return read_size(fmt::format("{}{}", text.substr(0, 4), text.substr(5)), shape, code);
@@ -139,8 +141,8 @@ bool read_half_size(std::string_view text, const Shape& shape, InsertCode& code)
 
 bool is_any_of(char c, std::string_view letters) { return letters.find(c) != letters.npos; }
 
-// Lead angles by the letter of a holder's style, ISO 5608; of others, whose edge stands across the
-// holder, the insert's shape tells it. N and V stand upright: "SVVCN", "SDNCN".
+// The lead angle by the letter of a holder's style, ISO 5608. Of styles whose edge stands across
+// the holder the insert's shape gives it, `usual`. N and V stand upright: "SVVCN", "SDNCN".
 double lead_of_style(char style, double usual) {
   switch (style) {
     case 'A':
@@ -172,8 +174,8 @@ double lead_of_style(char style, double usual) {
   }
 }
 
-// "PCLNR 2525 M12", "SDJCL-1212": clamp, shape, style, clearance, hand. The hand does not say
-// which way the tool cuts: that depends on how it stands in its turret.
+// Finds "PCLNR 2525 M12", "SDJCL-1212": clamp, shape, style, clearance, hand. The hand is not used,
+// since which way the tool cuts depends on how it stands in its turret.
 std::optional<InsertCode> find_holder_code(const std::vector<CommentToken>& tokens) {
   for (std::size_t i = 0; i + 1 < tokens.size(); ++i) {
     const std::string_view text = tokens[i].text;

@@ -14,7 +14,10 @@
 namespace mrsim {
 namespace {
 
-// "TURN PART OVER", "ROTATE 180", "PART UPSIDE DOWN": one of few words may stand in between.
+constexpr std::size_t kLongestNote = 200;  // characters that are read of a note to the operator
+
+// Whether one of the words stands behind the word at i, with at most two others in between: "TURN
+// THE PART OVER".
 bool is_near(const CommentView& view, std::size_t i,
              std::initializer_list<std::string_view> words) {
   for (std::size_t k = i + 1; k <= i + 3; ++k)
@@ -34,7 +37,8 @@ bool starts_with_one(std::string_view text, std::initializer_list<std::string_vi
   return false;
 }
 
-// What is flipped beside FLIP may be something else: "FLIP UP STOP", "FLIP JAWS".
+// Whether FLIP at i is said of something else than the part, or denied: "FLIP UP STOP", "FLIP
+// JAWS".
 bool flips_something_else(const CommentView& view, std::size_t i) {
   return view.is_one(i + 1, {"UP", "DOWN", "STOP", "JAW", "JAWS", "CLAMP", "CLAMPS", "INSERT",
                              "TOOL", "SWITCH", "PARALLELS", "FLOP"}) ||
@@ -55,13 +59,13 @@ bool turns_at(const CommentView& view, std::size_t i, bool lathe) {
                                         "CAPOVOLG", "GIRARE", "OBRNI", "OBROC", "OTOCIT"});
 }
 
-// "SHIFT PART IN VISE", "STAND UP PART ON END".
+// Whether the word at i moves the part: "SHIFT PART IN VISE", "STAND UP PART ON END".
 bool moves_at(const CommentView& view, std::size_t i) {
   return view.is_one(i, {"SHIFT", "SLIDE", "MOVE", "REPOSITION", "RELOCATE", "STAND"}) &&
          names_part(view, i);
 }
 
-// "OTHER SIDE", "2ND SIDE", "SIDE 2", "ZWEITE SEITE", "2. SEITE".
+// Whether another side of the part is named: "OTHER SIDE", "2ND SIDE", "SIDE 2", "ZWEITE SEITE".
 bool names_other_side(const CommentView& view, std::size_t i) {
   if (view.is_one(i, {"BACKSIDE", "RUCKSEITE", "RUECKSEITE", "R~CKSEITE"})) return true;
   if (!view.is_one(i, {"SIDE", "SEITE", "FACE", "CARA", "LATO", "STRAN", "STRONA", "COTE"}))
@@ -90,7 +94,7 @@ bool is_tool(const CommentView& view, std::size_t i) {
                          "UTENSILE", "ORODJE", "NARZEDZIE", "WERKZEUGWECHSEL", "TOOLCHANGE"});
 }
 
-// "CHANGE DRILL IF WORN", "CHANGE TOOL OFFSET": the tool stays.
+// Whether the word at i says that the tool stays: "CHANGE DRILL IF WORN", "CHANGE TOOL OFFSET".
 bool is_reserve(const CommentView& view, std::size_t i) {
   return view.is_one(i, {"IF", "CHECK", "WORN", "BROKEN", "DULL", "OFFSET", "OFFSETS", "NO", "NOT",
                          "SETTER", "PROBE", "WEAR"});
@@ -99,8 +103,7 @@ bool is_reserve(const CommentView& view, std::size_t i) {
 }  // namespace
 
 PartTurned says_part_is_turned(std::string_view bytes, bool lathe) {
-  constexpr std::size_t kLongest = 200;  // characters of a note to the operator
-  const std::string folded = fold_comment(to_utf8(bytes.substr(0, kLongest)));
+  const std::string folded = fold_comment(to_utf8(bytes.substr(0, kLongestNote)));
   const CommentView view(comment_tokens(folded));
   PartTurned said = PartTurned::no;
   for (std::size_t i = 0; i < view.size(); ++i) {
@@ -111,8 +114,7 @@ PartTurned says_part_is_turned(std::string_view bytes, bool lathe) {
 }
 
 bool says_tool_is_changed(std::string_view bytes) {
-  constexpr std::size_t kLongest = 200;  // characters of a note to the operator
-  const std::string folded = fold_comment(to_utf8(bytes.substr(0, kLongest)));
+  const std::string folded = fold_comment(to_utf8(bytes.substr(0, kLongestNote)));
   const std::vector<CommentToken> tokens = comment_tokens(folded);
   const CommentView view(tokens);
   bool order = false, tool = false;

@@ -14,7 +14,8 @@ namespace {
 
 constexpr auto kAbsent = std::string_view::npos;
 
-// Behind the name and its ":", "=" or ","; nothing: the text does not begin with it.
+// The text behind `name`, which ends with its sign ("STOCKMIN:"). Nothing: the text does not begin
+// with it.
 std::optional<std::string_view> behind(std::string_view text, std::string_view name) {
   if (!text.starts_with(name)) return std::nullopt;
   return text.substr(name.size());
@@ -22,7 +23,8 @@ std::optional<std::string_view> behind(std::string_view text, std::string_view n
 
 }  // namespace
 
-// Numbers apart by anything else: "X= 300.000, Y= 200.000", "0.00MM, 0.00MM".
+// Reads up to `most` numbers, whatever stands between them: "X= 300.000, Y= 200.000", "0.00MM,
+// 0.00MM". Gives how many there are.
 std::size_t StockComments::read_lengths(std::string_view text, Length* out, std::size_t most) {
   std::size_t count = 0, i = 0;
   while (count < most) {
@@ -61,7 +63,7 @@ bool StockComments::read_block(std::string_view text) {
   return true;
 }
 
-// In the comment "Material Size" or in the next one.
+// Reads the size in the comment "Material Size", or in the one behind it.
 void StockComments::read_size(std::string_view text) {
   const std::size_t x = text.find("X="), y = text.find("Y="), z = text.find("Z=");
   Lengths size;

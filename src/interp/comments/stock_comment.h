@@ -41,10 +41,10 @@ class StockComments {
 
   std::optional<Lengths> low_, high_;     ///< corners
   std::optional<Lengths> size_, inside_;  ///< size, and the zero's place from the lowest corner
-  Vec3 share_;                            ///< that place as a share of the size
+  Vec3 share_;                            ///< the zero's place as a share of the size
   bool has_share_xy_ = false, has_share_z_ = false;
-  bool is_moved_ = false;  ///< from there, by an unknown rule
-  bool size_follows_ = false;
+  bool is_moved_ = false;      ///< the zero is elsewhere, by a rule that is not known
+  bool size_follows_ = false;  ///< the next comment has the size
   int line_ = 0;
 };
 

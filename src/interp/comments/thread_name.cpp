@@ -7,7 +7,7 @@ namespace {
 
 constexpr double kCoarsestPitch = 6;  // mm, of M64
 
-// "M8", "M8X1.25", "M8 X 1.25", "M8-1.25", "MF10X1", "M5*0.8".
+// Reads "M8", "M8X1.25", "M8 X 1.25", "M8-1.25", "MF10X1", "M5*0.8".
 std::optional<ThreadName> read_metric(const CommentView& view, std::size_t i, bool threads) {
   if (!view.is_one(i, {"M", "MF"}) || !view.number(i + 1)) return std::nullopt;
   if (!view.glued(i + 1) && !threads) return std::nullopt;
@@ -21,7 +21,8 @@ std::optional<ThreadName> read_metric(const CommentView& view, std::size_t i, bo
   return name;
 }
 
-// "8.-1.25", "10.0-1.5": a pitch has a point, threads an inch have none.
+// Reads "8.-1.25", "10.0-1.5". The second number is a pitch if it has a point, else threads per
+// inch.
 std::optional<ThreadName> read_plain_metric(const CommentView& view, std::size_t i) {
   if (!view.number(i) || !view.is(i + 1, "-") || !view.number(i + 2) || !view[i + 2].decimals)
     return std::nullopt;
@@ -30,10 +31,11 @@ std::optional<ThreadName> read_plain_metric(const CommentView& view, std::size_t
   return ThreadName{view.length(i), false, i, i + 3};
 }
 
-// Of machine screws: #0 to #12, 0.060 inch and 0.013 more for each number.
+// The diameter of machine screws #0 to #12: 0.060 inch, and 0.013 more for each number.
 ToolLength screw_size(double number) { return {0.060 + 0.013 * number, kMmPerInch, false}; }
 
-// "1/4-20", ".250-20", "10-32", "#10-24", "NO. 8-32"; "1-8" has eight threads an inch of 1 inch.
+// Reads "1/4-20", ".250-20", "10-32", "#10-24", "NO. 8-32". The first number is that of a machine
+// screw or inches: "1-8" is 1 inch with eight threads per inch.
 std::optional<ThreadName> read_unified(const CommentView& view, std::size_t i, bool threads) {
   const bool series = view.is_one(
       i + 3, {"UN", "UNC", "UNF", "UNEF", "UNJ", "UNJF", "UNS", "NC", "NF", "BSW", "STI"});
@@ -53,7 +55,7 @@ std::optional<ThreadName> read_unified(const CommentView& view, std::size_t i, b
   return name;
 }
 
-// "1/8 NPT", "1/4-18 NPTF", "G1/4", "RC 1/8": the size is that of the pipe.
+// Reads "1/8 NPT", "1/4-18 NPTF", "G1/4", "RC 1/8", whose size is that of the pipe: no diameter.
 std::optional<ThreadName> read_pipe_thread(const CommentView& view, std::size_t i) {
   const bool glued_size = view.glued(i + 1) && view.number(i + 1) && view[i + 1].fraction;
   if (view.is_one(i, {"G", "RP", "RC", "R"}) && glued_size) return ThreadName{{}, false, i, i + 2};

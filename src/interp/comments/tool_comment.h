@@ -6,6 +6,7 @@
 // the units of the program: fill_tool() of tool_hint.h is given them.
 #pragma once
 
+#include "core/numbers/units.h"
 #include "interp/comments/tool_kind.h"
 #include <mrsim/types.h>
 
@@ -24,6 +25,10 @@ struct ToolLength {
   bool fraction = false;      ///< "1/4": inches, unless something else is said
   bool letter_point = false;  ///< "D.10": 0.10, or D. 10
   bool inch_style = false;    ///< ".1875": thousandths without a 0 before the point
+  /// In a program whose unit is `program_unit` mm. A fraction is in inches in every program.
+  double mm(double program_unit) const {
+    return value * (unit > 0 ? unit : fraction ? kMmPerInch : program_unit);
+  }
   explicit operator bool() const { return value > 0; }
 };
 
@@ -36,21 +41,45 @@ enum class BladePoint : std::uint8_t {
   unclear  ///< "RIGHT SIDE": of the blade, or of the groove
 };
 
-struct ToolHint {
+/// What a comment says in so many words: these facts do not depend on the kind of tool.
+struct PlainFacts {
   std::string id;             ///< when the comment names the tool's number itself
-  std::size_t id_digits = 0;  ///< with which that was written
+  std::size_t id_digits = 0;  ///< in how many digits the number was written
   bool names_tool = false;    ///< "TOOL", "TC:", a number: the comment is about a tool
-  bool firm = false;          ///< its kind names a tool and nothing else: "END MILL"
+  ToolLength corner, nose, width;
+  ToolLength tip;            ///< diameter of a V tool's tip
+  ToolLength flute_length;   ///< "LOC 1.0"
+  bool inside = false;       ///< "ID", "INTERNAL", "BORE", and nothing of the outside
+  bool bores = false;        ///< "BORE", "BORING" alone
+  bool face_groove = false;  ///< "FACE GROOVE": the blade stands along Z
+  BladePoint blade_point = BladePoint::untold;
+  int orientation = 0;  ///< of a lathe's tool: "TIP 3", "TIP DIRECTION 2"; 0: not given
+
+  // The comment has one thing and nothing else.
+  bool bare_id = false;        ///< "TOOL NUMBER: 5"
+  bool bare_kind = false;      ///< the kind and its attributes: "BAR STOP"
+  bool diameter_line = false;  ///< "DIAMETER: 8.0"
+  bool angle_line = false;     ///< "TAPER ANGLE: 5.", "ANGLE: 60"
+  bool own_angle = false;      ///< an angle_line that names the tool's angle: "TIP ANGLE 140"
+  bool size_line = false;      ///< "D10. R1.", "TIP DIA 0.2"
+  bool plain_radius = false;   ///< a size_line that may be a radius of the work: "R5"
+  bool tool_radius = false;    ///< a size_line that may be half the diameter: "TOOL RADIUS 5"
+
+  bool other_work = false;    ///< "KREISTASCHE D30", "BOHREN D8": work that another tool may do
+  bool unknown_word = false;  ///< no table has one of its words, "D8 XYZW": perhaps a kind of tool
+  bool next_tool = false;     ///< "NEXT TOOL - 6MM DRILL"
+  bool last_tool = false;     ///< "LAST TOOL WAS 6MM DRILL"
+};
+
+struct ToolHint : PlainFacts {
+  bool firm = false;  ///< its kind names a tool and nothing else: "END MILL"
   std::optional<ToolType> type;
   std::optional<ToolTrade> trade;
   std::optional<ToolType> operation;  ///< "GROOVE 3MM": names the work, perhaps not the tool
   std::vector<ToolLength> diameters;  ///< all readings, the most explicit first
   double diameter = 0;                ///< value of the first reading, 0 = none
-  bool bare_size = false;             ///< nothing names it: "FACE MILL 1MM"
-  ToolLength corner, nose, width;
-  ToolLength tip;                             ///< diameter of a V tool's tip
-  ToolLength flute_length;                    ///< "LOC 1.0"
-  double corner_radius = 0, nose_radius = 0;  ///< their values
+  bool bare_size = false;             ///< the diameter has no name: "FACE MILL 1MM"
+  double corner_radius = 0, nose_radius = 0;  ///< values of corner and nose
   double taper_angle = 0, tip_angle = 0;      ///< radians; per side, and included
   bool assumed_angle = false;                 ///< the angle follows from the kind alone
   bool rivals = false;                        ///< it names another kind of tool, too
@@ -58,29 +87,15 @@ struct ToolHint {
   std::string insert;                         ///< "CNMG"
   double insert_angle = 0, lead_angle = 0;    ///< radians
   double edge_length = 0;                     ///< mm
-  bool left_hand = false, inside = false, bores = false, face_groove = false;
-  BladePoint blade_point = BladePoint::untold;
-  int orientation = 0;         ///< of a lathe's tool, "TIP 3"; 0: not given
+  bool left_hand = false;
   bool padded_radius = false;  ///< "R05", which may be R5 or R0.5
-  bool bare_id = false;        ///< "TOOL NUMBER: 5" and nothing else
-  bool bare_kind = false;      ///< nothing but the kind's name: "BAR STOP"
-  bool diameter_line = false;  ///< "DIAMETER: 8.0" and nothing else
-  bool angle_line = false;     ///< "TAPER ANGLE: 5.", "ANGLE: 60" and nothing else
-  bool size_line = false;      ///< "D10. R1.", "TIP DIA 0.2" and nothing else
-  bool plain_radius = false;   ///< such a line, "R5": perhaps the work's
-  bool settings = false;       ///< of the program that wrote it all
-  bool tool_radius = false;    ///< such a line, "TOOL RADIUS 5": perhaps half the diameter
-  bool own_angle = false;      ///< a line with the tool's angle: "TIP ANGLE 140", "ANGLE: 60"
-  bool next_tool = false;      ///< "NEXT TOOL - 6MM DRILL"
-  bool last_tool = false;      ///< "LAST TOOL WAS 6MM DRILL"
-  bool other_work = false;     ///< "KREISTASCHE D30", "BOHREN D8": of the work, or no mill's
-  bool unknown_word = false;   ///< a word that may name a kind of tool, "D8 XYZW"
+  bool settings = false;       ///< settings of the program that wrote the NC program
   bool at_call = false;        ///< in the block of the change or right behind it
-  std::string work;            ///< lines beside it that are about the work: 'ROUGH T-SLOT'
-  bool rounds_edges = false;   ///< such a line: "ROUND OVER EDGES"
+  std::string work;  ///< other comments at the tool that are about the work: 'ROUGH T-SLOT'
+  bool rounds_edges = false;  ///< one of them rounds edges: "ROUND OVER EDGES"
   std::string doubt;  ///< why no tool can be made of it, after "the comment ... "; empty: it can
   std::string text;   ///< the comment, UTF-8, for the report
-  /// It is not about the tool at hand.
+  /// It is about another tool than the one at hand.
   bool of_other_tool() const { return id.empty() && (last_tool || (next_tool && at_call)); }
   explicit operator bool() const { return type || diameter > 0 || !doubt.empty(); }
   /// A thread mill, of which nothing but a cylinder is known.

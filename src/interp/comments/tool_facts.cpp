@@ -90,7 +90,8 @@ void FactReader::take_kinds() {
   if (facts_.insert) view_.take(facts_.insert->first, facts_.insert->end);
 }
 
-// "6.8 DRILL FOR M8 TAP", "REST MILL AFTER 10MM ENDMILL": what stands behind is another tool.
+// Drops the tool behind FOR or AFTER, which is another one: "6.8 DRILL FOR M8 TAP", "REST MILL
+// AFTER 10MM ENDMILL".
 void FactReader::drop_purpose() {
   std::vector<ToolKind>& kinds = facts_.kinds;
   for (std::size_t i = 1; i < view_.size(); ++i) {
@@ -108,7 +109,8 @@ void FactReader::drop_purpose() {
   }
 }
 
-// "3 IN FACE MILL"; "5 IN PLATE" is a preposition.
+// IN between a whole number and the kind is a unit, "3 IN FACE MILL"; elsewhere it is a
+// preposition, "5 IN PLATE".
 void FactReader::read_inch_word() {
   if (!kind()) return;
   for (std::size_t i = 0; i + 1 < kind()->first; ++i) {
@@ -156,7 +158,8 @@ void FactReader::read_key_number(const ToolKind& kind) {
   view_.take(key->first, key->end);
 }
 
-// "end 1/4" of Kiri:Moto; "V90 D12", "60V"; the angle of "V90 ENGRAVER".
+// Reads kinds in one letter or word: "end 1/4" of Kiri:Moto; "V90 D12", "60V", which are V-bits
+// with their angle. Of "V90 ENGRAVER" it reads the angle.
 void FactReader::read_short_kind() {
   using enum ToolTrade;
   const auto angle = [&](std::size_t i) {
@@ -179,14 +182,16 @@ void FactReader::read_short_kind() {
   }
 }
 
-// "ENDMILL001", "DRILL2": numbered names; "EM10" and "BALL6" have sizes.
+// Whether the number at i only numbers the tool, "ENDMILL001", "DRILL2". In "EM10" and "BALL6" it
+// is a size.
 bool FactReader::numbers_it(std::size_t i) const {
   constexpr double kFewTools = 4;
   return view_[i].angle || (view_.whole(i) && view_.glued(i) &&
                             (view_[i].text.front() == '0' || view_[i].value < kFewTools));
 }
 
-// Numbers joined by X. Those that are explained already leave the group, but do not break it.
+// Collects numbers joined by X. A number that is explained already is left out of its group, and
+// the group goes on behind it.
 void FactReader::read_groups() {
   const auto element = [&](std::size_t i, bool first) {
     return view_.has(i) && view_[i].is_number() && (view_.taken(i) || !first || view_.is_size(i));
@@ -218,7 +223,7 @@ SizeGroup FactReader::sizes(const Group& group) const {
   return out;
 }
 
-// May stand between a size and the kind.
+// Whether the token may stand between a size and the kind.
 bool FactReader::passable(std::size_t i) const {
   const CommentToken& t = view_[i];
   if (view_.taken(i) || (t.is_number() && t.angle)) return true;
@@ -249,7 +254,7 @@ void FactReader::read_beside() {
   read_behind(*kind());
 }
 
-// "10 FLAT", "1/4 IN. 2 FLUTE ENDMILL", ".25 X .75 X 2.5 ENDMILL".
+// Takes the sizes before the kind: "10 FLAT", "1/4 IN. 2 FLUTE ENDMILL", ".25 X .75 X 2.5 ENDMILL".
 void FactReader::read_before(const ToolKind& kind) {
   for (std::size_t i = kind.first; i > 0;) {
     --i;
@@ -263,7 +268,7 @@ void FactReader::read_before(const ToolKind& kind) {
   }
 }
 
-// "1. 6MM ENDMILL", "2 .500 EM".
+// Whether the number before a size numbers the line of a list: "1. 6MM ENDMILL", "2 .500 EM".
 bool FactReader::is_list_item(const Group& group) const {
   if (facts_.before_kind.empty()) return false;
   const CommentToken size = sizes(group).sizes.front();
@@ -272,7 +277,7 @@ bool FactReader::is_list_item(const Group& group) const {
   return bare && (nearest.unit > 0 || nearest.fraction || nearest.decimals);
 }
 
-// "End Mill 6 mm", "EM .375 LOC 1.0", "BALL6".
+// Takes the sizes behind the kind: "End Mill 6 mm", "EM .375 LOC 1.0", "BALL6".
 void FactReader::read_behind(const ToolKind& kind) {
   std::size_t at = kind.end;
   const auto pass = [&] {
@@ -293,7 +298,8 @@ void FactReader::read_behind(const ToolKind& kind) {
   facts_.behind_kind = sizes(*group);
 }
 
-// Sizes with a unit anywhere; a plain ".375" in the words before the kind: ".375 GARR EM".
+// Takes sizes that stand elsewhere: those with a unit anywhere, a plain ".375" only in the words
+// before the kind, ".375 GARR EM".
 void FactReader::read_loose() {
   for (Group& group : groups_) {
     if (group.used) continue;
@@ -324,7 +330,8 @@ bool FactReader::kind_is_counted() const {
                            "POSITIONS", "LOCATIONS"});
 }
 
-// "2 DRILL BIT SIZES", "3 DRILL OPERATIONS", "NEEDS 2 END MILLS": how many, and of no tool.
+// Drops numbers that count tools or operations, "2 DRILL BIT SIZES", "NEEDS 2 END MILLS". A kind
+// without another size then names no tool.
 void FactReader::drop_count() {
   if (!kind_is_counted()) return;
   const std::size_t counts = std::erase_if(facts_.before_kind, [](const SizeGroup& group) {
@@ -336,7 +343,8 @@ void FactReader::drop_count() {
     facts_.kinds.clear();
 }
 
-// "DRILL_8-5", "DRILL 8P5": names of tools have no point, so one may be meant.
+// Whether the number at i may go on behind a sign, as names of tools have no point: "DRILL_8-5",
+// "DRILL 8P5" for 8.5.
 bool FactReader::splits_size(std::size_t i) const {
   if (!kind() || is_turning(kind()->type) || facts_.thread || !view_.whole(i)) return false;
   const bool sign = view_.is_one(i + 1, {"-", "P"}) && view_.glued(i + 1);
@@ -345,8 +353,8 @@ bool FactReader::splits_size(std::size_t i) const {
   return !view_.word(i + 3) || comment_word(view_[i + 3].text).role != WordRole::flutes;
 }
 
-// "DRILL D10 90", "DRILL D10 A90": an angle that drills have, but not those that turn up in holes'
-// lists by themselves (118, 135, 140).
+// Whether the number at i may be the angle of the point, "DRILL D10 90", "DRILL D10 A90". The usual
+// angles of drills (118, 135, 140) are known as such without this.
 bool FactReader::may_be_point(std::size_t i) const {
   if (!view_.number(i) || !view_.whole(i) || (i > 0 && view_.is(i - 1, "X"))) return false;
   const bool lettered = i > 0 && view_.is(i - 1, "A") && view_.glued(i);

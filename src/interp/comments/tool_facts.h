@@ -1,6 +1,6 @@
-// What the words and numbers of a comment say, each as what it is: a diameter, a radius, an angle,
-// a thread, or a size without a name. Nothing is settled here: settle_tool() of tool_settle.h
-// does, by the kind of tool.
+// Sorts the words and numbers of a comment: a diameter, a radius, an angle, a thread, or a size
+// without a name. What a size without a name means is decided by settle_tool() (tool_settle.h),
+// which knows the kind of tool.
 #pragma once
 
 #include "interp/comments/blade_code.h"
@@ -22,10 +22,8 @@ struct SizeGroup {
   bool continues = false;  ///< the first number has a name and is left out: "D20 X 4"
 };
 
-struct ToolFacts {
-  std::string id;
-  std::size_t id_digits = 0;
-  bool names_tool = false, several_ids = false;
+struct ToolFacts : PlainFacts {
+  bool several_ids = false;  ///< it names two numbers of tools
 
   std::vector<ToolKind> kinds;  ///< the one that counts first
   std::optional<InsertCode> insert;
@@ -38,59 +36,47 @@ struct ToolFacts {
   bool enlarged_thread = false;      ///< for a wire insert
   std::optional<ToolLength> gauge;   ///< "#7", "LETTER Q"
   std::string gauge_name;
-  std::vector<SizeGroup> before_kind;  ///< beside it, the nearest first
-  std::optional<SizeGroup> behind_kind;
-  bool behind_ends = false;      ///< nothing follows that could make something else of it
-  std::vector<SizeGroup> loose;  ///< elsewhere, with a unit or as a fraction
+  std::vector<SizeGroup> before_kind;    ///< sizes before the kind, the nearest first
+  std::optional<SizeGroup> behind_kind;  ///< sizes right behind the kind
+  bool behind_ends = false;      ///< no word behind these sizes could give them another meaning
+  std::vector<SizeGroup> loose;  ///< sizes elsewhere, with a unit or as a fraction
 
-  ToolLength corner, nose, width, tip, flute_length;
-  bool pair = false;           ///< "D12R2", "D10R0"
-  std::vector<double> angles;  ///< degrees
-  double taper = 0;            ///< degrees, of TAPER=
-  bool tapered = false;        ///< "1/8 BALL 5 DEG TAPER"
-  bool included = false, per_side = false;
-  bool helix = false;       ///< the angle may be that of the flutes
-  std::string split_size;   ///< "8-5", "8P5": 8.5 perhaps; as "8 or 8.5"
+  bool pair = false;                        ///< "D12R2", "D10R0": diameter and radius in one word
+  std::vector<double> angles;               ///< degrees
+  double taper = 0;                         ///< degrees, of TAPER=
+  bool tapered = false;                     ///< "1/8 BALL 5 DEG TAPER"
+  bool included = false, per_side = false;  ///< "INCLUDED", "PER SIDE": how the angle is counted
+  bool helix = false;                       ///< the angle may be that of the flutes
+  std::string split_size;                   ///< "8 or 8.5": what "8-5" and "8P5" may mean
   double bare_point = 0;    ///< "90" beside a drill, "45" beside a face mill, degrees
   bool bare_angle = false;  ///< a "90" that nothing explains, beside a tool's number
   bool left_hand = false;
-  bool fusion = false;        ///< "CR=", which posts of Fusion write of every tool
-  bool fusion_slot = false;   ///< its "slot mill", the disc on a neck of its lists
-  bool slot_mill = false;     ///< a "slot mill" or of keyways: with a width a disc, too
-  bool inside = false;        ///< "ID", "INTERNAL", "BORE", and nothing of the outside
-  bool flat_thread = false;   ///< "TR20X4", "ACME": the end of the tooth is no point
-  bool whitworth = false;     ///< "WHITWORTH", "BSP": teeth of 55 degrees
-  bool back_turn = false;     ///< "BACK TURN", and no hand
-  bool turned_side = false;   ///< "OD", "ID", "TURN": a lathe's words
-  bool turns_before = false;  ///< "TURN FOR THREAD": not the thread itself
-  bool bores = false;         ///< "BORE", "BORING" alone
-  bool full_radius = false;   ///< "FULL RADIUS": the end of a blade is half a circle
-  bool face_groove = false;   ///< "FACE GROOVE": the blade stands along Z
-  BladePoint blade_point = BladePoint::untold;
-  int orientation = 0;           ///< "TIP 3", "TIP DIRECTION 2"; 0: not given
+  bool fusion = false;           ///< "CR=", which posts of Fusion write of every tool
+  bool fusion_slot = false;      ///< Fusion's "slot mill", which is a disc on a neck
+  bool slot_mill = false;        ///< "SLOT MILL", "KEYWAY": a disc if a width is given
+  bool flat_thread = false;      ///< "TR20X4", "ACME": the end of the tooth is no point
+  bool whitworth = false;        ///< "WHITWORTH", "BSP": teeth of 55 degrees
+  bool back_turn = false;        ///< "BACK TURN" without the hand of the tool
+  bool turned_side = false;      ///< "OD", "ID", "TURN": words of a lathe
+  bool turns_before = false;     ///< "TURN FOR THREAD": the turning before the thread
+  bool full_radius = false;      ///< "FULL RADIUS": the end of a blade is half a circle
   bool corner_line = false;      ///< "TIP RADIUS: 1.0" and nothing else
-  bool diameter_line = false;    ///< "DIAMETER: 8.0" and nothing else
-  bool angle_line = false;       ///< "TAPER ANGLE: 5.", "ANGLE: 60" and nothing else
-  bool size_line = false;        ///< "D10. R1.", "TIP DIA 0.2" and nothing else
-  bool plain_radius = false;     ///< such a line, "R5": perhaps the work's
-  bool bare_id = false;          ///< "TOOL NUMBER: 5" and nothing else
-  bool bare_kind = false;        ///< nothing but the kind and its attributes: "BAR STOP"
   bool padded_radius = false;    ///< "R05"
   bool alternatives = false;     ///< "12MM OR 1/2 ENDMILL"
   bool shaped = false;           ///< "TAPER", "UNDERCUT": no end mill, if nothing else names a kind
-  bool other_work = false;       ///< "KREISTASCHE D30", "BOHREN D8"
-  bool unknown_word = false;     ///< has words that no table has
-  bool next_tool = false;        ///< "NEXT TOOL - 6MM DRILL"
-  bool last_tool = false;        ///< "LAST TOOL WAS 6MM DRILL"
-  bool round_work = false;       ///< "CIRCLE MILL 30 DIA"
+  bool round_work = false;       ///< "CIRCLE MILL 30 DIA": the diameter may be that of the work
   bool round_insert = false;     ///< "BUTTON TOOL", "ROUND INSERT"
   std::vector<ToolLength> bare;  ///< numbers with a point that nothing names: "CNMG .8"
-  bool holes = false;            ///< "4 DRILL HOLES"
-  bool tool_radius = false;      ///< such a line, "TOOL RADIUS 5": perhaps half the diameter
-  bool own_angle = false;        ///< a line with the tool's angle: "TIP ANGLE 140", "ANGLE: 60"
+  bool holes = false;            ///< "4 DRILL HOLES": the number before the kind may count holes
 
   const ToolKind* kind() const { return kinds.empty() ? nullptr : &kinds.front(); }
   bool trade_is(ToolTrade trade) const { return kind() && kind()->trade == trade; }
+  /// Whether the tool may have a flat tip with a diameter. In "CARBIDE TIP 10MM DRILL" the tip is
+  /// no size.
+  bool has_flat_tip() const {
+    return trade_is(ToolTrade::vee) || trade_is(ToolTrade::chamfer_mill) ||
+           trade_is(ToolTrade::countersink) || trade_is(ToolTrade::cone_mill);
+  }
 };
 
 /// Reads the tokens of a folded comment.

@@ -21,12 +21,6 @@ constexpr double kLargestWithoutUnit = 150;  // mm: a larger one is rather a siz
 constexpr double kLargestMetric = 500;       // mm: a larger one is rather a name, "endmill1000"
 constexpr double kWidestBlade = 25;          // mm: a wider one is rather given in another unit
 
-// mm in a program of this unit. A fraction is a size in inches wherever it stands.
-double in_mm(const ToolLength& length, double unit) {
-  if (length.unit > 0) return length.value * length.unit;
-  return length.value * (length.fraction ? kMmPerInch : unit);
-}
-
 std::string as_written(const ToolLength& length) {
   return fmt::format("{:.6g}{}", length.value,
                      length.unit == 1  ? " mm"
@@ -34,15 +28,15 @@ std::string as_written(const ToolLength& length) {
                                        : "");
 }
 
-// 3.175 in a program in inches: 1/8 inch given in mm.
+// Whether the number is a size of the trade in inches, given in mm: 3.175 is 1/8 inch.
 bool is_inch_size_in_mm(const ToolLength& length) {
   const double sizes = length.value / kMmPerInch * 32;
   const double whole = std::round(sizes);
   return whole >= 2 && whole <= 32 && std::abs(sizes - whole) * kMmPerInch / 32 < 6e-4;
 }
 
-// "18 FLAT ENDMILL" beside 3.175 mm, "112 FACE MILL" beside 1.5 inches: posts leave out signs of a
-// tool's name, so that 1/8 has lost its slash.
+// Whether the name has lost the slash of a fraction, because posts leave out signs of a tool's
+// name: "18 FLAT ENDMILL" beside 3.175 mm is 1/8, "112 FACE MILL" beside 1.5 inches is 1 1/2.
 bool lost_its_slash(const ToolLength& name, double diameter) {
   constexpr double kMost = 9999;
   if (name.unit > 0 || name.fraction || name.value > kMost || name.value != std::floor(name.value))
@@ -62,11 +56,11 @@ bool lost_its_slash(const ToolLength& name, double diameter) {
   return false;
 }
 
-// The most explicit reading.
+// The most explicit reading of the diameter.
 const ToolLength& main_reading(const ToolHint& hint, double unit) {
   for (const ToolLength& reading : hint.diameters)
     if (std::none_of(hint.diameters.begin(), hint.diameters.end(), [&](const ToolLength& other) {
-          return lost_its_slash(reading, in_mm(other, unit));
+          return lost_its_slash(reading, other.mm(unit));
         }))
       return reading;
   return hint.diameters.front();
@@ -75,11 +69,11 @@ const ToolLength& main_reading(const ToolHint& hint, double unit) {
 // The diameter in mm; 0 and a reason where the readings differ or the unit is in doubt.
 double agreed_diameter(const ToolHint& hint, double unit, std::string& why) {
   const ToolLength& first = main_reading(hint, unit);
-  const double diameter = in_mm(first, unit);
+  const double diameter = first.mm(unit);
   bool confirmed = false;
   for (const ToolLength& other : hint.diameters) {
     if (&other == &first || lost_its_slash(other, diameter)) continue;
-    if (std::abs(in_mm(other, unit) - diameter) > kSameSize) {
+    if (std::abs(other.mm(unit) - diameter) > kSameSize) {
       why = fmt::format("can be read as diameter {} or {}", as_written(first), as_written(other));
       return 0;
     }
@@ -108,20 +102,22 @@ double agreed_diameter(const ToolHint& hint, double unit, std::string& why) {
   return diameter;
 }
 
-// A radius without a unit has that of the diameter beside it.
+// A radius in mm. Without a unit of its own it has that of the diameter beside it.
 double beside(const ToolLength& radius, const ToolHint& hint, double unit) {
-  if (hint.diameters.empty() || radius.unit > 0 || radius.fraction) return in_mm(radius, unit);
+  if (hint.diameters.empty() || radius.unit > 0 || radius.fraction) return radius.mm(unit);
   const ToolLength& first = hint.diameters.front();
   return radius.value * (first.unit > 0 ? first.unit : first.fraction ? kMmPerInch : unit);
 }
 
-// A corner radius that the tool can have. A bull-nose mill of half its diameter is a ball mill.
+// Sets the corner radius; false if the tool cannot have it. A bull-nose mill whose corner is half
+// its diameter becomes a ball mill.
 bool fill_corner(const ToolHint& hint, double unit, Tool& out, std::string& why) {
   const ToolLength& corner = hint.corner ? hint.corner : hint.nose;  // "DC=12 RE=1"
   out.corner_radius = corner && hint.trade != ToolTrade::tap ? beside(corner, hint, unit) : 0;
   if (out.type == ToolType::endmill && out.corner_radius > 0) out.type = ToolType::bullmill;
   const double radius = out.diameter / 2;
-  // D of a tapered mill is where its flank meets the plane of the tip: inside a ball's equator.
+  // The diameter of a tapered mill is where its flank meets the plane of the tip, which is smaller
+  // than a ball's equator: the corner may be larger than half of it.
   const SinCos lean = sincos(out.type == ToolType::taper ? out.taper_angle : 0);
   if (out.corner_radius > radius * lean.cos / (1 - lean.sin) + kSameSize) {
     why = fmt::format("gives a corner radius of {:.6g} mm, more than half the diameter",
@@ -145,8 +141,8 @@ bool fill_corner(const ToolHint& hint, double unit, Tool& out, std::string& why)
   return true;
 }
 
-// The flank ends at the flute length, or at the diameter where the tip's is given, or where the
-// program's cuts do.
+// A cone's flank ends at the flute length; without one at the diameter, if the tip has its own,
+// else where the program's cuts end.
 void fill_cone(const ToolHint& hint, double unit, Tool& out, std::string& why) {
   if (hint.flute_length) out.flute_length = beside(hint.flute_length, hint, unit);
   const bool ball = hint.trade == ToolTrade::cone_ball;
@@ -173,7 +169,8 @@ void fill_dovetail(const ToolHint& hint, double unit, Tool& out, std::string& wh
   }
 }
 
-// What a kind of mill needs besides: the flutes of a taper, the head of a T-slot cutter, the point.
+// Sets what only some kinds of mill have: the flank of a taper, the head of a T-slot cutter, the
+// tip of a point.
 bool fill_shape(const ToolHint& hint, double unit, Tool& out, std::string& why) {
   if (out.type == ToolType::taper) {
     fill_cone(hint, unit, out, why);
@@ -199,9 +196,9 @@ bool fill_shape(const ToolHint& hint, double unit, Tool& out, std::string& why) 
   return why.empty();
 }
 
-// What a comment in doubt says first: for the example of an error.
+// Fills in the first reading of a comment in doubt, so that the error can show an example.
 void sketch(const ToolHint& hint, double unit, Tool& out) {
-  if (!hint.diameters.empty()) out.diameter = in_mm(hint.diameters.front(), unit);
+  if (!hint.diameters.empty()) out.diameter = hint.diameters.front().mm(unit);
   if (hint.corner) out.corner_radius = beside(hint.corner, hint, unit);
   if (hint.tip) out.tip_diameter = beside(hint.tip, hint, unit);
   out.tip_angle = hint.tip_angle;
@@ -209,7 +206,8 @@ void sketch(const ToolHint& hint, double unit, Tool& out) {
   out.insert = hint.insert;
 }
 
-// "FACE MILL 1MM", "CHAMFER MILL 0.5MM": what the work loses, for a diameter is larger.
+// Whether the size is too small for a diameter and may be what the work loses: "FACE MILL 1MM",
+// "CHAMFER MILL 0.5MM".
 bool may_be_depth(const ToolHint& hint, double diameter, std::string& why) {
   constexpr double kLeastFaceMill = 6, kLeastChamferMill = 2;  // mm
   const double least = hint.trade == ToolTrade::face_mill      ? kLeastFaceMill
@@ -220,7 +218,8 @@ bool may_be_depth(const ToolHint& hint, double diameter, std::string& why) {
   return true;
 }
 
-// A size beside a line about the work that an end mill lacks and the cutter of that form has.
+// Whether the tool may be the cutter for the work of another line: it has a size that an end mill
+// lacks and that cutter has.
 bool may_have_form(const ToolHint& hint) {
   return !hint.work.empty() && (hint.width || (hint.corner && hint.rounds_edges));
 }
@@ -245,10 +244,10 @@ bool fill_mill(const ToolHint& hint, double unit, Tool& out, std::string& why) {
   return fill_corner(hint, unit, out, why) && fill_shape(hint, unit, out, why);
 }
 
-// No code of an insert and no angle: what cuts is the blade.
+// Whether the hint has neither the code nor the angle of an insert, so that the blade itself cuts.
 bool insert_is_blade(const ToolHint& hint) { return hint.insert.empty() && hint.insert_angle == 0; }
 
-// Neutral and without a width: its lead gives the width.
+// Whether the tool is a neutral tooth without a width: the lead of the thread gives its width.
 bool is_thread_tooth(const Tool& tool) {
   return tool.type == ToolType::threading && tool.lead_angle == 0 && tool.edge_length == 0;
 }
@@ -282,8 +281,8 @@ void fill_turning(const ToolHint& hint, double unit, Tool& out) {
   if (out.type == ToolType::grooving) out.tip = blade_tip(hint);
   ToolLength round = hint.nose ? hint.nose : hint.corner;  // "TIP RADIUS: 0.4" in its own line
   if (round.unit == 0 && out.insert != "R") round.unit = usual_nose_unit(round.value);
-  out.nose_radius = round ? in_mm(round, unit) : 0;
-  out.width = hint.width ? in_mm(hint.width, unit) : 0;
+  out.nose_radius = round ? round.mm(unit) : 0;
+  out.width = hint.width ? hint.width.mm(unit) : 0;
   if (out.insert == "R" && out.edge_length == 0) out.edge_length = 2 * out.nose_radius;
   complete_turning_tool(out);
   const std::string insert =
@@ -311,7 +310,7 @@ void fill_turning(const ToolHint& hint, double unit, Tool& out) {
                   edge, nose, out.left_hand ? ", left-hand" : "");
 }
 
-// What a grooving tool leaves open; empty: nothing.
+// What a comment about a grooving tool leaves open; empty: nothing.
 std::string doubt_of_blade(const ToolHint& hint, double unit, const Tool& out) {
   if (hint.face_groove)
     return "names a face groove, and does not say which corner of the blade is programmed";

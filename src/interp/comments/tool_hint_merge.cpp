@@ -1,4 +1,4 @@
-// What several comments say of one tool, put together.
+// Puts together what several comments say of one tool.
 #include "core/numbers/rounding.h"
 #include "core/numbers/units.h"
 #include "interp/comments/comment_tokens.h"
@@ -29,7 +29,8 @@ constexpr std::string_view kWork[] = {
     "THE",      "FOR",       "OF",       "IN",        "ON",        "WALL",   "WALLS",   "FLOOR",
     "CENTER",   "CENTRE",    "OPEN",     "MACHINE",   "MACHINING", "CLEAR",  "KEYSEAT"};
 
-// One of them at least must stand there: "T-SLOT", "CORNER ROUNDING" are names of cutters, too.
+// A comment about the work has at least one of these: "T-SLOT", "CORNER ROUNDING" alone are names
+// of cutters, too.
 constexpr std::string_view kSurelyWork[] = {"ROUGH", "ROUGHING", "FINISH",   "FINISHING", "PASS",
                                             "OP",    "SIDES",    "EDGES",    "CORNERS",   "WALLS",
                                             "FLOOR", "MACHINE",  "MACHINING"};
@@ -41,8 +42,8 @@ bool has_form(const ToolHint& tool) {
 
 bool is_slot(std::string_view word) { return word == "SLOT" || word == "SLOTS"; }
 
-// "ROUGH T-SLOT", "DOVETAIL SLOT": no word of a cutter, no size of one, and not where a change of
-// tools is told of.
+// Whether the line may be about the work: "ROUGH T-SLOT", "DOVETAIL SLOT". It has no word and no
+// size of a cutter, and stands at no change of tools.
 bool may_be_work(const ToolHint& line) {
   if (!has_form(line) || line.names_tool || !line.id.empty() || !line.diameters.empty() ||
       line.width || line.corner || line.at_call)
@@ -67,7 +68,8 @@ void pass_work(ToolHint& tool, const ToolHint& line) {
   if (tool.work.size() < kMost) tool.work += (tool.work.empty() ? "" : "\", \"") + line.text;
 }
 
-// "10MM END MILL": it cuts slots and edges of any form, before or beside the cutter of that form.
+// Whether the tool is a plain mill, "10MM END MILL", which may cut the work of another line: slots
+// and edges of any form.
 bool is_plain_mill(const ToolHint& tool) {
   return tool.firm && tool.trade == ToolTrade::mill && !tool.diameters.empty() &&
          (tool.type == ToolType::endmill || tool.type == ToolType::bullmill ||
@@ -76,7 +78,8 @@ bool is_plain_mill(const ToolHint& tool) {
 
 void merge_kind(ToolHint& into, const ToolHint& more) {
   const bool plain = into.type == ToolType::endmill;  // "CR=2" makes a bull-nose mill of it
-  // "TOOL NAME: MILL_D10", "DESCRIPTION: MILLING TOOL-BALL MILL"; "MILL D25", "T-SLOT CUTTER".
+  // The second comment gives the kind of a mill that the first one only calls a mill: "TOOL NAME:
+  // MILL_D10", "DESCRIPTION: MILLING TOOL-BALL MILL"; "MILL D25", "T-SLOT CUTTER".
   const bool kind_of_it = plain && !into.firm && more.type && !is_turning(*more.type) &&
                           more.diameters.empty() &&
                           ((more.firm && more.names_tool) || has_form(more));
@@ -89,14 +92,14 @@ void merge_kind(ToolHint& into, const ToolHint& more) {
              !(*into.type == ToolType::bullmill && *more.type == ToolType::endmill)) {
     into.doubt = "name different kinds of tool";
   }
-  // "DRILL 8.5MM", "SPOT DRILL HOLES": of 118 degrees, or of 90.
+  // "DRILL 8.5MM" has 118 degrees, "SPOT DRILL HOLES" 90: they contradict each other.
   const bool angle_told = into.tip_angle > 0 && !into.assumed_angle;
   if (into.type == ToolType::drill && more.type == into.type && more.assumed_angle && !angle_told &&
       into.trade && more.trade != into.trade && into.doubt.empty())
     into.doubt = "name different kinds of tool";
 }
 
-// The comments as one: 'A", "B' is "A, B".
+// The texts of both as one comment: 'A", "B' becomes "A, B".
 std::string in_one_line(const ToolHint& hint, const ToolHint& line) {
   constexpr std::string_view kBetween = "\", \"";
   std::string text = hint.text;
@@ -104,14 +107,13 @@ std::string in_one_line(const ToolHint& hint, const ToolHint& line) {
   return text + " " + line.text;
 }
 
-double degrees(double angle) { return angle * (180 / kPi); }
-
-// Of the cone's side.
+// The angle between the cone's side and its axis, radians.
 double half_angle(const ToolHint& tool) {
   return tool.taper_angle > 0 ? tool.taper_angle : tool.tip_angle / 2;
 }
 
-// A drill's, and no slope that it makes: "TIP ANGLE: 130", "118 DEG".
+// Whether the angle is that of a drill's point, "TIP ANGLE: 130", "118 DEG", and not that of a
+// slope which the drill makes.
 bool may_be_point(const ToolHint& into, const ToolHint& line, const ToolHint& both) {
   constexpr double kSharpest = 60;
   const double angle = degrees(both.tip_angle), whole = std::round(angle);
@@ -135,7 +137,8 @@ std::string doubt_of_angle(const ToolHint& into, const ToolHint& line, const Too
   return "";
 }
 
-// "TAPER ANGLE: 5.", "ANGLE: 60": which angle of the tool that is, the kind says.
+// Adds an angle from a line of its own, "TAPER ANGLE: 5.", "ANGLE: 60". The kind says which angle
+// of the tool it is.
 void merge_angle(ToolHint& into, const ToolHint& line) {
   if (line.tip_angle > 0) {  // F-Engrave's
     if (into.trade != ToolTrade::vee) return;
@@ -156,15 +159,14 @@ void merge_angle(ToolHint& into, const ToolHint& line) {
   if (into.doubt.empty()) into.doubt = doubt;
 }
 
-double about_mm(const ToolLength& length) {
-  return length.value * (length.unit > 0 ? length.unit : length.fraction ? kMmPerInch : 1);
-}
+// Without the program's unit; both of two sizes that are compared are taken to be in mm then.
+double about_mm(const ToolLength& length) { return length.mm(1); }
 
 bool is_same(const ToolLength& a, const ToolLength& b) {
   return std::abs(about_mm(a) - about_mm(b)) < kRounding;
 }
 
-// What is given twice must agree.
+// Takes a size over; if both have it, they must agree.
 void take_size(ToolHint& into, ToolLength ToolHint::*size, const ToolHint& both) {
   if (!(both.*size)) return;
   if (into.*size && !is_same(into.*size, both.*size) && into.doubt.empty())
@@ -178,14 +180,15 @@ bool makes_holes(const ToolHint& tool) {
          tool.trade == ToolTrade::hole;
 }
 
-// One larger than half the diameter is the work's, and half the diameter is that of a ball.
+// Whether the radius can be the tool's corner. One larger than half the diameter is the work's;
+// half the diameter is that of a ball.
 bool may_be_corner(const ToolHint& tool, const ToolLength& corner) {
   if (tool.diameters.empty()) return true;
   const double half = about_mm(tool.diameters.front()) / 2, radius = about_mm(corner);
   return radius < half || (radius == half && tool.type != ToolType::ballmill);
 }
 
-// Whether a radius in a line of its own is one of the tool's; with a doubt where it may be.
+// Whether a radius in a line of its own is one of the tool's. Where it only may be, a doubt is set.
 bool counts(ToolHint& into, const ToolHint& line, const ToolHint& both) {
   const bool turns = into.type && is_turning(*into.type);
   if (line.tool_radius && !into.diameters.empty() &&
@@ -203,7 +206,8 @@ bool counts(ToolHint& into, const ToolHint& line, const ToolHint& both) {
   return true;
 }
 
-// "D10. R1.", "TIP DIA 0.2" below the kind: read as if it stood behind it.
+// Adds sizes from a line below the kind, "D10. R1.", "TIP DIA 0.2", read as if they stood behind
+// it.
 void merge_sizes(ToolHint& into, const ToolHint& line) {
   const ToolHint both = read_tool_comment(in_one_line(into, line));
   const bool turns = into.type && is_turning(*into.type);

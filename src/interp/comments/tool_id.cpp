@@ -6,7 +6,7 @@
 namespace mrsim {
 namespace {
 
-// A whole number without a point or a unit.
+// Makes the number at i the tool's, if it is whole and has neither a point nor a unit.
 void set_id(CommentView& view, ToolFacts& facts, std::size_t i) {
   const CommentToken& t = view[i];
   if (!view.whole(i) || t.text.size() > 8) return;
@@ -19,7 +19,7 @@ void set_id(CommentView& view, ToolFacts& facts, std::size_t i) {
   facts.id_digits = t.text.size();
 }
 
-// "6061-T6", "7075 T651": what was done to an alloy.
+// Whether the T at `t` is the temper of an alloy: "6061-T6", "7075 T651".
 bool is_temper(const CommentView& view, std::size_t t) {
   const std::size_t alloy = t > 1 && view.is(t - 1, "-") ? t - 2 : t - 1;
   return t > 0 && view.has(alloy) && view[alloy].is_number() && view[alloy].text.size() == 4 &&
@@ -41,8 +41,8 @@ bool is_word_for_tool(const CommentView& view, std::size_t i) {
       i, {"TOOL", "WERKZEUG", "WKZ", "HERRAMIENTA", "ORODJE", "OUTIL", "UTENSILE", "NARZEDZIE"});
 }
 
-// "T12", "TOOL 12", "TOOL NO. 12", "TOOL -5-", "TOOL #1", "NO. 1:"; "1 = End Mill {6 mm}" of
-// Vectric.
+// Reads "T12", "TOOL 12", "TOOL NO. 12", "TOOL -5-", "TOOL #1", "NO. 1:", and "1 = End Mill {6 mm}"
+// of Vectric.
 void read_tool_id(CommentView& view, ToolFacts& facts) {
   if (facts.kind() && view.number(0) && view.is(1, "=")) set_id(view, facts, 0);
   if (facts.kind() && view.is(0, "TYPE") && view.is_one(1, {":", "="})) facts.names_tool = true;

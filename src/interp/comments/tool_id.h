@@ -6,7 +6,7 @@
 
 namespace mrsim {
 
-/// "TOOL", "WERKZEUG" ...: a number behind it is the tool's.
+/// Whether the word is "TOOL", "WERKZEUG" or the like: a number behind it is the tool's.
 bool is_word_for_tool(const CommentView& view, std::size_t i);
 
 /// Fills id, id_digits, several_ids and names_tool; kinds and insert are there.

@@ -234,7 +234,7 @@ constexpr Names kNames[] = {
     {threading, lathe, false, 0,
      "THREADING|THREAD|GEWINDE|INNENGEWINDE|AUSSENGEWINDE|ROSCADO|ROSCAR|ROSCA|FILETAGE|FILETER|"
      "FILETTATURA|FILETTARE|GWINT|GWINTOWANIE|ZAVIT|Z~VIT|NAVOJ|MENET|REZBA"},
-    // A tool of a lathe, for whatever another word says: "CUCHILLA TRONZADO".
+    // A tool of a lathe, whose use another word tells: "CUCHILLA TRONZADO".
     {turning, lathe, true, 0,
      "LATHE TOOL|DREHMEI*|DREHSTAHL|STRU~*|STRUZ*|CUCHILLA|NO~|NOZ|N~~|REZEC|REZETS|PROHODNO*|"
      "PROXODNO*|PROKHODNO*"},
@@ -251,12 +251,12 @@ bool fits(std::string_view pattern, std::string_view text) {
          (text.size() > 1 && fits(pattern.substr(1), text.substr(2)));
 }
 
-// "T-SLOT", "C'SINK", "D'ARONDE": a sign between the words of a phrase.
+// Whether the token is a sign between the words of a phrase: "T-SLOT", "C'SINK", "D'ARONDE".
 bool joins_words(const CommentToken& token) {
   return token.glued && (token.is("-") || token.is("'") || token.is("/"));
 }
 
-// The token behind the phrase that begins at `at`, or 0.
+// The place behind the phrase that begins at `at`, or 0 if it does not stand there.
 std::size_t match_phrase(std::string_view words, const std::vector<CommentToken>& tokens,
                          std::size_t at) {
   for (bool first = true; !words.empty(); first = false) {

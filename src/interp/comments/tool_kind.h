@@ -11,7 +11,7 @@
 
 namespace mrsim {
 
-/// What the tool is made for: it says how the numbers beside the kind are to be read.
+/// What the tool is made for, which decides how the numbers beside the kind are read.
 enum class ToolTrade : std::uint8_t {
   mill,
   face_mill,
@@ -44,11 +44,11 @@ struct ToolKind {
   std::size_t first = 0, end = 0;  ///< tokens [first, end) are its name
 };
 
-/// All kinds that are named, the one that counts first: those that are certain before those that
-/// may be operations, then the particular before the general. Their tokens do not overlap.
+/// All kinds that are named, the one that counts first: kinds that are certain stand before words
+/// that may be operations, then particular kinds before general ones. Their tokens do not overlap.
 std::vector<ToolKind> find_tool_kinds(const std::vector<CommentToken>& tokens);
 
-/// They may be one tool: "BALL" and "ENDMILL", "SPOT" and "CHAMFER".
+/// Whether both may name one tool: "BALL" and "ENDMILL", "SPOT" and "CHAMFER".
 bool same_trade(const ToolKind& a, const ToolKind& b);
 
 }  // namespace mrsim

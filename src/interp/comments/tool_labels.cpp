@@ -1,6 +1,7 @@
 #include "interp/comments/tool_labels.h"
 
 #include "interp/comments/comment_words.h"
+#include "interp/comments/letter_diameters.h"
 #include "interp/comments/tool_sizes.h"
 #include "interp/comments/work_words.h"
 
@@ -20,7 +21,7 @@ struct Label {
   std::size_t first = 0, end = 0;
 };
 
-// What two words name together; none: the second begins a label of its own.
+// What two words name together. none: the second word begins a label of its own.
 WordRole joined(WordRole a, WordRole b) {
   using enum WordRole;
   const bool rounding = b == WordRole::radius || b == radius_letter;
@@ -49,8 +50,6 @@ class LabelReader {
       read_label(label);
       i = label.end - 1;
     }
-    read_signs();
-    read_letter_d();
   }
 
  private:
@@ -66,7 +65,6 @@ class LabelReader {
   }
   std::size_t number_behind(const Label& label) const;
   std::size_t number_before(const Label& label) const;
-  bool has_flat_tip() const;
   bool may_be_round() const;
   bool has_corner() const;
   void read_label(const Label& label);
@@ -77,11 +75,6 @@ class LabelReader {
   void read_register(const Label& label);
   void read_corner(const Label& label);
   void keep(WordRole role, std::size_t number);
-  void read_signs();
-  double length_register_beside() const;
-  bool is_beside_its_register(std::size_t size, double length_register) const;
-  void read_letter_d();
-  void read_second_d(std::size_t i);
   void take(const Label& label, std::size_t number) {
     view_.take(std::min(label.first, number), std::max(label.end, number + 1));
   }
@@ -90,11 +83,12 @@ class LabelReader {
   ToolFacts& facts_;
 };
 
-// FLAT and MIN DIA of a chamfer mill are its tip.
+// What the word at i names. FLAT and MIN DIA of a chamfer mill are its tip.
 CommentWord LabelReader::named(std::size_t i) const {
   if (!view_.word(i)) return {};
   const bool least = view_.is(i, "MIN") && view_.is_one(i + 1, {"DIA", "DIAM", "DIAMETER"});
-  if ((least || view_.is(i, "FLAT")) && has_flat_tip()) return {WordRole::tip, NumberSide::either};
+  if ((least || view_.is(i, "FLAT")) && facts_.has_flat_tip())
+    return {WordRole::tip, NumberSide::either};
   return comment_word(view_[i].text);
 }
 
@@ -114,7 +108,8 @@ Label LabelReader::label_at(std::size_t i) const {
   return label;
 }
 
-// "4 FLUTE", "3-FLUTE", "4FL", "Z4", "Z=4", "FLUTES: 2". Its number is none of another word.
+// Takes the number of flutes, so that no other word gets it: "4 FLUTE", "3-FLUTE", "4FL", "Z4",
+// "Z=4", "FLUTES: 2".
 void LabelReader::read_flutes() {
   for (std::size_t i = 0; i < view_.size(); ++i) {
     const Label label = label_at(i);
@@ -131,7 +126,8 @@ void LabelReader::read_flutes() {
   }
 }
 
-// "1.0 LOC 3.0 OAL": the 3.0 belongs to the word behind it, which has no other number.
+// Whether the number belongs to the word behind it, which has no other: the 3.0 in "1.0 LOC 3.0
+// OAL".
 bool LabelReader::claimed(std::size_t number) const {
   const Label next = label_at(number + 1);
   using enum WordRole;
@@ -142,14 +138,15 @@ bool LabelReader::claimed(std::size_t number) const {
   return !view_.number(behind);
 }
 
-// "FINISH BORE R0.4", "35 DEG PROFILE R.8" of a lathe.
+// Whether R at i begins the nose radius of a lathe's tool: "FINISH BORE R0.4", "35 DEG PROFILE
+// R.8".
 bool LabelReader::begins_nose(std::size_t i) const {
   if (!facts_.kinds.empty() && !is_turning(facts_.kinds.front().type)) return false;
   return i > 0 && view_.is_one(i - 1, {"BORE", "PROFILE"}) && view_.is(i, "R") &&
          view_.number(i + 1) && !view_.whole(i + 1) && view_[i + 1].value < 1.7;
 }
 
-// "1/8 SHANK 0.8MM DRILL": the 0.8 is the drill's.
+// Whether the number stands before the kind and is its size: the 0.8 in "1/8 SHANK 0.8MM DRILL".
 bool LabelReader::is_of_kind(std::size_t number) const {
   if (facts_.kinds.empty()) return false;
   std::size_t i = number + 1;
@@ -201,7 +198,7 @@ void LabelReader::read_label(const Label& label) {
   std::size_t number = number_behind(label);
   if (number == kNone) number = number_before(label);
   if (number == kNone) return;
-  if (label.role == WordRole::tip && !has_flat_tip()) return;
+  if (label.role == WordRole::tip && !facts_.has_flat_tip()) return;
   if (label.role == WordRole::count && !view_.whole(number)) return;  // "1/4 HOLES"
   if (label.role == WordRole::angle && view_[number].value < kLeastAngle) return;
   const bool letter = view_.is(label.first, "A");  // "SPOT DRILL D10 A90"; a rotary axis, or A36
@@ -213,14 +210,14 @@ void LabelReader::read_label(const Label& label) {
     view_.take(i, i + 2);  // "STOCK 100 X 50"
 }
 
-// "FACE MILL 0.5MM OFF TOP": what is taken off.
+// Takes a number that tells what is taken off the work: "FACE MILL 0.5MM OFF TOP".
 void LabelReader::read_register(const Label& label) {
   const bool off = view_.is(label.first, "OFF") && label.first > 0;
   if (off && number_behind(label) == kNone && view_.is_size(label.first - 1))
     view_.take(label.first - 1);
 }
 
-// "D10 ENDMILL CORNER 0.5", "CORNER=1"; "CORNER 1" is a place.
+// Reads a corner radius: "D10 ENDMILL CORNER 0.5", "CORNER=1". "CORNER 1" is a place on the part.
 void LabelReader::read_corner(const Label& label) {
   const std::size_t number = number_behind(label);
   const bool corner = has_corner() || (facts_.kinds.empty() && facts_.names_tool);
@@ -231,15 +228,8 @@ void LabelReader::read_corner(const Label& label) {
   take(label, number);
 }
 
-// Of others the tip is no size: "CARBIDE TIP 10MM DRILL".
-bool LabelReader::has_flat_tip() const {
-  using enum ToolTrade;
-  if (facts_.kinds.empty()) return false;
-  const ToolTrade trade = facts_.kinds.front().trade;
-  return trade == vee || trade == chamfer_mill || trade == countersink || trade == cone_mill;
-}
-
-// "DIA 12 R 1" of a mill, an insert or a cutter; "DRILL R 5" is a height.
+// Whether R names a corner radius, "DIA 12 R 1": of mills, inserts and cutters. In "DRILL R 5" it
+// is a height.
 bool LabelReader::has_corner() const {
   using enum ToolTrade;
   if (facts_.kinds.empty()) return facts_.names_tool && !facts_.named.empty();
@@ -247,7 +237,7 @@ bool LabelReader::has_corner() const {
   return trade == mill || trade == face_mill || trade == lathe;
 }
 
-// "BALL NOSE 3 R"; "CNMG 432 R" is right-handed.
+// Whether R behind a number may be a radius: "BALL NOSE 3 R". "CNMG 432 R" is right-handed.
 bool LabelReader::may_be_round() const {
   if (facts_.kinds.empty()) return false;
   const ToolType type = facts_.kinds.front().type;
@@ -287,7 +277,7 @@ void LabelReader::keep(WordRole role, std::size_t number) {
   }
 }
 
-// "DIA. - 10.", ".5 DIA". Where numbers stand on both sides both are readings.
+// Reads "DIA. - 10.", ".5 DIA". Numbers on both sides of the word are two readings of the diameter.
 void LabelReader::read_diameter(const Label& label) {
   const std::size_t i = label.first;
   facts_.names_tool |= i > 0 && view_.is_one(i - 1, {"TOOL", "CUTTER", "BIT"});
@@ -309,79 +299,6 @@ void LabelReader::read_diameter(const Label& label) {
   }
 }
 
-// "Ø5", "D=6.", "D: 12. R: 0."; "D: 1" may be a register.
-void LabelReader::read_signs() {
-  for (std::size_t i = 0; i + 1 < view_.size(); ++i) {
-    const std::size_t value = view_.value_behind(i);
-    if (value == kNone || !(view_[value].value > 0)) continue;
-    const bool sign = view_.is(i, "~") && !(i > 0 && view_.glued(i));
-    const bool sized = view_.is(i + 1, ":") && (view_[value].decimals || view_.is(value + 1, "R"));
-    const bool letter = view_.is(i, "D") && (view_.is(i + 1, "=") || sized) && value == i + 2;
-    if (!sign && !letter) continue;
-    facts_.names_tool |= letter;
-    facts_.named.push_back(view_.length(value));
-    view_.take(i, value + 1);
-  }
-}
-
-// The number of an H; -1: there is none. "D10H7" is a fit, and so is "REAMER D10 H7".
-double LabelReader::length_register_beside() const {
-  for (std::size_t i = 0; i + 1 < view_.size(); ++i)
-    if (view_.is(i, "H") && view_[i + 1].is_number() && view_.glued(i + 1) && !view_.glued(i) &&
-        !(facts_.trade_is(ToolTrade::hole) && i > 1 && view_.is(i - 2, "D")))
-      return view_[i + 1].value;
-  return -1;
-}
-
-// "FRAISE D10 H1 D1": D1 is the register that goes with H1.
-bool LabelReader::is_beside_its_register(std::size_t size, double length_register) const {
-  if (view_[size + 1].value == length_register) return false;
-  for (std::size_t i = 0; i + 1 < view_.size(); ++i)
-    if (view_.is(i, "D") && view_[i + 1].is_number() && view_.glued(i + 1) &&
-        view_[i + 1].value == length_register)
-      return true;
-  return false;
-}
-
-// "END MILL D5", "D10R1"; beside an H it is the number of a register, behind a name in quotation
-// marks (T="CUTTER 10" D1) that of an edge.
-void LabelReader::read_letter_d() {
-  const double length_register = length_register_beside();
-  for (std::size_t i = 0; i + 1 < view_.size(); ++i) {
-    if (!view_.is(i, "D") || !view_.number(i + 1) || !view_.glued(i + 1)) continue;
-    const CommentToken& value = view_[i + 1];
-    view_.take(i, i + 2);
-    if (i > 0 && view_.is_one(i - 1, {"SHANK", "SHK", "SHAFT", "SCHAFT", "NECK", "HOLDER",
-                                      "TOOLHOLDER", "COLLET", "CHUCK", "ARBOR"}))
-      continue;                                         // what holds it
-    if (view_.is(i + 2, "=") && view_.number(i + 3)) {  // "D1=10": which of the diameters?
-      view_.take(i + 2, i + 4);
-      continue;
-    }
-    const bool edge = i > 0 && view_.is(i - 1, "\"") && !value.decimals;
-    if (length_register >= 0 && !is_beside_its_register(i, length_register)) continue;
-    if (edge || !(value.value > 0)) continue;
-    if (!value.decimals && !facts_.id.empty() && value.text == facts_.id) continue;  // "T5 D5"
-    if (facts_.letter_d && has_flat_tip()) read_second_d(i);
-    if (!facts_.letter_d) facts_.letter_d = view_.length(i + 1);
-    const bool radius = view_.is(i + 2, "R") && view_.glued(i + 2) && view_.glued(i + 3);
-    facts_.pair |= radius && view_[i + 3].is_number();
-  }
-}
-
-// "CHAMFER MILL D10/D2" has its tip behind the slash; "D10 D2" may name a register.
-void LabelReader::read_second_d(std::size_t i) {
-  const ToolLength second = view_.length(i + 1);
-  if (second.value == facts_.letter_d.value) return;
-  const bool joined = view_.glued(i) && view_.is_one(i - 1, {"/", "-"});
-  if (!joined) {
-    facts_.second_d = second;
-    return;
-  }
-  facts_.tip = second;
-  if (facts_.letter_d.value < second.value) std::swap(facts_.tip, facts_.letter_d);
-}
-
 void read_blade(CommentView& view, ToolFacts& facts) {
   facts.blade = find_blade_code(view.tokens());
   if (!facts.blade) return;
@@ -395,6 +312,7 @@ void read_blade(CommentView& view, ToolFacts& facts) {
 void read_tool_labels(CommentView& view, ToolFacts& facts) {
   read_blade(view, facts);
   LabelReader(view, facts).read();
+  read_letter_diameters(view, facts);
 }
 
 }  // namespace mrsim

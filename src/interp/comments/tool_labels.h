@@ -1,4 +1,4 @@
-// The numbers that words of a comment name: "DIA. - 10.", "CR=2", "LOC 1.0", "4 FLUTE".
+// Reads the numbers that have a name in a comment: "DIA. - 10.", "CR=2", "LOC 1.0", "4 FLUTE".
 #pragma once
 
 #include "interp/comments/comment_view.h"
@@ -6,7 +6,8 @@
 
 namespace mrsim {
 
-/// Takes the tokens it explains, but not those of the kind or the insert, which are taken before.
+/// Fills in the named sizes and angles, and takes their tokens. Requires: the tokens of the kind
+/// and of the insert are taken.
 void read_tool_labels(CommentView& view, ToolFacts& facts);
 
 }  // namespace mrsim

@@ -62,7 +62,8 @@ bool read_key_values(std::string_view text, ToolHint& hint) {
   return true;
 }
 
-// TOOL/MILL, diameter, corner radius, height, taper. TOOL/DRILL, diameter, tip angle, height.
+// Reads "TOOL/MILL, diameter, corner radius, height, taper" and "TOOL/DRILL, diameter, tip angle,
+// height".
 bool read_apt(std::string_view text, ToolHint& hint) {
   const std::size_t from = text.find_first_not_of(' ');
   if (from == text.npos || !text.substr(from).starts_with("TOOL/")) return false;
@@ -93,7 +94,7 @@ bool read_apt(std::string_view text, ToolHint& hint) {
   return true;
 }
 
-// CamBam's "T1 : 3.0".
+// Reads CamBam's "T1 : 3.0".
 bool read_number_and_size(std::string_view text, ToolHint& hint) {
   const std::vector<CommentToken> tokens = comment_tokens(text);
   if (tokens.size() != 4 || !tokens[0].is("T") || !tokens[1].is_number() || tokens[1].decimals ||
@@ -108,7 +109,7 @@ bool read_number_and_size(std::string_view text, ToolHint& hint) {
   return true;
 }
 
-// F-Engrave's settings, of which those of its V-bit count where it carves.
+// Reads F-Engrave's settings. Those of the V-bit tell the tool only where a V-bit carves alone.
 bool read_fengrave(std::string_view text, ToolHint& hint) {
   const std::size_t mark = text.find("FENGRAVE_SET ");
   if (mark == text.npos) return false;

@@ -17,31 +17,7 @@ class Settler {
   Settler(const ToolFacts& facts, ToolHint& hint) : facts_(facts), hint_(hint) {}
 
   void settle() {
-    hint_.id = facts_.id;
-    hint_.id_digits = facts_.id_digits;
-    hint_.names_tool = facts_.names_tool;
-    hint_.corner = facts_.corner;
-    hint_.nose = facts_.nose;
-    hint_.width = facts_.width;
-    hint_.tip = facts_.tip;
-    hint_.flute_length = facts_.flute_length;
-    hint_.inside = facts_.inside;
-    hint_.face_groove = facts_.face_groove;
-    hint_.blade_point = facts_.blade_point;
-    hint_.orientation = facts_.orientation;
-    hint_.bores = facts_.bores;
-    hint_.bare_id = facts_.bare_id;
-    hint_.bare_kind = facts_.bare_kind;
-    hint_.diameter_line = facts_.diameter_line;
-    hint_.angle_line = facts_.angle_line;
-    hint_.size_line = facts_.size_line;
-    hint_.plain_radius = facts_.plain_radius;
-    hint_.tool_radius = facts_.tool_radius;
-    hint_.own_angle = facts_.own_angle;
-    hint_.other_work = facts_.other_work;
-    hint_.unknown_word = facts_.unknown_word;
-    hint_.next_tool = facts_.next_tool;
-    hint_.last_tool = facts_.last_tool;
+    static_cast<PlainFacts&>(hint_) = facts_;
     if (hint_.angle_line) return;
     if (facts_.several_ids) doubt("names several tools");
     if (!facts_.split_size.empty()) doubt(fmt::format("can be read as size {}", facts_.split_size));
@@ -93,7 +69,7 @@ bool Settler::pointed() const {
          trade_is(chamfer_mill) || trade_is(countersink) || trade_is(vee);
 }
 
-// "OD ROUGH R0.8 80 DEG".
+// Whether the first angle is a usual corner of an insert: "OD ROUGH R0.8 80 DEG".
 bool Settler::has_usual_corner() const {
   constexpr double kUsual[] = {35, 55, 80};
   return !angles_.empty() &&
@@ -130,7 +106,7 @@ void Settler::settle_type() {
     hint_.type = ToolType::tslot;
     hint_.trade = ToolTrade::disc;
   }
-  // Its insert is what cuts, whatever the words call the work; mills hold such inserts, too.
+  // The blade is what cuts, whatever the words call the work. A mill may hold such an insert, too.
   if (facts_.blade && !facts_.insert && (!hint_.type || is_turning(*hint_.type)) &&
       !(k && k->firm && !is_turning(k->type)))
     hint_.type = facts_.blade->type;
@@ -148,8 +124,8 @@ void Settler::settle_type() {
   if (facts_.insert || (hint_.type && is_turning(*hint_.type))) settle_turning();
 }
 
-// "OD ROUGH R0.8", "ROUGH TURN .031R", "FINISH BORE R0.4": the radius of an insert, by its value
-// in mm or inches, is no radius of the work.
+// A radius beside words for the work is the nose of the insert if inserts have a nose of that value
+// in mm or inches: "OD ROUGH R0.8", "ROUGH TURN .031R", "FINISH BORE R0.4".
 void Settler::take_nose_of_work() {
   ToolLength nose = hint_.nose ? hint_.nose : hint_.corner ? hint_.corner : bare_nose();
   if (!nose || (kind() && (!is_turning(kind()->type) || kind()->type == ToolType::threading)))
@@ -161,14 +137,13 @@ void Settler::take_nose_of_work() {
   if (!hint_.operation) hint_.operation = ToolType::turning;
 }
 
-// "80 DEG ROUGH .031", "CNMG .8", "ROUGH OD .031": a number that nothing names, of the value of a
-// nose radius.
+// A number without a name that has the value of a nose radius: "80 DEG ROUGH .031", "CNMG .8".
 ToolLength Settler::bare_nose() const {
   const bool one = facts_.bare.size() == 1 && usual_nose_unit(facts_.bare.front().value) > 0;
   return one && !facts_.bores ? facts_.bare.front() : ToolLength{};
 }
 
-// "R05" is 5, or 0.5 without its point; of an insert "R08" is 0.8.
+// "R05" may be 5, or 0.5 that has lost its point: a doubt. Of an insert "R08" is 0.8.
 void Settler::settle_padded_radius() {
   if (!facts_.padded_radius) return;
   hint_.padded_radius = true;
@@ -181,7 +156,7 @@ void Settler::settle_padded_radius() {
     doubt(fmt::format("can be read as radius {:g} or {:g}", hint_.corner.value, tenth.value));
 }
 
-// "BUTTON TOOL R4", "ROUND INSERT DIA 8" of a lathe.
+// Settles a lathe's round insert: "BUTTON TOOL R4", "ROUND INSERT DIA 8".
 void Settler::settle_round_insert() {
   ToolLength nose = hint_.nose ? hint_.nose : hint_.corner;
   if (!facts_.named.empty() && !nose) (nose = facts_.named.front()).value /= 2;
@@ -194,7 +169,8 @@ void Settler::settle_round_insert() {
   hint_.diameters.clear();
 }
 
-// "80 DEG DIAMOND" is an insert; "GROOVE 3MM", ".093 GROOVE" name the work, and the blade perhaps.
+// Settles words of turning: "80 DEG DIAMOND" is an insert. "GROOVE 3MM", ".093 GROOVE" name the
+// work, and their size may be that of the blade.
 void Settler::settle_work(const ToolKind& k) {
   if (k.type == ToolType::turning && has_usual_corner()) {
     hint_.type = k.type;
@@ -209,8 +185,8 @@ void Settler::settle_work(const ToolKind& k) {
   if (size.unit > 0 || size.fraction || before) hint_.width = size;
 }
 
-// "6MM DRILL - CHAMFER EDGES": the tool of one, the work of the other, or the other way round.
-// Words that name a tool and nothing else are certain, but "ENDMILL, CHAMFER 45 DEG" may be a
+// Two kinds in one comment, "6MM DRILL - CHAMFER EDGES": one is the tool, the other may be the
+// work. Words that name nothing but a tool are certain, but "ENDMILL, CHAMFER 45 DEG" may be a
 // chamfer mill.
 void Settler::settle_rivals() {
   const ToolKind& k = facts_.kinds.front();
@@ -256,7 +232,7 @@ void Settler::settle_turning() {
   if (hint_.type != ToolType::boring) hint_.diameters.clear();  // on a mill it is the bore's
 }
 
-// A threading insert is a point of 60 degrees, where nothing else is said.
+// Settles the profile of a thread: a point of 60 degrees, unless the comment says otherwise.
 void Settler::settle_thread() {
   if (hint_.type == ToolType::turning && facts_.back_turn)
     doubt("names a tool that turns backwards, and does not say its hand, hand=left or right");
@@ -265,7 +241,8 @@ void Settler::settle_thread() {
   if (facts_.whitworth && hint_.insert_angle == 0) hint_.insert_angle = radians(55);
 }
 
-// "DNMG 150608 93 DEG", "SNMG 120412 45 DEG": no insert has such a corner, holders have that lead.
+// Takes an angle that no insert has as its corner, but holders have as their lead: "DNMG 150608 93
+// DEG", "SNMG 120412 45 DEG".
 void Settler::take_lead_angle() {
   constexpr double kLeads[] = {45, 62.5, 72.5, 75, 91, 93, 95, 107.5, 117.5};
   const auto at = std::find_if(angles_.begin(), angles_.end(), [&](double angle) {
@@ -295,7 +272,7 @@ void Settler::settle_nose() {
   hint_.nose = coded;
 }
 
-// "R3 BALL" has the diameter 6.
+// Settles what only mills have. "R3 BALL" has the diameter 6.
 void Settler::settle_mill() {
   if (trade_is(ToolTrade::face_mill) && facts_.fusion && facts_.taper > 0) {  // D: of the tip
     hint_.type = ToolType::taper;
@@ -361,7 +338,7 @@ void Settler::settle_angle() {
     doubt(fmt::format("can be read as diameter {0:g} or as {0:g} degrees", angle));
 }
 
-// "45 DEG CHAMFER MILL" is named by its side, "90 DEG" by the whole.
+// Sets the angle of a point: "45 DEG CHAMFER MILL" gives that of its side, "90 DEG" the whole one.
 void Settler::set_angle(double degrees) {
   const bool chamfer = trade_is(ToolTrade::chamfer_mill);
   const bool side = facts_.per_side || (chamfer && degrees <= 60 && !facts_.included);
@@ -370,7 +347,7 @@ void Settler::set_angle(double degrees) {
     doubt("gives 60 degrees, of its side or of the whole");
 }
 
-// What belongs to no tool after all.
+// Clears sizes that belong to no kind of tool.
 void Settler::drop_unclaimed() {
   if (!hint_.type && !hint_.names_tool && !facts_.diameter_line) hint_.diameters.clear();
   const bool tool = hint_.type || (hint_.names_tool && !hint_.diameters.empty());

@@ -1,12 +1,12 @@
-// From facts to a tool: the kind says how sizes without a name are to be read. Private to
-// src/interp.
+// Makes the description of a tool of what a comment says; the kind of tool decides what sizes
+// without a name are. Private to src/interp.
 #pragma once
 
 #include "interp/comments/tool_facts.h"
 
 namespace mrsim {
 
-/// Makes a tool's data of the facts, or a doubt.
+/// Fills the hint; where the facts allow several tools it gets a doubt.
 void settle_tool(const ToolFacts& facts, ToolHint& hint);
 
 }  // namespace mrsim

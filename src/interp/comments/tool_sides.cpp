@@ -5,8 +5,8 @@
 namespace mrsim {
 namespace {
 
-// Words apart by blanks; '*' at the end stands for any ending, '~' for a character outside of
-// ASCII.
+// Lists of words with blanks between them. '*' at the end of a word stands for any ending, '~' for
+// a character outside of ASCII.
 constexpr std::string_view kOutside =
     "OD EXT EXTERNAL OUTSIDE AUSSEN* EXTERIEUR EXTERIEURE ZEWN* ZUNANJ* EXTERIOR EXTERNO EXTERNA "
     "ESTERNO ESTERNA EXTERNE VANJSK* SPOLJ* NGOAI VNEJS* VN~J* VONKAJ* KULSO* K~LS* BUITEN* "
@@ -22,7 +22,7 @@ constexpr std::string_view kTurns =
     "TURN TURNING FACE FACING PROFILE PROFILING DREHEN PLANEN CHARIOTAGE DRESSAGE TORNEADO "
     "CILINDRAR "
     "CILINDRADO REFRENTADO FACEAR TORNITURA SFACCIATURA";
-// Beside the word for a thread they are the turning before it.
+// Beside the word for a thread these name the turning before it.
 constexpr std::string_view kTurnsBefore =
     "TURN TURNED RELIEF DREHEN VORDREHEN FREISTICH CHARIOTAGE TORNEADO CILINDRAR CILINDRADO "
     "TORNITURA TOCZENIE";
@@ -45,7 +45,7 @@ bool is_word_of(const CommentView& view, std::size_t i, std::string_view words) 
   return false;
 }
 
-// "A20S-SCLCR", "S16Q SDUCR": the holder's code of a bar.
+// Whether the code of a boring bar begins at i: "A20S-SCLCR", "S16Q SDUCR".
 bool begins_bar_code(const CommentView& view, std::size_t i) {
   const bool bar = view.is_one(i, {"A", "S", "E", "C"}) && view.has(i + 1) &&
                    view[i + 1].is_number() && view.glued(i + 1) && view.word(i + 2) &&
@@ -54,7 +54,8 @@ bool begins_bar_code(const CommentView& view, std::size_t i) {
   return bar && view.word(holder) && view[holder].text.size() == 5;
 }
 
-// "IC CAP", "DIS CAP": the inner and the outer diameter, in Turkish.
+// Whether a diameter of that side is named in Turkish: "IC CAP" is the inner, "DIS CAP" the outer
+// one.
 bool is_turkish(const CommentView& view, std::size_t i,
                 std::initializer_list<std::string_view> side) {
   return view.is_one(i, side) && view.is_one(i + 1, {"CAP", "~AP"});
@@ -69,12 +70,13 @@ constexpr std::string_view kBlade = "BLADE INSERT TIP SCHNEIDE PLATTE STECHER PL
 constexpr std::string_view kPlaces = "SIDE END FACE WALL SHOULDER FLANK OF SEITE";
 constexpr std::string_view kBreaks = "CHAMFER* CHAMF CHFR BREAK* DEBURR* FASE FASEN CHANFREIN";
 
-// The word at `i` and one of `others` on either side of it.
+// Whether one of `others` stands before or behind the word at i.
 bool is_beside(const CommentView& view, std::size_t i, std::string_view others) {
   return is_word_of(view, i + 1, others) || (i > 0 && is_word_of(view, i - 1, others));
 }
 
-// "PARTING 3MM LEFT CORNER", "TIP RIGHT", "CENTER OF BLADE".
+// Reads which point of a blade is programmed: "PARTING 3MM LEFT CORNER", "TIP RIGHT", "CENTER OF
+// BLADE".
 BladePoint read_blade_point(const CommentView& view) {
   BladePoint point = BladePoint::untold;
   bool breaks = false;
@@ -94,7 +96,7 @@ BladePoint read_blade_point(const CommentView& view) {
   return point == BladePoint::right ? BladePoint::unclear : BladePoint::untold;
 }
 
-// "TIP 3", "TIP DIRECTION: 2", "TIP #8".
+// The orientation of the tip that i begins: "TIP 3", "TIP DIRECTION: 2", "TIP #8"; 0: none.
 int orientation_at(const CommentView& view, std::size_t i) {
   if (!view.is(i, "TIP")) return 0;
   std::size_t at = i + 1;
@@ -107,7 +109,7 @@ constexpr std::string_view kFlatThreads =
     "ACME TRAPEZ* TRAPEZOID* BUTTRESS SAGENGEW* SAEGENGEW* S~GENGEW* RUNDGEW* KNUCKLE FLACHGEW*";
 constexpr std::string_view kWhitworth = "WHITWORTH BSW BSF BSP BSPP BSPT ROHRGEWINDE";
 
-// "TR20X4", "16ER 5 TR", "SQUARE THREAD".
+// Whether a thread without pointed teeth is named: "TR20X4", "16ER 5 TR", "SQUARE THREAD".
 bool is_flat_thread(const CommentView& view, std::size_t i) {
   if (is_word_of(view, i, kFlatThreads)) return true;
   if (view.is(i, "SQUARE")) return view.is_one(i + 1, {"THREAD", "THREADING"});
@@ -123,13 +125,13 @@ bool names_back_turning(const CommentView& view, std::size_t i) {
 
 }  // namespace
 
-// "VNMG LEFT HAND", "CNMG LH", but not "LEFT CORNER" of a blade or "LEFT END" of the part.
+// "VNMG LEFT HAND" and "CNMG LH" say it; "LEFT CORNER" is said of a blade, "LEFT END" of the part.
 bool is_left_hand(const CommentView& view, std::size_t i) {
   if (!view.is_one(i, {"LEFT", "LH", "LINKS"})) return false;
   return !is_beside(view, i, kCorner) && !is_word_of(view, i + 1, kPlaces);
 }
 
-// "INNENGEWINDE", "BORE CCMT 09T304"; "FACE AND BORE" works outside too.
+// "INNENGEWINDE" and "BORE CCMT 09T304" are inside; "FACE AND BORE" works outside too.
 void read_side_words(const CommentView& view, ToolFacts& facts) {
   bool outside = false, bores = false, turns = false, rough = false;
   for (std::size_t i = 0; i < view.size(); ++i) {

@@ -11,8 +11,8 @@ namespace mrsim {
 /// Sets inside, bores, turned_side, face_groove and full_radius; takes no tokens.
 void read_side_words(const CommentView& view, ToolFacts& facts);
 
-/// What else a comment about a lathe's tool says: blade_point, orientation, flat_thread, whitworth
-/// and back_turn. Behind the kinds, inserts and blades; takes no tokens.
+/// Sets blade_point, orientation, flat_thread, whitworth and back_turn, which only comments about a
+/// lathe's tool have; takes no tokens. Requires: kinds, insert and blade are read.
 void read_turning_words(const CommentView& view, ToolFacts& facts);
 
 /// Whether the word at `i` says that the tool is a left-hand one.

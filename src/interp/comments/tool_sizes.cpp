@@ -36,8 +36,8 @@ class SizeSettler {
   std::vector<double> angles_;  ///< degrees
 };
 
-// "1/2 X 90 SPOT", ".250 X 45 CHAMFER", "1/4 135 DRILL": a whole number that is a usual angle of
-// the kind. Behind the X of a twist drill stands its length.
+// Whether the size is a whole number and a usual angle of the kind: "1/2 X 90 SPOT", ".250 X 45
+// CHAMFER", "1/4 135 DRILL". What stands behind the X of a twist drill is its length (`joined`).
 bool SizeSettler::is_angle(const CommentToken& size, bool joined) const {
   using enum ToolTrade;
   const bool whole = size.value == std::floor(size.value);
@@ -61,7 +61,7 @@ std::vector<double> SizeSettler::settle() {
   return std::move(angles_);
 }
 
-// Beside the kind; elsewhere only where nothing else has given the diameter.
+// Adds the sizes beside the kind. Those elsewhere count only if nothing else gives the diameter.
 void SizeSettler::add_groups() {
   for (const SizeGroup& group : facts_.before_kind) {
     if (!(facts_.holes && group.sizes.front().unit == 0)) add_group(group);
@@ -80,12 +80,13 @@ void SizeSettler::add_groups() {
   const bool tap = facts_.thread && trade_is(ToolTrade::tap);
   if (!hint_.diameters.empty() || tap || !(kind() || hint_.names_tool)) return;
   add_loose();
-  // "ENDMILL 10 40MM LONG": what stands beside the kind may be its diameter, too.
+  // "ENDMILL 10 40MM LONG": the number beside the kind may be the diameter, too.
   if (!hint_.diameters.empty() && facts_.behind_kind && !may_be_work(*facts_.behind_kind))
     add_group(*facts_.behind_kind);
 }
 
-// "3 ENDMILL 10", "SLOT 12 ENDMILL 8": whole numbers without a name before and behind the kind.
+// Whether whole numbers without a name stand before and behind the kind: "3 ENDMILL 10", "SLOT 12
+// ENDMILL 8".
 bool SizeSettler::stand_on_both_sides() const {
   if (facts_.before_kind.empty() || !facts_.named.empty() || !facts_.behind_ends) return false;
   const auto bare = [&](const SizeGroup& group) {
@@ -100,7 +101,8 @@ void SizeSettler::add_loose() {
   for (const SizeGroup& group : facts_.loose) add_group(group);
 }
 
-// "CHAMFER 0.5" is the work, "T5 CHAMFER 10" and "CHAMFER 90 DEG 10" are tools.
+// Whether the sizes may be those of the work: "CHAMFER 0.5". "T5 CHAMFER 10" and "CHAMFER 90 DEG
+// 10" are tools.
 bool SizeSettler::may_be_work(const SizeGroup& group) const {
   return trade_is(ToolTrade::chamfer_mill) && !kind()->firm && !facts_.names_tool &&
          facts_.angles.empty() && hint_.diameters.empty() && !group.sizes.front().fraction;
@@ -119,7 +121,7 @@ void SizeSettler::add_group(const SizeGroup& group) {
     if (!hint_.diameters.empty()) add_further(hint_.diameters.front(), sizes.front());
     return;
   }
-  // "WOODRUFF 1/8 X 1/2": keys are named by their width.
+  // "WOODRUFF 1/8 X 1/2": the width of a key stands first.
   const bool key = sizes.size() > 1 && trade_is(ToolTrade::disc) && sizes[0].fraction &&
                    sizes[1].fraction && sizes[0].value < sizes[1].value;
   if (key) std::swap(sizes[0], sizes[1]);
@@ -128,7 +130,8 @@ void SizeSettler::add_group(const SizeGroup& group) {
   if (sizes.size() > 1) add_further(sizes[0], sizes[1]);
 }
 
-// "DRILL 4X 8.5": four holes; "8.5 X 117" are a diameter and a length.
+// Whether the first number may count holes, "DRILL 4X 8.5"; sets a doubt then. "8.5 X 117" are a
+// diameter and a length.
 bool SizeSettler::may_count(const SizeGroup& group) {
   using enum ToolTrade;
   const CommentToken &first = group.sizes[0], &next = group.sizes[1];
@@ -142,7 +145,7 @@ bool SizeSettler::may_count(const SizeGroup& group) {
   return true;
 }
 
-// What stands behind the X of a diameter.
+// Adds the size behind the X of a diameter: a width, a length, a corner or another diameter.
 void SizeSettler::add_further(const ToolLength& first, const ToolLength& next) {
   using enum ToolTrade;
   const bool inches = first.unit > 1 || next.unit > 1 || first.fraction || next.fraction;

@@ -1,5 +1,5 @@
-// Sizes without a name in a comment about a tool: which are its diameter, lengths and angles, by
-// the kind of tool.
+// Decides, by the kind of tool, which of the sizes without a name are its diameter, lengths and
+// angles.
 #pragma once
 
 #include "interp/comments/tool_facts.h"
@@ -8,10 +8,10 @@
 
 namespace mrsim {
 
-/// Fills diameters, width, corner and lengths of the hint. Gives the angles, degrees.
+/// Fills diameters, width, corner and lengths of the hint. Returns the angles, degrees.
 std::vector<double> settle_sizes(const ToolFacts& facts, ToolHint& hint);
 
-/// Angles that points of this trade have, as whole numbers without a name.
+/// Whether tools of this trade usually have that angle, so that a number without a name may be it.
 bool is_usual_angle(ToolTrade trade, double degrees);
 
 }  // namespace mrsim

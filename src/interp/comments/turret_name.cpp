@@ -16,14 +16,14 @@ constexpr std::string_view kTurning[] = {
     "ROUGHING",   "FINISHING",    "ROUGHER",       "FINISHER",    "SCHRUPPER",
     "SCHLICHTER", "SCHRUPPSTAHL", "SCHLICHTSTAHL", "DREHMEISSEL", "DREHSTAHL"};
 
-// "80", "T80": the corner of the insert.
+// The corner of the insert in "80" or "T80"; empty: the word has none.
 std::string_view corner_of(std::string_view word) {
   if (word.starts_with('T')) word.remove_prefix(1);
   const bool usual = word == "35" || word == "55" || word == "80";
   return usual ? word : std::string_view();
 }
 
-// "R08", "R0.8": the radius of the nose, " R0.8".
+// The nose radius in "R08" or "R0.8", as " R0.8"; empty: the word has none.
 std::string nose_of(std::string_view word) {
   if (!word.starts_with('R')) return {};
   word.remove_prefix(1);
@@ -46,7 +46,7 @@ std::size_t length_of_side(std::string_view text, std::size_t i) {
   return at(next) == '=' || at(next) == ':' ? 0 : end - i;  // "O.D.=.5" of a mill
 }
 
-// The last word, taken off.
+// Takes the last word off the text and returns it.
 std::string take_last(std::string& text) {
   const std::size_t blank = text.find_last_of(' ');
   if (blank == std::string::npos) return {};

@@ -1,6 +1,7 @@
-// How the tools of lathes are spelled: in the lists of SINUMERIK's, ROUGHING_T80_A,
-// SCHLICHTER_35_I, STECHER_3_A, where A and I at the end say that they work outside (aussen) or
-// inside; in comments I.D. GROOVE, OD_80_L. Private to src/interp.
+// Spells names of lathe tools as comments do, so that one reader serves both. Lists of tools of
+// SINUMERIK have ROUGHING_T80_A, SCHLICHTER_35_I, STECHER_3_A, where A and I at the end say that
+// the tool works outside (aussen) or inside; comments have I.D. GROOVE, OD_80_L. Private to
+// src/interp.
 #pragma once
 
 #include <string>

@@ -7,8 +7,8 @@
 namespace mrsim {
 namespace {
 
-// "TIP RADIUS: 1.0", "CORNER: 1.0", "CR 0.5", "R: 0.5" and nothing else: a line of several about
-// one tool. "R5" and "RADIUS 5" may be the work's.
+// Whether the comment is a corner radius and nothing else, one line of several about a tool: "TIP
+// RADIUS: 1.0", "CORNER: 1.0", "CR 0.5", "R: 0.5". "R5" and "RADIUS 5" may be the work's.
 bool is_corner_line(const CommentView& view) {
   std::size_t i = view.is_one(0, {"TOOL", "CUTTER"}) ? 1 : 0;
   const bool named = view.is_one(i, {"TIP", "CORNER"});
@@ -23,7 +23,7 @@ bool is_corner_line(const CommentView& view) {
   return named ? radius || view[i].decimals : tools_own || signed_off;
 }
 
-// "DIAMETER: 8.0", "TOOL DIAMETER: 8.0" and nothing else.
+// Whether the comment is a diameter and nothing else: "DIAMETER: 8.0", "TOOL DIAMETER: 8.0".
 bool is_diameter_line(const CommentView& view) {
   const std::size_t at = view.is_one(0, {"TOOL", "CUTTER"}) ? 1 : 0;
   if (!view.word(at) || comment_word(view[at].text).role != WordRole::diameter) return false;
@@ -31,7 +31,8 @@ bool is_diameter_line(const CommentView& view) {
   return view.has(i) && view[i].is_number() && i + 1 == view.size();
 }
 
-// "TAPER: 2", "TAPER ANGLE: 5.", "TOOL TIP ANGLE = 118", "3 DEG TAPER", "60 DEG" and nothing else.
+// Whether the comment is an angle and nothing else: "TAPER: 2", "TOOL TIP ANGLE = 118", "3 DEG
+// TAPER", "60 DEG".
 bool is_angle_line(const CommentView& view) {
   std::size_t numbers = 0;
   bool named = false;
@@ -57,8 +58,8 @@ bool is_size_word(WordRole role) {
          role == nose || role == tip || role == width || role == length;
 }
 
-// "D10. R1.", "0.5 CORNER RADIUS", "TIP DIA 0.2", "BULL R1", "TAPERED" and nothing else; "D1 R1"
-// may be registers.
+// Whether the comment has sizes or a shape and nothing else: "D10. R1.", "0.5 CORNER RADIUS", "TIP
+// DIA 0.2", "BULL R1", "TAPERED". "D1 R1" may be registers.
 bool is_size_line(const CommentView& view) {
   bool size = false, number = false, decimals = false, letter = false, diameter = false;
   bool shape = false;
@@ -82,8 +83,9 @@ bool is_size_line(const CommentView& view) {
   return shape || (number && (size || letter) && (!letter || decimals || diameter));
 }
 
-// "R5", "FINISH R3", "NR. 2", "CORNER 1.": of the tool, or of what it cuts, or a number of
-// something. "CORNER RADIUS 1", "CR 1", "R: 1" and what stands beside a diameter are the tool's.
+// Whether the radius of such a line may be the tool's, or that of what it cuts, or count something:
+// "R5", "FINISH R3", "NR. 2", "CORNER 1.". "CORNER RADIUS 1", "CR 1", "R: 1" and a radius beside a
+// diameter are the tool's.
 bool is_plain_radius(const CommentView& view) {
   bool radius = false, nose = false, part = false, marked = false;
   bool of_tool = false;
@@ -103,19 +105,20 @@ bool is_plain_radius(const CommentView& view) {
   return (radius || nose) && !of_tool;
 }
 
-// "TOOL RADIUS 5": half the diameter, or of the corner.
+// Whether the radius may be half the diameter or that of the corner: "TOOL RADIUS 5".
 bool is_tool_radius(const CommentView& view) {
   return view.is_one(0, {"TOOL", "CUTTER"}) && view.is_one(1, {"RADIUS", "RAD", "R"});
 }
 
-// "TIP ANGLE 140" and "ANGLE: 60" are the tool's; "45 DEG" and "3 DEG TAPER" may be the work's.
+// Whether the angle of such a line is the tool's: "TIP ANGLE 140", "ANGLE: 60". "45 DEG" and "3 DEG
+// TAPER" may be the work's.
 bool is_own_angle(const CommentView& view) {
   for (std::size_t i = 0; i < view.size(); ++i)
     if (view.is_one(i, {"TIP", "SPITZE", "POINT", "PT", ":", "="})) return true;
   return false;
 }
 
-// "T", "NO.", "NUMBER": words beside a tool's number.
+// Whether the word stands beside a tool's number: "T", "NO.", "NUMBER".
 bool is_word_of_id(const CommentView& view, std::size_t i) {
   return is_word_for_tool(view, i) || view.is_one(i, {"T", "NO", "NR", "NUMBER", "NUMMER", "ID"});
 }
@@ -127,8 +130,8 @@ bool names_round_insert(const CommentView& view, std::size_t i) {
          view.is_one(i, {"RUNDPLATTE", "PILZ", "PILZSTAHL", "PILZWERKZEUG"});
 }
 
-// Words that say of a tool without a name that it is no plain end mill; BN is a
-// ball nose or a bull nose.
+// Whether the word says that a tool without a kind is no plain end mill. BN is a ball nose or a
+// bull nose.
 bool tells_shape(const CommentView& view, std::size_t i) {
   if (view.is(i, "BN") && view.is_one(i + 1, {"R", "CR", "RAD"})) return false;
   return view.is_one(i, {"TAPER", "TAPERED", "CONE",      "CONICAL",   "CONIC",   "VEE",
@@ -138,8 +141,8 @@ bool tells_shape(const CommentView& view, std::size_t i) {
          (view.is(i, "ROUND") && view.is(i + 1, "NOSE"));
 }
 
-// "WAS 10MM, NOW 12MM", "10MM REGROUND 9.8", "10MM, 0.2 UNDERSIZE": the number beside is another
-// size than the one that is named.
+// Whether the word at i gives the tool another size than the one that is named: "WAS 10MM, NOW
+// 12MM", "10MM REGROUND 9.8", "10MM, 0.2 UNDERSIZE".
 bool tells_other_size(const CommentView& view, std::size_t i) {
   std::size_t sizes = 0;
   for (std::size_t k = 0; k < view.size(); ++k)

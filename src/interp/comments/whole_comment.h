@@ -1,4 +1,4 @@
-// What a comment is as a whole: a line of a list, the name of a tool and nothing else.
+// Tells what a comment is as a whole: one line of several about a tool, or a tool's name alone.
 #pragma once
 
 #include "interp/comments/comment_view.h"
@@ -6,8 +6,8 @@
 
 namespace mrsim {
 
-/// Fills corner_line, diameter_line, bare_id, bare_kind, round_insert and bare. Last of all: what
-/// the others have taken is explained.
+/// Fills corner_line, diameter_line, bare_id, bare_kind, round_insert and bare. Requires: the other
+/// readers have taken the tokens that they explain.
 void read_whole_comment(const CommentView& view, ToolFacts& facts);
 
 }  // namespace mrsim

@@ -10,8 +10,9 @@
 namespace mrsim {
 namespace {
 
-// Holes, pockets, bosses and what drills, taps, reamers, countersinks and deburring tools do, in
-// the words of several languages: a diameter beside them is that of the work, or of such a tool.
+// Words of several languages for holes, pockets and bosses, and for what drills, taps, reamers,
+// countersinks and deburring tools do. A diameter beside them is that of the work or of such a
+// tool.
 constexpr std::string_view kOtherWork[] = {
     "BOHRUNG",    "BOHRUNGEN",   "BOHREN",    "AUFBOHREN",  "LOCH",        "ZAPFEN",
     "REIBEN",     "SENKUNG",     "SENKEN",    "ANSENKEN",   "ZENTRIEREN",  "ENTGRATEN",
@@ -34,12 +35,12 @@ bool is_round_work(const CommentView& view, std::size_t i) {
                          "POCKET", "POCKETS", "RECESS", "BOSS", "BOSSES"});
 }
 
-// A way to mill such work, or the teeth of a mill.
+// Whether the word names a way to mill round work, or the teeth of a mill.
 bool is_helical(const CommentView& view, std::size_t i) {
   return view.word(i) && !view.taken(i) && view.is_one(i, {"HELICAL", "HELIX"});
 }
 
-// The word at i begins the comment, but for a word for tools before it.
+// Whether the word at i begins the comment; a word for tools may stand before it.
 bool leads(const CommentView& view, std::size_t i) {
   return i == 0 || (i == 1 && is_word_for_tool(view, 0));
 }
@@ -58,7 +59,7 @@ bool is_other_work(const CommentView& view, std::size_t i) {
 }
 
 bool is_unknown_word(const CommentView& view, std::size_t i) {
-  constexpr std::size_t kShortest = 4;  // what is shorter abbreviates anything
+  constexpr std::size_t kShortest = 4;  // shorter words may be abbreviations of anything
   if (!view.word(i) || view.taken(i) || is_word_for_tool(view, i)) return false;
   return view[i].text.size() >= kShortest && comment_word(view[i].text).role == WordRole::none;
 }
