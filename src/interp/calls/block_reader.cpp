@@ -3,6 +3,7 @@
 #include "core/text/text_io.h"
 #include "interp/calls/main_program.h"
 #include "interp/text/characters.h"
+#include "interp/text/okuma_words.h"
 #include "interp/text/sinumerik_words.h"
 
 #include <algorithm>
@@ -73,7 +74,8 @@ bool BlockReader::read_line(Activation& top) {
   if (top.line_offset >= top.end || !top.source->next(top.line)) return false;
   top.line_number = top.source->line_number();
   top.replaced = false;
-  if (is(Dialect::fanuc) && modal_.okuma) join_lines(top);
+  if (is(Dialect::fanuc) && modal_.okuma)
+    join_okuma_lines(*top.source, top.line_offset, top.line, top.joined);
   const Macros& own = program_read().macros;
   if (!(own.empty() && macros_.empty()) && expand_macros(top.line, own, macros_, top.joined))
     top.line = {top.joined.data(), top.joined.size()};
@@ -89,34 +91,6 @@ BlockReader::Activation& BlockReader::program_read() {
 
 void BlockReader::define_macro(const std::string& name, std::string_view text, bool everywhere) {
   (everywhere ? macros_ : program_read().macros).define(name, text);
-}
-
-// "$ XB=40 DB=1" of Okuma continues the block of the line before; "$PART.MIN%" does not.
-void BlockReader::join_lines(Activation& top) {
-  LineSource& source = *top.source;
-  std::vector<char> text(top.line.begin(), top.line.end());
-  const std::size_t alone = text.size();
-  for (;;) {
-    const std::uint64_t offset = source.next_offset();
-    const int number = source.line_number();
-    std::string_view more;
-    const bool read = source.next(more);
-    const std::size_t sign = more.find_first_not_of(" \t");
-    const std::size_t last = more.find_last_not_of(" \t\r");
-    if (!read || sign == more.npos || more[sign] != '$' || more[last] == '%') {
-      source.seek(offset, number);
-      break;
-    }
-    text.push_back(' ');
-    text.insert(text.end(), more.begin() + static_cast<std::ptrdiff_t>(sign) + 1, more.end());
-  }
-  if (text.size() == alone) {  // reading ahead may have moved the line in memory
-    source.seek(top.line_offset, top.line_number - 1);
-    source.next(top.line);
-    return;
-  }
-  top.joined = std::move(text);
-  top.line = {top.joined.data(), top.joined.size()};
 }
 
 bool BlockReader::replace_line(std::string_view text) {

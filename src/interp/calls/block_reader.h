@@ -112,7 +112,6 @@ class BlockReader : public ControlPart {
 
   Activation& program_read();
   bool read_line(Activation& top);
-  void join_lines(Activation& top);
   bool count_steps(std::uint64_t steps);
   void pop();
   std::unique_ptr<LineSource> source_of(const std::string& file);

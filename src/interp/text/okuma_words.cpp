@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <iterator>
 #include <string>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -22,6 +23,35 @@ constexpr std::size_t kLongestBlockName = 9;  // "NAT0101" of Okuma
 constexpr std::string_view kNoHole = "NCYL";  // the cycle makes no hole here
 
 }  // namespace
+
+// "$ XB=40 DB=1" continues the block of the line before; "$PART.MIN%" does not.
+void join_okuma_lines(LineSource& source, std::uint64_t offset, std::string_view& line,
+                      std::vector<char>& joined) {
+  const int line_number = source.line_number();
+  std::vector<char> text(line.begin(), line.end());
+  const std::size_t alone = text.size();
+  for (;;) {
+    const std::uint64_t next = source.next_offset();
+    const int number = source.line_number();
+    std::string_view more;
+    const bool read = source.next(more);
+    const std::size_t sign = more.find_first_not_of(" \t");
+    const std::size_t last = more.find_last_not_of(" \t\r");
+    if (!read || sign == more.npos || more[sign] != '$' || more[last] == '%') {
+      source.seek(next, number);
+      break;
+    }
+    text.push_back(' ');
+    text.insert(text.end(), more.begin() + static_cast<std::ptrdiff_t>(sign) + 1, more.end());
+  }
+  if (text.size() == alone) {  // reading ahead may have moved the line in memory
+    source.seek(offset, line_number - 1);
+    source.next(line);
+    return;
+  }
+  joined = std::move(text);
+  line = {joined.data(), joined.size()};
+}
 
 // HA and DA of Okuma are the registers of the tool in the spindle, HB and HC further ones of it.
 // HP=1 is the number of a home position.

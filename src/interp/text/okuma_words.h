@@ -1,12 +1,22 @@
-// Words of Okuma's OSP beside those of FANUC: names of blocks, programs and contours, variables,
-// registers, patterns of holes. Each function reads the word at the place, or returns false.
-// Private to src/interp.
+// The text of Okuma's OSP beside that of FANUC: names of blocks, programs and contours, variables,
+// registers, patterns of holes, and blocks of several lines. Private to src/interp.
 #pragma once
 
 #include "interp/text/line_parser.h"
+#include "interp/text/source.h"
+
+#include <cstdint>
+#include <string_view>
+#include <vector>
 
 namespace mrsim {
 
+/// Adds the lines that continue `line`, the one that `source` has given last at `offset`. If there
+/// are any, `line` refers to `joined` then.
+void join_okuma_lines(LineSource& source, std::uint64_t offset, std::string_view& line,
+                      std::vector<char>& joined);
+
+/// Each function reads the word at the place, or returns false.
 class OkumaWords : public LineParser {
  public:
   explicit OkumaWords(ParsedLine& line) : LineParser(line) {}

@@ -146,14 +146,6 @@ bool ModalWords::end_cycle(const Word& word, Code code) {
   return true;
 }
 
-bool ModalWords::select_path_mode(const Word& word, Code code) {
-  block_.path_mode = code == Code::path_continuous ? PathMode::continuous
-                     : code == Code::path_exact    ? PathMode::exact_path
-                     : code == Code::path_stops    ? PathMode::exact_stop
-                                                   : PathMode::exact_once;
-  return code == Code::path_stops_once || path_control(word);
-}
-
 bool ModalWords::apply_code(const Word& word, const CodeEntry& entry) {
   if (is(Dialect::iso) && word.value >= 20 && word.value <= 29 && block_.number_behind(word))
     return error("not-supported",
@@ -198,11 +190,11 @@ bool ModalWords::apply_code(const Word& word, const CodeEntry& entry) {
     case Code::path_exact:
     case Code::path_stops:
     case Code::path_stops_once:
-      return select_path_mode(word, entry.code);
+      return path_modes_.select(word, entry.code);
     case Code::ignored_words:
       return ignore_words();
     case Code::high_speed:
-      return high_speed(word);
+      return path_modes_.look_ahead(word);
     case Code::drill_cycle:
       select_cycle(word, entry.number);
       return true;
@@ -226,26 +218,6 @@ bool ModalWords::apply_code(const Word& word, const CodeEntry& entry) {
       return is_motion(entry.code) ? select_motion(word, entry.code)
                                    : apply_modal_code(word, entry);
   }
-}
-
-// G64 P Q of Mach and LinuxCNC. An R belongs to it where no motion of the block can use R.
-bool ModalWords::path_control(const Word& word) {
-  if (is(Dialect::sinumerik) || (word.value != 61 && word.value != 64)) return true;
-  if (word.value == 64)
-    for (const char c : {'P', 'Q'}) take(c);
-  const Word* r = is(Dialect::ngc) ? peek('R') : nullptr;
-  if (!r || peek('X') || peek('Y') || peek('Z')) return true;
-  if (word.value == 61) return error("word-unexpected", "R with no word that uses it", *r);
-  if (orients_spindle())
-    return error("word-unexpected", "R is G64's or M19's: write them on two lines", *r);
-  take('R');
-  return true;
-}
-
-bool ModalWords::orients_spindle() const {
-  return std::any_of(block_.words.begin(), block_.words.end(), [](const Word& word) {
-    return word.address == letter('M') && word.value == 19;
-  });
 }
 
 bool ModalWords::for_oneshot(const Word& word, Code code) {
@@ -276,17 +248,6 @@ bool ModalWords::refuse(const Word& word) {
                what.empty() ? fmt::format("{} is not supported yet", text_of(word))
                             : fmt::format("{} ({}) is not supported yet", text_of(word), what),
                word);
-}
-
-// G5 P10000, G5.1 Q1 and G8 P1 switch look-ahead. The same G words with axes are splines.
-bool ModalWords::high_speed(const Word& word) {
-  for (const char c : {'X', 'Y', 'Z', 'I', 'J', 'K'})
-    if (peek(c))
-      return error(
-          "not-supported",
-          fmt::format("{} with axes is a spline, which is not supported yet", text_of(word)), word);
-  for (const char c : {'P', 'Q', 'R'}) take(c);
-  return true;
 }
 
 // A cycle behind another keeps its values (LinuxCNC: only R), and the level before both of them.

@@ -3,6 +3,7 @@
 
 #include "interp/tools/compensation_words.h"
 #include "interp/words/maker_words.h"
+#include "interp/words/path_modes.h"
 #include "interp/words/plain_modes.h"
 #include "interp/words/unread_modes.h"
 
@@ -16,6 +17,7 @@ class ModalWords : public ControlPart {
         frame_words_(frames),
         compensation_(compensation),
         makers_(control, frames),
+        path_modes_(control),
         plain_(control),
         unread_(control) {}
 
@@ -36,10 +38,6 @@ class ModalWords : public ControlPart {
   bool ignore_words();
   bool select_motion(const Word& word, Code code);
   bool end_cycle(const Word& word, Code code);
-  bool select_path_mode(const Word& word, Code code);
-  bool path_control(const Word& word);
-  bool orients_spindle() const;
-  bool high_speed(const Word& word);
   void select_cycle(const Word& word, int number);
   bool select_turning(const Word& word, int number);
   bool apply_modal_code(const Word& word, const CodeEntry& entry);
@@ -51,6 +49,7 @@ class ModalWords : public ControlPart {
   FrameWords& frame_words_;
   CompensationWords& compensation_;
   MakerWords makers_;
+  PathModes path_modes_;
   PlainModes plain_;
   UnreadModes unread_;
 };
