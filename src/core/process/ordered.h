@@ -1,4 +1,4 @@
-// Work in parts that are made side by side and taken in their order.
+// Runs work in parts: several threads make them at once, and they are taken in their order.
 #pragma once
 
 #include "core/process/parallel.h"
@@ -29,7 +29,7 @@ void make_in_order(std::size_t count, int threads, Make make, Take take, std::si
   std::vector<char> done(parts.size(), 0);
   std::mutex mutex;  // of `done` and all below
   std::condition_variable changed;
-  std::size_t next = 0, ready = 0, taken = 0;  // not begun, not known to be done, not taken
+  std::size_t next = 0, ready = 0, taken = 0;  // first part not begun, not done, not taken
   bool is_taking = false, failed = false;
 
   const auto make_next = [&](std::unique_lock<std::mutex>& lock) {

@@ -18,7 +18,7 @@ using BitsOf = std::conditional_t<
     std::conditional_t<sizeof(T) == 2, std::uint16_t,
                        std::conditional_t<sizeof(T) == 4, std::uint32_t, std::uint64_t>>>;
 
-/// The T whose bytes begin at `data`, least byte first (or last, `big`).
+/// The value of type T whose bytes begin at `data`, the least one first (with `big` the last one).
 template <class T>
 T load(const char* data, bool big = false) {
   BitsOf<T> bits = 0;

@@ -6,7 +6,7 @@
 
 namespace mrsim::detail {
 
-/// Which of the tiles about one, and itself, the stock alone decides d in.
+/// In which of a tile and the tiles about it the stock alone decides d.
 class BareTiles {
  public:
   /// The tile that lies (x, y, z) tiles, -1 to 1 each, from this one.

@@ -1,5 +1,5 @@
-// Whether a cell above a voxel may stay whole: a look at the part on all points of the voxel
-// lattice in it that lie near the surface (docs/mesh.md, Cells).
+// Decides whether a cell larger than a voxel may stay whole, by looking at the part on all points
+// of the voxel lattice in it that lie near the surface (docs/mesh.md, Cells).
 #pragma once
 
 #include "mesh/solid/vertex_lattice.h"
@@ -43,7 +43,7 @@ struct CellView {
   bool stock_seen = true;                     ///< or the stock can not decide d in the cell
 };
 
-/// What the lattice points must not show, for the cell to stay.
+/// What the points of the lattice may show at most if the cell is to stay whole.
 struct CellLimits {
   double near = 0;    ///< mm from the surface, where they are looked at
   double unseen = 0;  ///< mm that owners which were not seen may add to d

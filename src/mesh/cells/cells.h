@@ -17,7 +17,8 @@ namespace mrsim::detail {
 /// mm: how near d = 0 the surface -kInsideTolerance is looked for.
 inline constexpr double kSurfaceBand = 4 * kInsideTolerance;
 
-/// Where candidates must hold for cells of size `cell` mm in the box.
+/// The box for which lists of candidates are made, for cells of `cell` mm in `box`: points of the
+/// surface are searched for a little beyond a cell.
 inline Box3 reach_of(const Box3& box, double cell) {
   return inflated(box, kCellReach * cell + kQuantum);
 }
@@ -84,7 +85,7 @@ class SurfaceCells {
 
   const Lattice& lattice() const { return lattice_; }
 
-  /// Ids of cells are below it.
+  /// How many cells there are: their ids are below it.
   virtual std::size_t size() const = 0;
   /// Edge of the cell in fine units.
   virtual std::int32_t size_of(std::int32_t cell) const = 0;
@@ -100,7 +101,7 @@ class SurfaceCells {
   virtual bool is_complete(std::int32_t cell) const = 0;
   /// No surface passes the edges of the cell or of its neighbours, as far as these are known here.
   virtual bool is_far(std::int32_t cell) const = 0;
-  /// Counted here, not by another tile.
+  /// Whether the cell is counted here, and not by another tile.
   virtual bool is_owned_cell(std::int32_t cell) const = 0;
 
   /// d + kInsideTolerance at both ends of an edge, which may be rounded or not known (infinite,

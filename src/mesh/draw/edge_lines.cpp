@@ -9,8 +9,8 @@
 namespace mrsim {
 namespace {
 
-constexpr double kStep = 2;          // pixels between two tests whether an edge is hidden
-constexpr double kLevelLine = 1e-9;  // pixels of height: lies in one row of the picture
+constexpr double kStep = 2;       // pixels between two tests whether an edge is hidden
+constexpr double kOneRow = 1e-9;  // pixels of height: a line that lies in one row of the picture
 constexpr int kMostSteps = 8192;
 constexpr double kShortestChain = 0.012;  // of the picture's width
 constexpr Rgb kInk = {28, 33, 40};
@@ -112,7 +112,7 @@ void cover(const Line& line, int width, int height, Coverage& coverage) {
   for (int y = y0; y <= y1; ++y) {
     // Columns near the line in this row, so that long slanted lines do not cost their whole box.
     double lo = std::min(line.from.x, line.to.x), hi = std::max(line.from.x, line.to.x);
-    if (std::fabs(along.y) > kLevelLine) {
+    if (std::fabs(along.y) > kOneRow) {
       const double t0 = (y - reach - line.from.y) / along.y;
       const double t1 = (y + 1 + reach - line.from.y) / along.y;
       lo = std::max(lo, line.from.x + std::min(t0 * along.x, t1 * along.x));

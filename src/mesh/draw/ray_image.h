@@ -1,8 +1,9 @@
 // The shaded picture of a mesh, without lines and letters.
 //
-// One ray a pixel finds the surface; rays to the sky and the key light, taken in turns by the
-// pixels of a 4 x 4 square and averaged over neighbours on the same surface, its light; pixels
-// where surface, direction or colour change are taken again with 16 rays.
+// One ray for each pixel finds the surface. Rays to the sky and to the key light find how much
+// light it gets: the pixels of a 4 x 4 square take turns with them, and their light is averaged
+// over neighbours on the same surface. Pixels where surface, direction or colour change are drawn
+// again with 16 rays.
 #pragma once
 
 #include "mesh/draw/light.h"

@@ -13,8 +13,8 @@ namespace mrsim {
 /// "mesh-invalid", "render-options".
 void render_mesh(const TriMesh& mesh, const RenderOptions& options, const ByteSink& out);
 
-/// Whether the part's walls are turned about Z: nine tenths of what of its area does not face along
-/// Z faces to or from the axis, and that is not all but nothing.
+/// Whether the part is turned about Z: of the area that does not face along Z, nine tenths face to
+/// or from the axis. False if hardly any area is left then.
 bool is_turned(const TriMesh& mesh);
 
 /// The mesh with Z from left to right and X upwards, where X went from left to right and Z upwards.

@@ -34,7 +34,8 @@ bool join_smoothly(const Probe& probe, const Vec3& n, const Vec3& m, double size
 bool solve_faces(const ExactField& field, std::span<const FieldSample> faces, int plane_axis,
                  const Box3& room, Vec3& p, const FacePlane* planes = nullptr);
 
-/// Strictly inside the room (`flat`: the axis on which it has no extent, or -1) and on the surface.
+/// Whether p is on the surface and strictly inside the room (`flat`: the axis on which the room has
+/// no extent, or -1).
 bool accept(const Probe& probe, const Vec3& p, const Box3& room, int flat);
 
 /// Whether the crease between two faces was found; `none`: there is none to be found.

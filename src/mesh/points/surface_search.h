@@ -1,5 +1,6 @@
-// Searches for points of the exact surface that say where they want d next, so that those with the
-// same list of sweeps are sampled together: on an edge of the grid, and in a cell along one face.
+// Searches for points of the exact surface, on an edge of the grid and in a cell along one face. A
+// search only says where it wants d next, so that searches with the same list of sweeps are sampled
+// together.
 #pragma once
 
 #include "mesh/solid/vertex_lattice.h"
@@ -16,7 +17,7 @@ inline constexpr int kNewtonSteps = 24;
 /// how far beyond it its list of candidates holds.
 inline constexpr double kCellReach = 1.0 / 16;
 
-/// Both lie on one face of the part: one patch of one sweep, or of the stock.
+/// Whether both lie on one face of the part: one patch of one sweep, or of the stock.
 inline bool same_face(const FieldSample& a, const FieldSample& b) {
   return a.owner == b.owner && a.patch == b.patch;
 }
@@ -166,7 +167,8 @@ void run_together(const Probe& probe, std::span<Search> searches) {
 /// has no extent, or -1).
 bool strictly_inside(const Vec3& p, const Box3& room, int flat);
 
-/// No farther beyond the room, a cell or a face of one, than the probe's candidates hold.
+/// Whether p is so near to the room (a cell, or a face of one) that the probe's candidates are
+/// complete there.
 bool in_reach(const Vec3& p, const Box3& room);
 
 }  // namespace mrsim::detail

@@ -1,5 +1,5 @@
-// The triangles of a surface that are farther from the part than the tolerance, and what each of
-// them asks for: the surface drawn more finely in the same cells, or smaller cells.
+// Finds the triangles of a surface that are farther from the part than the tolerance, and what each
+// of them needs: a finer surface in the same cells, or smaller cells.
 #pragma once
 
 #include "mesh/cells/flat_map.h"

@@ -1,5 +1,5 @@
-// Simplification whose result does not meet itself: where walls are so thin that it would, the
-// vertices about the place stay, at last all of them (docs/mesh.md, Simplification).
+// Simplification whose result does not meet itself. Where walls are so thin that it would, the
+// vertices about the place stay; if that is not enough, all of them (docs/mesh.md, Simplification).
 #pragma once
 
 #include "mesh/simplify/simplify.h"

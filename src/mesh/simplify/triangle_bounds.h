@@ -1,4 +1,4 @@
-// How far a triangle is from the exact part, from above (docs/mesh.md, Tolerance).
+// Upper bounds of the distance of a triangle from the exact part (docs/mesh.md, Tolerance).
 #pragma once
 
 #include "mesh/cells/octree.h"

@@ -14,7 +14,7 @@ namespace mrsim {
 
 inline constexpr double kSameTip = 1e-6;  ///< mm: tips this near are at one place
 
-/// Whether it goes anywhere.
+/// Whether the motion has any length.
 bool moves(const Motion& m);
 
 /// One part of the tools along the motions that may collide.

@@ -11,7 +11,7 @@
 namespace mrsim {
 namespace {
 
-constexpr std::size_t kMostVolumeBoxes = 1 << 12;  // of one level
+constexpr std::size_t kMostVolumeBoxes = 1 << 12;  // of one size
 constexpr double kVolumeShare = 0.04;              // of the volume: what the last boxes may hold
 
 class VolumeSearch {

@@ -145,7 +145,7 @@ class SweepPacks::Builder {
                                       : std::max<double>(height_tool(shape.cutter).steepest, 1));
   }
 
-  // Level by level, until nothing more can be packed.
+  // Packs of packs, until nothing more can be packed.
   SweepPacks build(std::uint32_t first, std::uint32_t end) {
     std::vector<Item> items, above;
     items.reserve(end - first);

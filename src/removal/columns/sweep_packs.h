@@ -63,7 +63,7 @@ class SweepPacks {
   /// The sweep along the chord, in the form of the members; of paths, a segment with their spread.
   const LineRecord& chord(std::uint32_t number) const { return chords_[number - kFirstPack]; }
   const PackColumns& children(std::uint32_t number) const { return children_[number - kFirstPack]; }
-  /// Asks for the memory of chord() and children(), which is far from that of other packs.
+  /// Prefetches the memory of chord() and children(), which is far from that of other packs.
   void prefetch_children(std::uint32_t number) const {
     prefetch(children(number)), prefetch(chord(number));
   }

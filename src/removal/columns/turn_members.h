@@ -28,7 +28,7 @@ void append_sides(TurnRows turns, std::uint32_t sweep, std::uint32_t row,
 /// Brings `points`, as (rho, 0, z), up to date with some sweeps, the bits of turn_distance.
 void least_of(TurnRows turns, std::span<const TurnMember> members, PointColumns& points);
 
-/// A member with what points of one stretch of rho need of it.
+/// A member with those of its sides that matter to points of one stretch of rho.
 struct FacingMember {
   TurnMember member;
   std::uint32_t first = 0, count = 0;  ///< its sides in a list; none: an arc, or a point

@@ -49,7 +49,7 @@ void TurnTree::nearest(std::uint32_t pack, double rho, double z, Nearest& best) 
     double bound;
     std::uint32_t pack;
   };
-  constexpr std::size_t kMostWaiting = 128;  // eight a level; 2^32 sweeps make eleven levels
+  constexpr std::size_t kMostWaiting = 128;  // eight a tier; 2^32 sweeps make eleven tiers
   Waiting waiting[kMostWaiting];
   alignas(64) double d[kLanes];
   const bool behind = pack % 2 != 0;

@@ -1,5 +1,6 @@
-// The sweeps of turning inserts as a tree in the half plane (rho, z), which is all that they depend
-// on: who is nearest to a point, and who can be nearest anywhere in a rectangle (docs/removal.md).
+// The sweeps of turning inserts as a tree in the half plane (rho, z): they depend on nothing else.
+// The tree finds the sweep that is nearest to a point, and those that can be nearest anywhere in a
+// rectangle (docs/removal.md).
 //
 // Sweeps of one insert follow one another in packs of eight, and packs in packs of eight above
 // them. A pack above knows of each of its children a polygon that holds what they have swept: the
@@ -56,7 +57,7 @@ class TurnTree {
   }
   /// Packs that hold all sweeps.
   const Packs& roots() const { return roots_; }
-  /// The pack holds sweeps, not packs.
+  /// Whether the pack holds sweeps, not packs.
   bool is_leaf(std::uint32_t pack) const { return packs_[pack / 2].leaf; }
   /// Indices of the sweeps of a pack, in no order.
   void append_sweeps(std::uint32_t pack, std::vector<std::uint32_t>& out) const;

@@ -90,19 +90,19 @@ class ExactField {
     /// are left to `out`, ascending. Requires: the last region was entered at tier - 1 with
     /// `last`.
     virtual Region finish(std::size_t tier, const Box3& box, double band, Candidates& out) = 0;
-    /// True where so little is left that looking closer costs more than it saves.
+    /// Whether so few candidates are left that narrowing the list costs more than it saves.
     virtual bool is_short(std::size_t tier) const = 0;
-    /// What the last region entered at this tier has left, ascending.
+    /// The candidates that the last region entered at this tier has left, ascending.
     virtual void candidates(std::size_t tier, Candidates& out) const = 0;
   };
-  /// Begins with `in` (about the point `origin`) as what tier 0 has left.
+  /// A descent with the candidates `in` at tier 0, for regions about the point `origin`.
   virtual std::unique_ptr<Descent> descent(const Vec3& origin,
                                            std::span<const std::uint32_t> in) const;
 
   /// d, its owner and the owner's face at p. Ties: stock before sweep, then the least index.
   virtual FieldSample sample(const Vec3& p, std::span<const std::uint32_t> candidates) const = 0;
 
-  /// |d| <= tolerance at p, perhaps without knowing d. Requires: tolerance >= 0.
+  /// Whether |d| <= tolerance at p; may be found without d itself. Requires: tolerance >= 0.
   virtual bool is_on_surface(const Vec3& p, std::span<const std::uint32_t> candidates,
                              double tolerance) const {
     return std::fabs(sample(p, candidates).distance) <= tolerance;
@@ -161,7 +161,7 @@ class ExactField {
   /// True where d, with these candidates, depends on the distance from the Z axis and on z alone.
   virtual bool is_turned(std::span<const std::uint32_t>) const { return false; }
 
-  /// The stock before the first cut is a box with sides along the axes.
+  /// Whether the stock before the first cut is a box with sides along the axes.
   virtual bool has_box_stock() const { return false; }
 
   /// A box that holds the whole part.

@@ -23,9 +23,9 @@ ChainLine chain_line(const ChainTool& tool, const ToolPath& path);
 PathSample chain_minimum(const ChainTool& tool, const ChainLine& line, const Vec3& p,
                          double limit = std::numeric_limits<double>::infinity());
 
-/// The face `patch` of a sweep at p, where one of its cones, cylinders or the ball at its tip is
-/// what can touch p: normal and distance, closed. None where a disc's rim or a torus may, or two
-/// edges.
+/// The plane of the face `patch` at p, in closed form, if one cone, one cylinder or the ball at the
+/// tip is all that can be nearest to p. None if it may be the rim of a disc, a torus or another
+/// edge.
 std::optional<FacePlane> chain_face(const ChainTool& tool, const ChainLine& line, const Vec3& p,
                                     std::int32_t patch);
 

@@ -1,5 +1,5 @@
-// The distance of a place from a tool at one position of its path, as a function of the position,
-// and what it is at least about a position (path_search.cpp says how).
+// The distance of a place from a tool as a function F of the tool's position on its path, with
+// lower bounds of F about a position (path_search.cpp derives them).
 #pragma once
 
 #include "core/numbers/rounding.h"

@@ -1,4 +1,4 @@
-// The lattice of a stock's history, and who takes the voxels of it.
+// The lattice of a stock's history, and the interface of whoever takes its voxels.
 #pragma once
 
 #include "removal/field/lattice.h"

@@ -7,7 +7,7 @@ namespace mrsim {
 namespace {
 
 constexpr double kSteep = 0.125;  // of the depth of cut: where it differs by more, a part halves
-constexpr double kLevel = 1e-3;   // the same: where it differs by less, parts join
+constexpr double kEven = 1e-3;    // the same: where it differs by less, parts join
 constexpr double kInside = 1e-6;  // a wall on the square's side is none within
 constexpr double kGauss = 0.28867513459481287;  // 1 / sqrt(12): the two lines of a square
 
@@ -37,8 +37,8 @@ void WallLines::finish_stretch() {
 }
 
 void WallLines::extend(double from, double depth, double to, double depth_there) {
-  const bool joins = stretch_.to > stretch_.from && !differ(kLevel, stretch_.depth, depth) &&
-                     !differ(kLevel, stretch_.depth, depth_there);
+  const bool joins = stretch_.to > stretch_.from && !differ(kEven, stretch_.depth, depth) &&
+                     !differ(kEven, stretch_.depth, depth_there);
   if (joins) {
     stretch_.to = to;
     return;

@@ -27,8 +27,8 @@ class TurnLayers {
     TurnSides sides;  ///< of the members
   };
 
-  /// Knows the turning sweeps of the field alone: the table is right where no other sweep reaches.
-  /// Requires: a stock that is turned. Cost: some hundred microseconds a layer; memory: a
+  /// Takes only the turning sweeps of the field, so the table is right where no other sweep
+  /// reaches. Requires: a stock that is turned. Cost: some hundred microseconds a layer; memory: a
   /// few KB, less than a thousandth of the voxels of a layer.
   TurnLayers(const PartField& field, double voxel, double band, int threads);
 

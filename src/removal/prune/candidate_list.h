@@ -1,5 +1,5 @@
-// The sweeps that can matter in a region, by columns and in single precision about the region: what
-// pruning works on. Packs of sweeps stand for their sweeps in large regions. A list of a large
+// The sweeps that can matter in a region, as columns of floats about the region's place: the data
+// that pruning works on. Packs of sweeps stand for their sweeps in large regions. A list of a large
 // region is made once; the lists of its parts are what is left of it (prune.h), copied, so that
 // every loop works on whole registers.
 //

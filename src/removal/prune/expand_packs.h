@@ -1,4 +1,4 @@
-// Puts the children of packs in their place in lists of candidates.
+// Replaces packs in lists of candidates by their children.
 #pragma once
 
 #include "removal/prune/candidate_list.h"
@@ -6,9 +6,9 @@
 
 namespace mrsim {
 
-/// Copies `in` to `out` with children in place of the packs that are large beside the region (of
-/// all packs, if the region says so; of all packs of paths, unless the list is pruned
-/// `by_heights`). False, and nothing, where there are none.
+/// Copies `in` to `out` with children in place of three kinds of packs: those that are large beside
+/// the region; all, if the region says so; and packs of paths, unless the list is pruned
+/// `by_heights`. Returns false and copies nothing if `in` has no such packs.
 bool expand_packs(const SweepTable& table, const PruneRegion& region, bool by_heights,
                   const CandidateList& in, CandidateList& out);
 

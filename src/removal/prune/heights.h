@@ -1,8 +1,8 @@
-// Bounds of heights over one region: which sweeps lie above all that matters, and whether the
-// whole region lies above the lowest of them (docs/removal.md, Heights).
+// Bounds of heights over one region: which sweeps lie above all that matters, and whether the whole
+// region lies above the lowest of them (docs/removal.md, Heights).
 //
-// Holds where no more is wanted than d within +-band: sweeps that go may be the nearest deeper in
-// the air than that.
+// Valid only where nothing but d within +-band is wanted: a sweep that is dropped may be the
+// nearest one farther out in the air.
 #pragma once
 
 #include "removal/columns/sweep_class.h"
@@ -14,20 +14,21 @@ namespace mrsim {
 
 class HeightBounds {
  public:
-  /// `band` holds what rounding may change in a distance, too.
+  /// `band`: mm, with room for the rounding of a distance.
   explicit HeightBounds(double band) : band_(band) {}
 
-  /// Before the first question: the region as the loops see it, `lateral` mm wide in plan about its
-  /// centre.
+  /// Sets the region, `lateral` mm wide in plan about its centre. To be called before anything
+  /// else.
   void begin(const RegionArgs& at, float lateral);
-  /// What the loops take for the sweeps, or packs, of a class.
+  /// The arguments that the loops take for the sweeps, or packs, of a class.
   HeightArgs args(const SweepClass& type) const;
-  /// Notes that some sweep reaches down to `upper` over the whole square, and up beyond the region.
+  /// Notes a sweep that reaches down to `upper` or lower over the whole square, and up beyond the
+  /// region.
   void add(float upper) { least_ = upper < least_ ? upper : least_; }
 
-  /// The whole region is deeper in one sweep than the band.
+  /// Whether the whole region lies deeper than the band in one sweep.
   bool is_swept() const { return least_ < swept_; }
-  /// A sweep whose height is more than this everywhere decides nothing that matters.
+  /// A sweep whose height is above this limit everywhere cannot decide anything that is wanted.
   float limit() const;
 
  private:

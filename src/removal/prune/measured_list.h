@@ -1,5 +1,5 @@
-// The candidates of a list as one region meets them: how far each of them is from the region's
-// centre, and which of those distances is the least. prune() then drops what is beaten.
+// Measures the candidates of a list for one region: how far each is from the region's centre, and
+// which is the nearest. prune() then drops those that lose to another one.
 #pragma once
 
 #include "core/numbers/rounding.h"
@@ -19,7 +19,7 @@ inline bool is_undercutting(const SweepClass& type) {
   return type.form == SweepClass::Form::segment && !type.packs && type.heights.lift > 0;
 }
 
-/// Each thread uses one of these at a time, and its memory again for the next list.
+/// Each thread has one of these at a time; the next one uses the same memory again.
 class MeasuredList {
  public:
   /// Measures the list. `reach` and `band` (mm) as for prune(). `undercuts`: mills that narrow
@@ -28,18 +28,18 @@ class MeasuredList {
   MeasuredList(const SweepTable& table, const PruneRegion& region, double reach, double band,
                const CandidateList& in, bool undercuts);
 
-  /// The whole region is deep in one sweep; the others may not have been measured.
+  /// Whether the whole region lies deep in one sweep; the others need not have been measured then.
   bool is_swept() const {
     return double(least_) + at_.delta < deep_ || (by_heights_ && heights_.is_swept());
   }
-  /// The whole region is deep in the nearest strip, as the nearest point of that strip shows.
+  /// Whether the nearest point of the nearest strip shows that the whole region lies deep in it.
   bool is_swept_by_nearest() const;
 
   /// mm: the least distance of all, and what single precision may err by in it.
   float least() const { return least_; }
   double delta() const { return at_.delta; }
-  /// mm: by how much the nearest sweep may be nearer than least() + delta(), as the distance of a
-  /// pack is known up to its spread only.
+  /// mm: by how much the nearest sweep may be nearer than least() + delta(): the distance of a pack
+  /// is known only up to its spread.
   double unsure() const { return 2.0 * at_.delta + kTwoSpreads * spread_; }
 
   const CandidateList& list() const { return in_; }
@@ -55,7 +55,8 @@ class MeasuredList {
   /// The region as the loops see it; `tool` is that of the slice that was measured last.
   const RegionArgs& at() const { return at_; }
 
-  /// The slice is kept or dropped by heights alone: lower bounds of them, and the largest to keep.
+  /// Whether the slice is kept or dropped by heights alone, by their lower bounds and the largest
+  /// height to keep.
   bool is_bounded(std::size_t slice) const {
     return type(slice).form == SweepClass::Form::segment && by_heights_ &&
            !(undercuts_ && is_undercutting(type(slice)));
@@ -142,7 +143,7 @@ inline float spread_of(const SweepClass& type) {
   return static_cast<float>(kWiderSpread * type.spread);
 }
 
-/// Single lines of ball mills, whose rows hold their nearest points.
+/// Whether a class holds single lines of ball mills, whose rows hold their nearest points.
 inline bool is_strip(const SweepClass& type) {
   return type.form == SweepClass::Form::strip && !type.packs;
 }

@@ -7,11 +7,12 @@
 
 namespace mrsim {
 
-/// Copies to `out` the sweeps of `in` that can decide the least distance somewhere in the region,
-/// where that is at most `reach` less the region's radius; false, and nothing, where all of the
-/// region is deeper than that in a sweep. Results stay the same to the last bit in the whole
-/// region; with `band` > 0 only where the least distance is within +-band, and more sweeps go.
-/// Packs that are large beside the region (all, if it says so) give way to their sweeps.
+/// Copies to `out` the sweeps of `in` that can decide the least distance somewhere in the region. A
+/// distance above `reach` less the region's radius is not wanted. Returns false and copies nothing
+/// if the whole region lies deeper than that in one sweep. With `out` the least distance is the
+/// same to the last bit as with `in`: in the whole region, or, with `band` > 0, only where it is
+/// within +-band, so that more sweeps can be dropped. Packs that are large beside the region (all,
+/// if it says so) are replaced by their sweeps.
 bool prune(const SweepTable& table, const PruneRegion& region, double reach, double band,
            const CandidateList& in, CandidateList& out);
 

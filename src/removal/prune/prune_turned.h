@@ -1,4 +1,5 @@
-// Turning sweeps in lists: packs of their tree, and the sweeps themselves where they are few.
+// Turning sweeps in lists of candidates: packs of their tree, or the sweeps themselves if they are
+// few.
 #pragma once
 
 #include "removal/columns/turn_tree.h"
@@ -10,12 +11,12 @@
 
 namespace mrsim {
 
-/// The half plane's part of a region: it holds (rho, z) of all points of the region.
+/// A rectangle of the half plane that holds (rho, z) of all points of the region.
 TurnRegion turn_region(const PruneRegion& region);
 
-/// Puts those turning sweeps that prune() for this region and `reach` would leave in place of the
-/// packs of a list, if they are at most `most`; false, and nothing, where they are more or where
-/// packs of milling sweeps are left.
+/// Replaces the packs of a list by those of their turning sweeps that prune() would leave for this
+/// region and `reach`. Returns false and changes nothing if these are more than `most`, or if the
+/// list has packs of milling sweeps.
 bool expand_turned(const SweepTable& table, const PruneRegion& region, double reach,
                    std::size_t most, std::vector<std::uint32_t>& ids);
 

@@ -1,4 +1,4 @@
-// What a list of candidates is to hold, put in the order of its slices.
+// Sorts what a list of candidates is to hold into the order of its slices.
 #pragma once
 
 #include <cstddef>
@@ -7,8 +7,8 @@
 
 namespace mrsim {
 
-/// An entry that a list is to hold. Lists ascend by class and, where they can, by sweep; one that
-/// is evaluated at points must ascend by sweep, or is sorted again.
+/// An entry that a list is to hold. Lists ascend by class, and within a class by sweep if they can.
+/// A list that is evaluated at points must ascend by sweep, so it may be sorted again.
 struct SliceEntry {
   std::uint32_t of = 0;  ///< class
   std::uint32_t number = 0;

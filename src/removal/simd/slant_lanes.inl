@@ -19,8 +19,8 @@ MRSIM_LANE V slant_bound(const V* c, V px, V py, V pz) {
   const V beyond = along - vmin(vmax(along, zero), length * plan);
   const V aside = vsqrt(off * off + beyond * beyond) - core, across = vabs(off) - core;
   const V under = plan * below + rise * (along - core);
-  const auto corner = [&](V level, V upright) {
-    const V a = vmax(level, zero), b = vmax(upright, zero);
+  const auto corner = [&](V lateral, V upright) {
+    const V a = vmax(lateral, zero), b = vmax(upright, zero);
     return a * a + b * b;
   };
   const V square = vmax(corner(aside, below), corner(across, under));

@@ -1,5 +1,6 @@
-// The surface that the circle of a tool's corner draws on a slanted line or a helix about Z: it
-// cuts each level in that circle, and is a sheared cylinder. Its tangent planes need no search.
+// The surface that the circle of a tool's corner draws on a slanted line or a helix about Z. Its
+// section at each height is that circle: it is a sheared cylinder, whose tangent planes need no
+// search.
 #pragma once
 
 #include "core/numbers/vec.h"

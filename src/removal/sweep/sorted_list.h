@@ -1,4 +1,4 @@
-// A list of sweeps by how they are evaluated.
+// A list of sweeps, sorted by the way in which they are evaluated.
 #pragma once
 
 #include "removal/columns/sweep_columns.h"

@@ -66,7 +66,8 @@ class Profile {
   int nearest_corner(Vec2 q) const;
   bool foot_is_corner(Vec2 q) const;
   Vec2 corner_direction(int corner) const;
-  /// -1 where all normals of a convex corner point down or level, 1 where up or level, otherwise 0.
+  /// Where all normals of a convex corner point: -1 down or sideways, 1 up or sideways, otherwise
+  /// 0.
   int corner_side(int corner) const;
   /// The corner at the start of edge i; i = number of edges: at the end of the last one.
   Corner corner(std::size_t i) const { return corners_[i]; }
