@@ -24,7 +24,7 @@ namespace mrsim::cli {
 
 namespace {
 
-// Of commands that write one picture: before any work.
+// Checks the output of a command that writes one picture; called before any work.
 void check_picture(const Arguments& arguments, const char* input_role) {
   if (arguments.outputs.empty()) return;
   const std::array<NamedPath, 1> picture{{{arguments.outputs[0], "-o"}}};
@@ -35,8 +35,8 @@ void check_picture(const Arguments& arguments, const char* input_role) {
   recover_outputs(arguments.outputs);
 }
 
-// Of what may be replaced although not all inputs are known: nothing, a device, or a file that
-// begins as a JSON or JUnit of mrsim does.
+// Throws unless the file may be replaced although not all inputs are known: there is none, it is a
+// device, or it begins as a JSON or JUnit of mrsim does.
 void require_result(const std::string& path) {
   const OutputPlace place = output_place(path);
   std::error_code none;

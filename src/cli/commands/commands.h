@@ -12,10 +12,11 @@
 
 namespace mrsim::cli {
 
-/// What an Error that reaches main ends with; where the user stopped the run, that code.
+/// The exit code for an Error that reaches main; where the user stopped the run, that of the stop.
 int exit_code_of(const Error& error);
 
-/// --json and --junit of a command that has failed: where to, or empty, and what.
+/// --json and --junit of a command that has failed: the paths, empty if not asked for, and the
+/// texts.
 struct LastWords {
   std::string json_path, json, junit_path, junit;
 };
@@ -44,7 +45,7 @@ int run_told(const std::function<int()>& work, const std::function<void(const Fa
 Arguments typed_arguments(int argc, const char* const* argv);
 
 int run_simulate(const Arguments& arguments);
-/// Runs to earlier moments, once the whole program has been run.
+/// Runs the program to earlier moments, once the whole of it has been run.
 using FrameChoice = std::function<std::vector<Arguments>(const JobResult& whole)>;
 /// `result` has what was found. The files of the frames, if any, appear with those of the whole.
 int run_simulate(const Arguments& arguments, JobResult& result,

@@ -43,8 +43,8 @@ std::vector<NamedPath> named_files(const CompareRequest& request) {
   return out;
 }
 
-// The files of `mrsim compare`, before any work, so that a long comparison is not lost to a
-// missing folder.
+// Checks the output files of `mrsim compare` before any work, so that no long comparison is lost to
+// a missing folder.
 void check_places(const CompareRequest& request) {
   const std::vector<NamedPath> outputs = named_files(request);
   std::vector<std::string> paths;
@@ -68,7 +68,7 @@ void warn(const CompareRequest& request, const std::string& text) {
   if (!request.quiet) say(text + "\n");
 }
 
-// All of them or none.
+// Writes all of the files or none.
 void write_results(const CompareRequest& request, const TriMesh& part, const TriMesh& nominal,
                    const Comparison& comparison, const ReportFacts& facts) {
   std::vector<OutputFile> files;

@@ -30,7 +30,7 @@ namespace {
 
 // A film of pictures is made by ffmpeg, where that is installed.
 
-// Its exit code, or -1.
+// Runs ffmpeg. Returns its exit code, or -1 if it did not exit.
 int run_ffmpeg(const std::vector<std::string>& words) {
   const pid_t child = start_program(words, ProgramLife::ours);
   int status = 0;
@@ -39,7 +39,7 @@ int run_ffmpeg(const std::vector<std::string>& words) {
   return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
 }
 
-// By its ending.
+// Whether the path is that of a film, by its ending.
 bool is_film(const std::string& path) { return path.ends_with(".webm"); }
 
 // Throws Error "ffmpeg-missing" where no folder of PATH holds ffmpeg.
@@ -129,7 +129,7 @@ std::vector<Arguments> earlier_frames(const Arguments& arguments, const JobResul
   return out;
 }
 
-// The files of all moments, before any work.
+// Checks the files of all moments before any work, and returns them.
 std::vector<NamedPath> checked(const Arguments& arguments, const std::vector<std::string>& paths) {
   std::vector<NamedPath> outputs, inputs = arguments.named_inputs;
   for (const std::string& path : paths) {

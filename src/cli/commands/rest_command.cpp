@@ -23,7 +23,7 @@
 namespace mrsim::cli {
 namespace {
 
-// All that is written, before any work.
+// Checks all output files before any work, and returns them.
 std::vector<NamedPath> checked_outputs(const TypedOptions& typed) {
   std::vector<NamedPath> outputs;
   for (const std::string& path : typed.texts("--output")) {

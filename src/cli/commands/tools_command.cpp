@@ -53,7 +53,7 @@ void list(const ToolTable& table, bool json) {
   }
 }
 
-// The pictures, before any work.
+// Checks the pictures to be written before any work.
 void check_places(const TypedOptions& typed) {
   std::vector<NamedPath> pictures;
   for (const std::string& path : typed.texts("--output")) {

@@ -1,11 +1,11 @@
-// Numbers as a person reads them.
+// Numbers as text for people.
 #pragma once
 
 #include <string>
 
 namespace mrsim::cli {
 
-/// "58 782.63": thousands apart, as in the project's documents.
+/// "58 782.63": a blank between thousands.
 std::string grouped(double value, int decimals);
 /// "58 783", below 100 mm^3 "58.78"
 std::string small_volume(double volume);

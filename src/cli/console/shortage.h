@@ -1,4 +1,4 @@
-// Runs that the system gives too little memory or too few threads.
+// Errors for runs to which the system gives too little memory or too few threads.
 #pragma once
 
 #include <exception>

@@ -19,7 +19,8 @@ int stop_code();
 /// called from another thread, once. Empty: nothing is printed.
 void set_last_words(std::function<void(int code)> say);
 
-/// All outputs are written and stay: from now on a stop says no more than that.
+/// To be called once all outputs are written: they stay, and a stop after this says no more than
+/// that.
 void all_is_written();
 
 }  // namespace mrsim::cli

@@ -1,4 +1,4 @@
-// A file or folder with a name that is gone with its owner, and with a process that is stopped.
+// A temporary file or folder that is removed with its owner, and when the process is stopped.
 #pragma once
 
 #include <string>
@@ -16,14 +16,14 @@ class TemporaryPlace {
   ~TemporaryPlace();
 
   const std::string& path() const { return path_; }
-  /// It outlives its owner.
+  /// The file or folder stays when this object is gone.
   void keep();
 
  private:
   std::string path_;
 };
 
-/// All that there are: the process is about to end out of order.
+/// Removes all that there are; for a process that ends out of order.
 void remove_temporary_places();
 
 }  // namespace mrsim::cli

@@ -1,4 +1,4 @@
-// What --help says of each command besides its options.
+// What --help says of each command beside its options.
 #pragma once
 
 #include "core/words/option_table.h"

@@ -10,8 +10,9 @@
 namespace mrsim::cli {
 
 struct JobPlaces {
-  std::string path;                ///< of the job, empty without one
-  std::vector<JobOption> options;  ///< those that are not typed beside it; "": the program
+  std::string path;  ///< of the job, empty without one
+  std::vector<JobOption>
+      options;  ///< options of the job that are not typed as well; "": the program
 };
 
 /// Throws `fault` as a PlacedError where it speaks of an option of the job whose place is known: by

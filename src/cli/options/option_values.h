@@ -16,8 +16,8 @@ class TypedOptions;
 /// Error "usage" of kind usage.
 [[noreturn]] void fail_usage(const std::string& text);
 
-/// All of them: the value of an option by its text. Throw an Error of kind usage that names the
-/// option.
+/// The functions below give the value of an option from its text. They throw an Error of kind usage
+/// that names the option.
 double number_value(const std::string& option, const std::string& text);
 /// A number above 0, mm.
 double positive_value(const std::string& option, const std::string& text);

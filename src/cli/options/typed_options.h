@@ -1,5 +1,5 @@
-// The words of a command line, by the table of options; they become values afterwards, so that all
-// errors read alike.
+// Splits a command line into options and words by the table of options. The values of options are
+// read afterwards, so that all errors read alike.
 #pragma once
 
 #include "cli/options/command_lines.h"

@@ -1,5 +1,5 @@
-// Findings of a program on their way to the user: counted, and as a person reads them,
-// "file:line:column: error: text [code]", the line, a caret.
+// Counts findings of a program and prints them: "file:line:column: error: text [code]", then the
+// line and a caret.
 #pragma once
 
 #include "cli/options/arguments.h"
@@ -19,7 +19,7 @@ class Findings {
   explicit Findings(const Arguments& arguments, std::string program = "");
 
   void add(const Diagnostic& diagnostic);
-  /// What is no finding of a reader: of `path` where it says no place of its own.
+  /// Adds an error that no reader has found; it is about `path` unless it has a place of its own.
   void add(const Error& error, const std::string& path = "");
   void add(const std::vector<Diagnostic>& diagnostics) {
     for (const Diagnostic& diagnostic : diagnostics) add(diagnostic);

@@ -1,5 +1,5 @@
-// What a run did, for a person: the facts in the order they were decided, then the part, then the
-// time.
+// The report of a run for people: the facts in the order in which they were decided, then the part,
+// then the time.
 #pragma once
 
 #include "cli/options/arguments.h"

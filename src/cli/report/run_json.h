@@ -1,4 +1,4 @@
-// What a run did, for programs: --json and --junit of a run.
+// The report of a run for other programs: --json and --junit.
 #pragma once
 
 #include "cli/options/arguments.h"
@@ -9,7 +9,7 @@
 
 namespace mrsim::cli {
 
-/// A run as it ended, or as far as it came.
+/// A run that has ended, well or with an error.
 struct RunRecord {
   const Arguments* arguments = nullptr;
   const JobResult* result = nullptr;       ///< none: nothing is known
