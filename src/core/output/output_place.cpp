@@ -1,5 +1,6 @@
 #include "core/output/output_place.h"
 
+#include "core/output/real_path.h"
 #include "core/process/error.h"
 
 #include <cerrno>
@@ -23,8 +24,6 @@ namespace mrsim {
 namespace {
 
 namespace fs = std::filesystem;
-
-constexpr int kMostLinks = 40;  // as the system allows
 
 // The number in "/proc/self/fd/7" or "/dev/fd/7".
 std::optional<int> descriptor_in(const std::string& path) {

@@ -8,7 +8,6 @@ namespace mrsim {
 namespace fs = std::filesystem;
 
 fs::path real_path(const fs::path& path) {
-  constexpr int kMostLinks = 40;  // as the system allows
   std::error_code failed, ignored;
   fs::path at = fs::absolute(path, failed);
   // A link to what does not exist yet, which weakly_canonical() leaves as it is.

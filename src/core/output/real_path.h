@@ -5,6 +5,9 @@
 
 namespace mrsim {
 
+/// Links that a path may lead through, as the system allows.
+inline constexpr int kMostLinks = 40;
+
 /// Absolute, all links followed; parts that do not exist stay as they are. `path` itself where that
 /// fails, as in a ring of links.
 std::filesystem::path real_path(const std::filesystem::path& path);

@@ -16,7 +16,6 @@
 namespace mrsim {
 namespace {
 
-constexpr double kProgram = 10e6;  // bytes: code, stacks, libraries
 // Factor on the heap in use, for the gaps between its pieces that are too small for anything.
 constexpr double kFragments = 1.2;
 
@@ -27,9 +26,9 @@ thread_local std::size_t limit = 0;  // 0: none
 double memory_in_use() {
 #if defined(__GLIBC__) && __GLIBC_PREREQ(2, 33)
   const struct mallinfo2 heap = ::mallinfo2();
-  return kProgram + kFragments * (double(heap.uordblks) + double(heap.hblkhd));
+  return kProgramMemory + kFragments * (double(heap.uordblks) + double(heap.hblkhd));
 #else
-  return kProgram;
+  return kProgramMemory;
 #endif
 }
 

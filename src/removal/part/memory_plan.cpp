@@ -17,8 +17,8 @@ namespace mrsim {
 namespace {
 
 // Bytes for each of the units named, as measured (docs/performance.md, Memory of the classes).
-// Every run: the program itself, and each motion.
-constexpr double kProgram = 10e6, kMotion = 320;
+// Every run: each motion, beside the program itself.
+constexpr double kMotion = 320;
 // Each sweep, and each segment of a path, in the threads' lists of candidates.
 constexpr double kSweep = 20, kSegment = 20;
 // Each triangle of a stock that is a mesh: the tree over it, and what checking the mesh has left.
@@ -118,7 +118,7 @@ struct Need {
   }
 
   double always() const {
-    return kProgram + kMotion * static_cast<double>(motions) + memory_of(sweeps) +
+    return kProgramMemory + kMotion * static_cast<double>(motions) + memory_of(sweeps) +
            kStockTriangle * static_cast<double>(stock.triangles());
   }
   /// Cells in which faces of a stock's mesh meet: they are split, and remembered. Long straight
