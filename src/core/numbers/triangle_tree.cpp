@@ -133,14 +133,9 @@ std::uint32_t TriangleTree::build_node(std::vector<std::uint32_t>& order, std::u
   nodes_.push_back(node);
   if (end - begin <= kLeafSize) return self;
   const Vec3 size = centers.hi - centers.lo;
-  const int axis = size.x >= size.y && size.x >= size.z ? 0 : size.y >= size.z ? 1 : 2;
-  const std::uint32_t middle = begin + (end - begin) / 2;
-  std::nth_element(order.begin() + begin, order.begin() + middle, order.begin() + end,
-                   [&](std::uint32_t i, std::uint32_t j) {
-                     const double x = component(centroids[i], axis),
-                                  y = component(centroids[j], axis);
-                     return x != y ? x < y : i < j;
-                   });
+  const int axis = axis_of_longest(size.x, size.y, size.z);
+  const std::uint32_t middle = halve_at_median(
+      order, begin, end, [&](std::uint32_t i) { return component(centroids[i], axis); });
   build_node(order, begin, middle, centroids);
   const std::uint32_t second = build_node(order, middle, end, centroids);
   nodes_[self].first = second;

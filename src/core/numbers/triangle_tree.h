@@ -9,6 +9,7 @@
 
 #include <mrsim/types.h>
 
+#include <algorithm>
 #include <cstdint>
 #include <limits>
 #include <vector>
@@ -27,6 +28,26 @@ struct TrianglePoint {
   TriangleFeature feature = kTriangleFace;
 };
 TrianglePoint nearest_on_triangle(const Vec3& p, const Vec3& a, const Vec3& b, const Vec3& c);
+
+/// The axis of the largest of three sizes, of equal ones the first.
+template <class T>
+int axis_of_longest(T x, T y, T z) {
+  return x >= y && x >= z ? 0 : y >= z ? 1 : 2;
+}
+
+/// How trees over triangles are built: sorts the indices order[begin, end) into two halves by
+/// `place(index)`, and by index where places are equal. Returns where the second half begins.
+template <class Place>
+std::uint32_t halve_at_median(std::vector<std::uint32_t>& order, std::uint32_t begin,
+                              std::uint32_t end, const Place& place) {
+  const std::uint32_t middle = begin + (end - begin) / 2;
+  std::nth_element(order.begin() + begin, order.begin() + middle, order.begin() + end,
+                   [&](std::uint32_t i, std::uint32_t j) {
+                     const auto x = place(i), y = place(j);
+                     return x != y ? x < y : i < j;
+                   });
+  return middle;
+}
 
 class TriangleTree {
  public:

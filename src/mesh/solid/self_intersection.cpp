@@ -1,5 +1,6 @@
 #include "mesh/solid/self_intersection.h"
 
+#include "core/numbers/triangle_tree.h"
 #include "core/process/parallel.h"
 #include "mesh/solid/exact_predicates.h"
 
@@ -218,15 +219,11 @@ class BoxTree {
     for (std::uint32_t k = begin; k < end; ++k) box.extend(boxes_[order_[k]]);
     nodes_[id].box = box;
     if (end - begin <= kLeaf) return add_leaf(nodes_[id]);
-    const float size[] = {box.hi[0] - box.lo[0], box.hi[1] - box.lo[1], box.hi[2] - box.lo[2]};
-    const int axis = size[0] >= size[1] && size[0] >= size[2] ? 0 : size[1] >= size[2] ? 1 : 2;
-    const std::uint32_t middle = begin + (end - begin) / 2;
-    const auto center = [&](std::uint32_t t) { return boxes_[t].lo[axis] + boxes_[t].hi[axis]; };
-    std::nth_element(order_.begin() + begin, order_.begin() + middle, order_.begin() + end,
-                     [&](std::uint32_t a, std::uint32_t b) {
-                       const float x = center(a), y = center(b);
-                       return x < y || (x == y && a < b);
-                     });
+    const int axis =
+        axis_of_longest(box.hi[0] - box.lo[0], box.hi[1] - box.lo[1], box.hi[2] - box.lo[2]);
+    const std::uint32_t middle = halve_at_median(order_, begin, end, [&](std::uint32_t t) {
+      return boxes_[t].lo[axis] + boxes_[t].hi[axis];
+    });
     build(begin, middle);
     nodes_[id].right = static_cast<std::uint32_t>(nodes_.size());
     build(middle, end);
