@@ -2,7 +2,7 @@
 // every instruction set, in lists and for many points.
 #include "removal/forms/outline.h"
 
-#include "removal/simd/lane_scalar.h"
+#include "removal/simd/scalar_forms.h"
 #include "removal/simd/sweep_kernels.h"
 #include "removal/tool/tool.h"
 #include "support/rounds.h"

@@ -1,6 +1,6 @@
 #include "removal/columns/plan_foot.h"
 
-#include "removal/simd/lane_scalar.h"
+#include "removal/simd/scalar_forms.h"
 
 #include <cmath>
 

@@ -2,7 +2,7 @@
 
 #include "removal/columns/plan_foot.h"
 #include "removal/forms/sweep_motion.h"
-#include "removal/simd/lane_scalar.h"
+#include "removal/simd/scalar_forms.h"
 
 #include <algorithm>
 

@@ -1,6 +1,6 @@
 #include "removal/forms/chain_sweep.h"
 
-#include "removal/simd/lane_scalar.h"
+#include "removal/simd/scalar_forms.h"
 
 #include <algorithm>
 #include <cmath>

@@ -6,7 +6,7 @@
 
 #include "core/numbers/trig.h"
 #include "core/numbers/units.h"
-#include "removal/simd/lane_scalar.h"
+#include "removal/simd/scalar_forms.h"
 
 #include <algorithm>
 #include <cmath>

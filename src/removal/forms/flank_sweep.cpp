@@ -13,7 +13,7 @@
 #include "core/numbers/trig.h"
 #include "core/numbers/units.h"
 #include "removal/forms/upright_sweep.h"
-#include "removal/simd/lane_scalar.h"
+#include "removal/simd/scalar_forms.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,7 +1,7 @@
 #include "removal/forms/helix_sweep.h"
 
 #include "core/numbers/units.h"
-#include "removal/simd/lane_scalar.h"
+#include "removal/simd/scalar_forms.h"
 
 namespace mrsim {
 namespace {

@@ -9,7 +9,7 @@
 #include "removal/forms/path_search.h"
 #include "removal/forms/slant_sweep.h"
 #include "removal/forms/upright_sweep.h"
-#include "removal/simd/lane_scalar.h"
+#include "removal/simd/scalar_forms.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,6 +1,6 @@
 #include "removal/forms/slant_sweep.h"
 
-#include "removal/simd/lane_scalar.h"
+#include "removal/simd/scalar_forms.h"
 
 #include <cmath>
 

@@ -12,7 +12,7 @@
 #include "core/numbers/trig.h"
 #include "core/numbers/units.h"
 #include "core/process/error.h"
-#include "removal/simd/lane_scalar.h"
+#include "removal/simd/scalar_forms.h"
 
 #include <algorithm>
 #include <array>

@@ -1,7 +1,7 @@
 // Enclosures of the faces that an insert turns: functions of (rho, z), rho convex in space.
 #include "removal/field/face_range.h"
 #include "removal/forms/turn_sweep.h"
-#include "removal/simd/lane_scalar.h"
+#include "removal/simd/scalar_forms.h"
 
 #include <algorithm>
 

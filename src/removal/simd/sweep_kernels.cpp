@@ -4,8 +4,8 @@
 #include "core/numbers/units.h"
 #include "core/process/error.h"
 #include "core/words/suggest.h"
-#include "removal/simd/lane_scalar.h"
 #include "removal/simd/registers.h"
+#include "removal/simd/scalar_forms.h"
 
 #include <algorithm>
 #include <bit>

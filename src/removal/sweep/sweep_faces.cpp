@@ -4,7 +4,7 @@
 #include "core/numbers/units.h"
 #include "removal/columns/plan_foot.h"
 #include "removal/forms/upright_sweep.h"
-#include "removal/simd/lane_scalar.h"
+#include "removal/simd/scalar_forms.h"
 #include "removal/sweep/sheared_cylinder.h"
 
 #include <algorithm>

@@ -6,7 +6,7 @@
 #include "core/numbers/vec.h"
 #include "removal/columns/height_segments.h"
 #include "removal/columns/sweep_columns.h"
-#include "removal/simd/lane_scalar.h"
+#include "removal/simd/scalar_forms.h"
 
 #include <algorithm>
 #include <cmath>
