@@ -42,14 +42,68 @@ TEST(DefaultBar, EndsBelowWhereLevelsBegin) {
               62.2, 1e-9);
 }
 
-// As Fusion faces: a feed in front of the bar, to the slope that leads in.
+// As Fusion faces: a feed in front of the bar, to the slope that leads in; it passes zero where the
+// bar ends.
 TEST(DefaultBar, EndsWhereSlopesLeadIn) {
   StockPath face;
   face.rapid({30, 0, 1.4}).cut({26.4, 0, 1.4}).cut({25, 0, 0}).cut({-0.8, 0, 0});
-  EXPECT_NEAR(face.rapid({-0.8, 0, 1.4}).bar().outer_radius, 26.4, 1e-9);
+  EXPECT_EQ(face.cut({0.6, 0, 1.4}).cut({28, 0, 1.4}).rapid({30, 0, 5}).bar().outer_radius, 25);
   StockPath hollow;  // a cut across at zero is none
   hollow.rapid({30, 0, 0}).cut({20, 0, 0}).cut({15, 0, -2}).cut({-0.8, 0, -2});
   EXPECT_EQ(hollow.rapid({-0.8, 0, 1.4}).bar().outer_radius, 30);
+}
+
+// As Fusion turns: the slope in front of the bar faces nothing, the one behind the shoulder leads
+// away over what has been turned.
+TEST(DefaultBar, EndsBehindSlopesInAndBeforeSlopesAway) {
+  const StockShape bar = StockPath()
+                             .rapid({30, 0, 5})
+                             .cut({22.4, 0, 1.4})
+                             .cut({21, 0, 0})
+                             .cut({21, 0, -30})
+                             .cut({25, 0, -30})
+                             .cut({26.4, 0, -28.6})
+                             .cut({26.4, 0, 2})
+                             .cut({19, 0, 2})
+                             .cut({19, 0, -20})
+                             .rapid({30, 0, 5})
+                             .bar();
+  EXPECT_EQ(bar.outer_radius, 25);
+  EXPECT_EQ(bar.box.hi.z, 0);
+  // A chamfer from behind is cut before anything in front of it.
+  EXPECT_EQ(StockPath()
+                .rapid({26, 0, -20})
+                .cut({20, 0, -20})
+                .cut({25, 0, -15})
+                .rapid({30, 0, -15})
+                .bar()
+                .outer_radius,
+            26);
+}
+
+// A feed across in front of the part, in the place of a rapid.
+TEST(DefaultBar, IsNoWiderThanWhatFollowsAFeedInFront) {
+  StockPath chamfer;
+  chamfer.rapid({30, 0, 2}).cut({20, 0, 2}).cut({23, 0, -1}).cut({23, 0, -30}).cut({25, 0, -30});
+  EXPECT_EQ(chamfer.rapid({30, 0, 5}).bar().outer_radius, 25);
+  StockPath rings;  // faced down to a bore, at two heights: what is fed across is cut
+  rings.rapid({30, 0, 2}).cut({10, 0, 2}).rapid({10, 0, 3}).rapid({30, 0, 3}).rapid({30, 0, 1});
+  EXPECT_EQ(rings.cut({10, 0, 1}).rapid({10, 0, 3}).bar().outer_radius, 30);
+  StockPath past;  // past the axis
+  past.rapid({30, 0, 1}).cut({-0.8, 0, 1}).cut({-0.8, 0, 0}).cut({20, 0, 0}).cut({20, 0, -9});
+  EXPECT_EQ(past.rapid({31, 0, 1}).bar().outer_radius, 30);
+}
+
+// A pass at one radius cuts something, up to where the tool comes from.
+TEST(DefaultBar, IsThickerThanItsOnlyPass) {
+  StockPath pass;
+  pass.rapid({30, 0, 2}).rapid({24, 0, 2}).cut({24, 0, -30});
+  EXPECT_EQ(StockPath(pass).rapid({40, 0, 2}).bar().outer_radius, 27);
+  EXPECT_EQ(StockPath(pass).rapid({26, 0, -30}).rapid({26, 0, 2}).bar().outer_radius, 26);
+  StockPath two;  // "G1 U-2." from the bar's own radius
+  two.rapid({25, 0, 2}).cut({24, 0, 2}).cut({24, 0, -30}).rapid({25, 0, -30}).rapid({25, 0, 2});
+  two.rapid({24, 0, 2}).cut({23, 0, 2}).cut({23, 0, -20}).rapid({24, 0, -20});
+  EXPECT_EQ(two.bar().outer_radius, 25);
 }
 
 // Zero in the chuck: what is turned lies above it, whatever is parted off below.

@@ -151,6 +151,25 @@ TEST(DefaultStock, FeedsAsideInTheAirAreNoCuts) {
   EXPECT_EQ(table.cut({0, 0, 4}).cut({20, 0, 4}).cut({20, 0, -0.2}).cut({0, 0, -0.2}).top(), 8);
 }
 
+// A way that slants in the air, a way home behind the last cut, alone or with a last way up: they
+// neither raise the top nor widen the box.
+TEST(DefaultStock, SlantedFeedsInTheAirAndFeedsHomeAreNoCuts) {
+  StockPath slot;
+  slot.rapid({50, 50, 15}).cut({50, 50, -2}).cut({90, 50, -2}).cut({90, 50, 2});
+  EXPECT_EQ(StockPath(slot).cut({90, 80, 5}).cut({90, 80, 1}).cut({90, 80, -2}).top(), 0);
+  EXPECT_EQ(StockPath(slot).cut({90, 80, 1}).cut({90, 80, -2}).cut({80, 80, -2}).top(), 0);
+  StockPath first;
+  EXPECT_EQ(first.rapid({0, 0, 2}).cut({9, 9, 5}).cut({9, 9, -2}).cut({50, 9, -2}).top(), 0);
+  const Box3 home = StockPath(slot).cut({0, 0, 2}).box();
+  EXPECT_EQ(home.hi.z, 0);
+  EXPECT_GT(home.lo.x, 40);
+  EXPECT_EQ(StockPath(slot).cut({0, 50, 2}).cut({0, 0, 2}).top(), 0);
+  EXPECT_EQ(StockPath(slot).cut({0, 0, 2}).cut({0, 0, 30}).top(), 0);
+  EXPECT_EQ(StockPath(slot).rapid({90, 50, 20}).cut({0, 0, 20}).top(), 0);
+  EXPECT_EQ(StockPath(slot).cut({70, 50, 2}).rapid({70, 50, 20}).top(), 2) << "a step";
+  EXPECT_EQ(StockPath(slot).cut({90, 80, 5}).cut({90, 90, 5}).cut({90, 90, -2}).top(), 5);
+}
+
 // Where the way up leads to more than one line, or nothing goes down behind it, it led to a cut.
 TEST(DefaultStock, CutsThatAFeedLeadsUpToCount) {
   StockPath low;

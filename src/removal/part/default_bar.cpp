@@ -3,6 +3,7 @@
 #include "core/numbers/units.h"
 #include "core/words/tool_types.h"
 #include "removal/part/default_stock.h"
+#include "removal/part/link_moves.h"
 #include "removal/part/stock_margin.h"
 
 #include <algorithm>
@@ -21,6 +22,7 @@ struct TurnedCuts {
   double inside = 0;              // largest radius of a bore or a drill
   double across = 0;              // of the points of boring bars
   double widest = 0;              // of all points
+  double passes = 0;              // of passes straight towards the chuck
   double narrowest = -kNoHeight;  // smallest radius that one ends at
   double face = kNoHeight;        // highest Z at which a tool cuts across, towards the axis
   double lowest = -kNoHeight, highest = kNoHeight, turned = kNoHeight;  // turned: inwards, ends
@@ -32,21 +34,25 @@ bool goes_on_inwards(std::span<const Motion> motions, std::size_t i) {
          is_cut(motions[i + 1]) && motions[i + 1].end.z < motions[i].end.z - kSameHeight;
 }
 
-// A feed across before the face to where a slope leads into the cut, "G1 X52.8", "X50. Z0": it
-// comes through the air.
-bool leads_to_slope(std::span<const Motion> motions, std::size_t i, double zero) {
-  return goes_on_inwards(motions, i) && motions[i].end.z > zero + kSameHeight &&
-         std::fabs(motions[i + 1].end.x) < std::fabs(motions[i].end.x) - kSameHeight;
+// The largest radius of a cut, of a line that begins before the face from where it passes that: a
+// slope leads into the cut, "G1 X52.8 Z1.4", "X50. Z0".
+double widest_of(const Motion& m, double zero) {
+  const double from = std::fabs(m.start.x), to = std::fabs(m.end.x);
+  if (m.start.z <= zero + kSameHeight || m.end.z > zero + kSameHeight) return std::max(from, to);
+  const double passed = (m.start.z - zero) / (m.start.z - m.end.z);
+  return std::max(from + passed * (to - from), to);
 }
 
-TurnedCuts turned_cuts(std::span<const Motion> motions, std::span<const Tool> tools, double zero) {
+TurnedCuts turned_cuts(std::span<const Motion> motions, std::span<const Tool> tools,
+                       const std::vector<bool>& links, double zero) {
   const std::vector<double> radii = radii_of(motions, tools);
   TurnedCuts cuts;
   for (std::size_t i = 0; i < motions.size(); ++i) {
     const Motion& m = motions[i];
-    if (!is_cut(m)) continue;
-    const double from = std::fabs(m.start.x), to = std::fabs(m.end.x), wide = std::max(from, to);
+    if (!is_cut(m) || links[i]) continue;
+    const double from = std::fabs(m.start.x), to = std::fabs(m.end.x), wide = widest_of(m, zero);
     const bool inwards = m.end.z < m.start.z - kSameHeight;
+    const bool leads_in = m.start.z > zero + kSameHeight && m.end.z <= zero + kSameHeight;
     cuts.lowest = std::min({cuts.lowest, m.start.z, m.end.z});
     cuts.highest = std::max({cuts.highest, m.start.z, m.end.z});
     const auto tool = static_cast<std::size_t>(std::max(m.tool, 0));
@@ -60,12 +66,13 @@ TurnedCuts turned_cuts(std::span<const Motion> motions, std::span<const Tool> to
       cuts.inside = std::max(cuts.inside, radii[tool]);
       continue;
     }
-    cuts.widest = std::max(cuts.widest, leads_to_slope(motions, i, zero) ? to : wide);
+    cuts.widest = std::max(cuts.widest, wide);
     if (m.lead != 0) continue;
     cuts.narrowest = std::min(cuts.narrowest, to);
     if (inwards) cuts.along = std::max(cuts.along, wide);
+    if (inwards && is_upright_line(m)) cuts.passes = std::max(cuts.passes, wide);
     if (inwards) cuts.turned = std::max(cuts.turned, m.end.z);
-    if (to < from - kSameHeight && !goes_on_inwards(motions, i))
+    if (to < from - kSameHeight && !leads_in && !goes_on_inwards(motions, i))
       cuts.face = std::max(cuts.face, std::min(m.start.z, m.end.z));
   }
   return cuts;
@@ -92,6 +99,28 @@ double clear_radius(std::span<const Motion> motions, const TurnedCuts& cuts) {
     beyond = std::max(beyond, r);
   }
   return least;
+}
+
+bool works_outside(const Motion& m, std::span<const Tool> tools) {
+  if (m.tool < 0) return true;
+  const Tool& tool = tools[static_cast<std::size_t>(m.tool)];
+  return is_turning(tool.type) && !is_inside_tool(tool);
+}
+
+// The radius that the tool comes from to the widest of the passes, which cuts something: the least
+// one beyond where a feed leads in from, of one pass alone that of a rapid. 0: nothing tells.
+double approach_radius(std::span<const Motion> motions, std::span<const Tool> tools,
+                       const std::vector<bool>& links, const TurnedCuts& cuts) {
+  double least = -kNoHeight;
+  for (std::size_t i = 0; i < motions.size(); ++i) {
+    const double from = std::fabs(motions[i].start.x);
+    if (links[i] && works_outside(motions[i], tools) &&
+        from > std::max(cuts.widest, std::fabs(motions[i].end.x)) + kSameHeight)
+      least = std::min(least, from);
+  }
+  if (cuts.widest - cuts.narrowest < kSameHeight)
+    least = std::min(least, clear_radius(motions, cuts));
+  return least == -kNoHeight ? 0 : least;
 }
 
 // Places outside that tools have cut, by their Z and least radius.
@@ -121,12 +150,6 @@ class CutPlaces {
   };
   std::vector<Place> places_;
 };
-
-bool works_outside(const Motion& m, std::span<const Tool> tools) {
-  if (m.tool < 0) return true;
-  const Tool& tool = tools[static_cast<std::size_t>(m.tool)];
-  return is_turning(tool.type) && !is_inside_tool(tool);
-}
 
 // The least radius behind `front` that a rapid leads to where nothing has been cut: the bar is
 // thinner. Radii at which nothing of a groove or of the part is left say nothing.
@@ -199,11 +222,16 @@ double front_of(const TurnedCuts& cuts, double clearance, double zero) {
 }  // namespace
 
 StockShape default_bar(std::span<const Motion> motions, std::span<const Tool> tools, double zero) {
-  TurnedCuts cuts = turned_cuts(motions, tools, zero);
+  const std::vector<bool> links = link_moves(motions, zero, true);
+  TurnedCuts cuts = turned_cuts(motions, tools, links, zero);
   if (std::max(cuts.widest, cuts.inside) == 0) cuts.inside = cuts.across;  // G72 in a bore alone
   const double wide = std::max(cuts.widest, cuts.inside);
   const double margin = margin_of({{-wide, -wide, cuts.lowest}, {wide, wide, cuts.highest}});
   const double clear = clear_radius(motions, cuts);
+  if (cuts.widest > 0 && cuts.passes > cuts.widest - kSameHeight) {
+    const double limit = approach_radius(motions, tools, links, cuts);
+    cuts.widest = std::clamp(limit, cuts.widest, cuts.widest + margin);
+  }
   const bool is_thinner = clear < cuts.widest && clear > cuts.narrowest + kSameHeight;
   const double edge =
       std::min(is_thinner ? clear : cuts.widest, entered_radius(motions, tools, cuts, zero));

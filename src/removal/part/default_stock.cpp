@@ -2,6 +2,7 @@
 
 #include "removal/forms/sweep_motion.h"
 #include "removal/part/default_bar.h"
+#include "removal/part/link_moves.h"
 #include "removal/part/stock_margin.h"
 #include "removal/sweep/sweep_table.h"
 
@@ -37,13 +38,15 @@ class HeightsReader {
  public:
   explicit HeightsReader(double zero) : zero_(zero) {}
 
-  Heights read(std::span<const Motion> motions) {
-    for (const Motion& motion : motions) {
+  Heights read(std::span<const Motion> motions, const std::vector<bool>& links) {
+    for (std::size_t i = 0; i < motions.size(); ++i) {
+      const Motion& motion = motions[i];
       if (motion.start.x != motion.end.x || motion.start.y != motion.end.y) end_hole();
-      if (is_cut(motion))
-        add_cut(motion);
-      else
+      if (is_cut(motion)) note_first(motion);
+      if (!is_cut(motion) || links[i])
         end_entry();
+      else
+        add_cut(motion);
     }
     end_entry();
     end_hole();
@@ -51,15 +54,16 @@ class HeightsReader {
   }
 
  private:
+  void note_first(const Motion& m) {
+    if (heights_.first != kNoHeight) return;
+    heights_.first = m.start.z;
+    approach_ = m.end.z < m.start.z ? m.start.z : -kNoHeight;
+  }
+
   void add_cut(const Motion& m) {
-    if (heights_.first == kNoHeight) {
-      heights_.first = m.start.z;
-      approach_ = m.end.z < m.start.z ? m.start.z : -kNoHeight;
-    }
     const Box3 path = path_bounds(localized(m, nullptr));
     heights_.deepest = std::min(heights_.deepest, path.lo.z);
-    if (links(m, path) || waits_above(m, path)) return;
-    if (is_upright(m)) {
+    if (is_upright_line(m)) {
       if (m.end.z > m.start.z) return;  // a tap or a reamer on its way back
       heights_.hole_mouth = std::max(heights_.hole_mouth, m.start.z);
       if (hole_low_ == -kNoHeight) mouth_ = m.start.z, first_stroke_ = m.end.z;
@@ -79,64 +83,6 @@ class HeightsReader {
     heights_.entered = std::max(heights_.entered, path.hi.z);
   }
 
-  static bool is_upright(const Motion& m) {
-    return m.kind != MotionKind::arc && m.start.x == m.end.x && m.start.y == m.end.y;
-  }
-
-  // One line aside above the zero, straight up before and down behind it, is a rapid in the place
-  // of which a post has written G1: "G1 Z5", "X20", "Z-2". Any other is a cut at its height.
-  bool links(const Motion& m, const Box3& path) {
-    const bool came_up = std::exchange(came_up_, is_upright(m) && m.end.z > m.start.z);
-    if (link_ != kNoHeight) {
-      if (m.end.z < m.start.z - kSameHeight)
-        end_link();
-      else
-        count_link();
-    }
-    if (!came_up || is_upright(m) || m.kind == MotionKind::arc ||
-        path.hi.z - path.lo.z > kSameHeight || path.lo.z <= zero_ + kSameHeight)
-      return false;
-    link_ = path.lo.z;
-    return true;
-  }
-
-  void count_link() {
-    const double height = link_;
-    end_link();
-    is_entry_ = false;
-    add_height(height, heights_.entered);
-  }
-
-  // What goes down from there is a way in; a ramp that nothing followed has cut to its end.
-  void end_link() {
-    if (is_entry_) heights_.entered = std::max(heights_.entered, entry_end_);
-    link_ = entry_end_ = way_out_ = kNoHeight;
-    is_entry_ = true;
-  }
-
-  // A feed to the place above which a way down through the zero begins: "G0 Z2", "G1 X10", "G1
-  // Z-3".
-  bool waits_above(const Motion& m, const Box3& path) {
-    const bool is_horizontal = path.hi.z - path.lo.z <= kSameHeight;
-    const bool first = waiting_ == kNoHeight || std::fabs(waiting_ - path.lo.z) <= kSameHeight;
-    if (is_horizontal && first && is_entry_ && entry_end_ == kNoHeight &&
-        path.lo.z > zero_ + kSameHeight) {
-      waiting_ = path.lo.z;
-      return true;
-    }
-    if (waiting_ == kNoHeight) return false;
-    if (m.end.z < zero_ - kSameHeight)
-      waiting_ = kNoHeight;
-    else if (m.end.z >= m.start.z - kSameHeight)
-      count_waiting();
-    return false;
-  }
-
-  void count_waiting() {
-    is_entry_ = false;
-    add_height(std::exchange(waiting_, kNoHeight), heights_.entered);
-  }
-
   void add_height(double z, double& entered) {
     if (z >= approach_) return;
     heights_.lateral = std::max(heights_.lateral, z);
@@ -153,20 +99,17 @@ class HeightsReader {
     hole_low_ = -kNoHeight;
   }
 
+  // A ramp that nothing followed has cut to its end; what goes down next is a way in.
   void end_entry() {
-    if (waiting_ != kNoHeight) count_waiting();
-    if (link_ != kNoHeight) count_link();
-    end_link();
-    came_up_ = false;
+    if (is_entry_) heights_.entered = std::max(heights_.entered, entry_end_);
+    entry_end_ = way_out_ = kNoHeight;
+    is_entry_ = true;
   }
 
   double zero_;
   Heights heights_;
-  double waiting_ = kNoHeight;  // height of a feed aside before the way down
   double approach_ = kNoHeight, entry_end_ = kNoHeight;
   double way_out_ = kNoHeight;           // end of an upright arc, if a rapid follows it
-  double link_ = kNoHeight;              // height of a feed aside that came from straight below
-  bool came_up_ = false;                 // the last motion was straight up
   double mouth_ = 0, first_stroke_ = 0;  // of the first plunge at the place where the tool is
   double hole_low_ = -kNoHeight;         // and the lowest one of all there
   bool is_entry_ = true;
@@ -332,9 +275,9 @@ class SideKeeper {
 
 // Most programs have their zero on the stock's top; those whose cuts or first move down say
 // otherwise end at the highest cut.
-void set_top(Box3& box, std::span<const Motion> motions, std::span<const double> radii,
-             double margin, double zero) {
-  const Heights heights = HeightsReader(zero).read(motions);
+void set_top(Box3& box, std::span<const Motion> motions, const std::vector<bool>& links,
+             std::span<const double> radii, double margin, double zero) {
+  const Heights heights = HeightsReader(zero).read(motions, links);
   if (heights.reach_below(zero)) {
     Box3 narrowed = box;
     if (SideKeeper(motions, radii, zero).keep_beside(narrowed) ||
@@ -348,15 +291,15 @@ void set_top(Box3& box, std::span<const Motion> motions, std::span<const double>
   SideKeeper(motions, radii, box.hi.z).keep_beside(box);
 }
 
-StockShape box_round(const Box3& cuts, std::span<const Motion> motions, std::span<const Tool> tools,
-                     double zero) {
+StockShape box_round(const Box3& cuts, std::span<const Motion> motions,
+                     const std::vector<bool>& links, std::span<const Tool> tools, double zero) {
   const double margin = margin_of(cuts);
   StockShape shape;
   shape.kind = StockShape::Kind::box;
   shape.box.lo = {round_down(cuts.lo.x - margin), round_down(cuts.lo.y - margin),
                   round_down(cuts.lo.z - margin)};
   shape.box.hi = {round_up(cuts.hi.x + margin), round_up(cuts.hi.y + margin), cuts.hi.z};
-  set_top(shape.box, motions, radii_of(motions, tools), margin, zero);
+  set_top(shape.box, motions, links, radii_of(motions, tools), margin, zero);
   const Box3& b = shape.box;
   shape.description =
       fmt::format("around the program's cuts: box:{:.6g},{:.6g},{:.6g},{:.6g},{:.6g},{:.6g}",
@@ -369,14 +312,17 @@ StockShape box_round(const Box3& cuts, std::span<const Motion> motions, std::spa
 StockShape default_stock(std::span<const Motion> motions, std::span<const Tool> tools, bool lathe,
                          double zero) {
   if (lathe) return default_bar(motions, tools, zero);
+  const std::vector<bool> links = link_moves(motions, zero, false);
   Box3 points;
-  for (const Motion& motion : motions)
-    if (is_cut(motion)) extend(points, path_bounds(localized(motion, nullptr)));
+  for (std::size_t i = 0; i < motions.size(); ++i)
+    if (is_cut(motions[i]) && !links[i])
+      extend(points, path_bounds(localized(motions[i], nullptr)));
   const SweepTable sweeps(motions, tools);
   Box3 cuts = points;
-  for (std::size_t i = 0; i < sweeps.size(); ++i) extend(cuts, sweeps.bounds(i));
+  for (std::size_t i = 0; i < sweeps.size(); ++i)
+    if (!links[static_cast<std::size_t>(sweeps.motion(i))]) extend(cuts, sweeps.bounds(i));
   cuts.hi.z = points.hi.z;
-  return box_round(cuts, motions, tools, zero);
+  return box_round(cuts, motions, links, tools, zero);
 }
 
 }  // namespace mrsim

@@ -24,4 +24,9 @@ StockShape default_stock(std::span<const Motion> motions, std::span<const Tool> 
 /// Whether removal cuts with this motion: a line or an arc, not of assumed start.
 inline bool is_cut(const Motion& m) { return m.kind != MotionKind::rapid && !m.assumed_start; }
 
+/// Whether a motion leads straight up or down.
+inline bool is_upright_line(const Motion& m) {
+  return m.kind != MotionKind::arc && m.start.x == m.end.x && m.start.y == m.end.y;
+}
+
 }  // namespace mrsim

@@ -1,0 +1,147 @@
+#include "removal/part/link_moves.h"
+
+#include "removal/part/default_stock.h"
+#include "removal/part/stock_margin.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+
+namespace mrsim {
+namespace {
+
+class LinkFinder {
+ public:
+  LinkFinder(std::span<const Motion> motions, double zero) : motions_(motions), zero_(zero) {}
+
+  template <typename EndOfLink>
+  std::vector<bool> find(EndOfLink&& end_of_link) const {
+    std::vector<bool> links(motions_.size(), false);
+    for (std::size_t i = 0; i < motions_.size(); ++i) {
+      if (!is_aside_before_zero(i)) continue;
+      for (const std::size_t end = (this->*end_of_link)(i); i < end; ++i) links[i] = true;
+    }
+    return links;
+  }
+
+  // Index of the motion behind the link that begins with motion `i`; `i` if that is none.
+  std::size_t end_on_mill(std::size_t i) const {
+    const bool from_rapid = i == 0 || !is_cut(motions_[i - 1]);
+    const bool came_up = i > 0 && is_upright_line(motions_[i - 1]) && rises(motions_[i - 1]);
+    if (came_up && leads_home(i)) return motions_.size();
+    if (!from_rapid && !came_up) return i;
+    if (!is_horizontal(motions_[i]))
+      return from_rapid && goes_down(motions_[i]) ? i : end_before_plunge(i);
+    if (!from_rapid) return is_cut_at(i + 1) && goes_down(motions_[i + 1]) ? i + 1 : i;
+    return end_before_way_down(i);
+  }
+
+  std::size_t end_on_lathe(std::size_t i) const {
+    const Motion& m = motions_[i];
+    const bool from_rapid = i == 0 || !is_cut(motions_[i - 1]);
+    const bool came_out = !from_rapid && motions_[i - 1].start.z <= zero_ + kSameHeight;
+    if (m.end.x < -kSameHeight || (!from_rapid && !came_out)) return i;  // a cut past the axis
+    if (came_out && m.end.x > m.start.x) return i + 1;
+    std::size_t j = i + 1;
+    while (is_aside_before_zero(j) && is_horizontal(motions_[j])) ++j;
+    const bool goes_in =
+        is_cut_at(j) && goes_down(motions_[j]) && motions_[j].end.z <= zero_ + kSameHeight;
+    return goes_in ? j : i;
+  }
+
+ private:
+  bool is_cut_at(std::size_t i) const { return i < motions_.size() && is_cut(motions_[i]); }
+
+  bool is_aside_before_zero(std::size_t i) const {
+    return is_cut_at(i) && motions_[i].kind == MotionKind::line && !is_upright_line(motions_[i]) &&
+           std::min(motions_[i].start.z, motions_[i].end.z) > zero_ + kSameHeight;
+  }
+
+  static bool rises(const Motion& m) { return m.end.z > m.start.z; }
+  static bool goes_down(const Motion& m) { return m.end.z < m.start.z - kSameHeight; }
+  static bool is_horizontal(const Motion& m) {
+    return std::fabs(m.end.z - m.start.z) <= kSameHeight;
+  }
+
+  // "G1 X20 Z5", "Z-2".
+  std::size_t end_before_plunge(std::size_t i) const {
+    std::size_t j = i + 1;
+    while (is_cut_at(j) && is_upright_line(motions_[j]) && goes_down(motions_[j]) &&
+           motions_[j].end.z > zero_ - kSameHeight)
+      ++j;
+    return plunges_behind_zero(j) ? i + 1 : i;
+  }
+
+  bool plunges_behind_zero(std::size_t i) const {
+    return is_cut_at(i) && is_upright_line(motions_[i]) && motions_[i].end.z < zero_ - kSameHeight;
+  }
+
+  // Feeds at one height to the place above which a way down through the zero begins: "G0 Z2", "G1
+  // X10", "G1 Z-3".
+  std::size_t end_before_way_down(std::size_t i) const {
+    const double height = motions_[i].start.z;
+    std::size_t end = i + 1;
+    while (is_aside_before_zero(end) && is_horizontal(motions_[end])) ++end;
+    for (std::size_t j = end; is_cut_at(j); ++j) {
+      if (motions_[j].end.z < zero_ - kSameHeight) return end;
+      if (!goes_down(motions_[j]) || motions_[j].start.z > height + kSameHeight) return i;
+    }
+    return i;
+  }
+
+  // One line or two ("X0", "Y0") behind the program's last cut, which lay behind the zero: nothing
+  // follows, or a way up from where the program began.
+  bool leads_home(std::size_t i) const {
+    if (motions_[i - 1].start.z > zero_ - kSameHeight) return false;
+    std::size_t end = is_aside_before_zero(i + 1) ? i + 2 : i + 1;
+    if (end < motions_.size() && !is_home(motions_[end - 1].end)) return false;
+    while (end < motions_.size() && is_upright_line(motions_[end]) && rises(motions_[end])) ++end;
+    return end == motions_.size();
+  }
+
+  bool is_home(const Vec3& p) const {
+    const Motion& first = motions_.front();
+    return (p.x == first.start.x && p.y == first.start.y) ||
+           (p.x == first.end.x && p.y == first.end.y);
+  }
+
+  std::span<const Motion> motions_;
+  double zero_;
+};
+
+// Feeds away from a pass: outwards and forwards over what the pass has turned.
+void add_ways_off(std::span<const Motion> motions, std::vector<bool>& links) {
+  bool is_off = false;
+  double front = kNoHeight, widest = 0;  // of the cuts since the last rapid
+  for (std::size_t i = 0; i < motions.size(); ++i) {
+    const Motion& m = motions[i];
+    if (!is_cut(m)) {
+      is_off = false;
+      front = kNoHeight, widest = 0;
+    }
+    if (!is_cut(m) || links[i]) continue;
+    const double from = std::fabs(m.start.x), to = std::fabs(m.end.x);
+    const bool slopes_off = m.end.z > m.start.z + kSameHeight && m.end.z < front &&
+                            to > from + kSameHeight && to > widest;
+    const bool goes_on = is_off && m.end.z > m.start.z - kSameHeight && to > from - kSameHeight;
+    is_off = slopes_off || goes_on;
+    if (is_off) {
+      links[i] = true;
+      continue;
+    }
+    if (m.end.z < m.start.z) front = std::max(front, m.start.z);
+    widest = std::max(widest, to);
+  }
+}
+
+}  // namespace
+
+std::vector<bool> link_moves(std::span<const Motion> motions, double zero, bool lathe) {
+  const LinkFinder finder(motions, zero);
+  if (!lathe) return finder.find(&LinkFinder::end_on_mill);
+  std::vector<bool> links = finder.find(&LinkFinder::end_on_lathe);
+  add_ways_off(motions, links);
+  return links;
+}
+
+}  // namespace mrsim
