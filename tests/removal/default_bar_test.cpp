@@ -89,6 +89,10 @@ TEST(DefaultBar, IsNoWiderThanWhatFollowsAFeedInFront) {
   StockPath rings;  // faced down to a bore, at two heights: what is fed across is cut
   rings.rapid({30, 0, 2}).cut({10, 0, 2}).rapid({10, 0, 3}).rapid({30, 0, 3}).rapid({30, 0, 1});
   EXPECT_EQ(rings.cut({10, 0, 1}).rapid({10, 0, 3}).bar().outer_radius, 30);
+  StockPath steps;
+  steps.rapid({32, 0, 3}).cut({30, 0, 3}).cut({28, 0, 1}).cut({28, 0, -40}).cut({30, 0, -40});
+  EXPECT_EQ(steps.rapid({32, 0, 3}).bar().outer_radius, 30);
+  EXPECT_EQ(steps.bar().box.hi.z, 0);
   StockPath past;  // past the axis
   past.rapid({30, 0, 1}).cut({-0.8, 0, 1}).cut({-0.8, 0, 0}).cut({20, 0, 0}).cut({20, 0, -9});
   EXPECT_EQ(past.rapid({31, 0, 1}).bar().outer_radius, 30);
@@ -100,10 +104,22 @@ TEST(DefaultBar, IsThickerThanItsOnlyPass) {
   pass.rapid({30, 0, 2}).rapid({24, 0, 2}).cut({24, 0, -30});
   EXPECT_EQ(StockPath(pass).rapid({40, 0, 2}).bar().outer_radius, 27);
   EXPECT_EQ(StockPath(pass).rapid({26, 0, -30}).rapid({26, 0, 2}).bar().outer_radius, 26);
+  StockPath cone;
+  cone.rapid({15, 0, 0}).cut({25, 0, -30}).cut({25, 0, -50}).rapid({40, 0, -50});
+  EXPECT_EQ(cone.bar().outer_radius, 25);
   StockPath two;  // "G1 U-2." from the bar's own radius
   two.rapid({25, 0, 2}).cut({24, 0, 2}).cut({24, 0, -30}).rapid({25, 0, -30}).rapid({25, 0, 2});
   two.rapid({24, 0, 2}).cut({23, 0, 2}).cut({23, 0, -20}).rapid({24, 0, -20});
   EXPECT_EQ(two.bar().outer_radius, 25);
+}
+
+// G71 R0.5: the rapid off a pass leads over what that has turned.
+TEST(DefaultBar, IsAsWideAsWhereRoughingBegins) {
+  StockPath rough;
+  rough.rapid({26, 0, 2}).rapid({24.7, 0, 2}).cut({24.7, 0, -40}).rapid({25.2, 0, -39.5});
+  rough.rapid({25.2, 0, 2}).rapid({23.2, 0, 2}).cut({23.2, 0, -40}).rapid({23.7, 0, -39.5});
+  rough.rapid({23.7, 0, 2}).rapid({23, 0, 2}).cut({23, 0, -40}).cut({26, 0, -40});
+  EXPECT_EQ(rough.rapid({26, 0, 2}).bar().outer_radius, 26);
 }
 
 // Zero in the chuck: what is turned lies above it, whatever is parted off below.

@@ -23,6 +23,7 @@ struct TurnedCuts {
   double across = 0;              // of the points of boring bars
   double widest = 0;              // of all points
   double passes = 0;              // of passes straight towards the chuck
+  bool only_passes = true;        // but for ways in from before the face
   double narrowest = -kNoHeight;  // smallest radius that one ends at
   double face = kNoHeight;        // highest Z at which a tool cuts across, towards the axis
   double lowest = -kNoHeight, highest = kNoHeight, turned = kNoHeight;  // turned: inwards, ends
@@ -71,6 +72,7 @@ TurnedCuts turned_cuts(std::span<const Motion> motions, std::span<const Tool> to
     cuts.narrowest = std::min(cuts.narrowest, to);
     if (inwards) cuts.along = std::max(cuts.along, wide);
     if (inwards && is_upright_line(m)) cuts.passes = std::max(cuts.passes, wide);
+    cuts.only_passes = cuts.only_passes && (is_upright_line(m) || leads_in);
     if (inwards) cuts.turned = std::max(cuts.turned, m.end.z);
     if (to < from - kSameHeight && !leads_in && !goes_on_inwards(motions, i))
       cuts.face = std::max(cuts.face, std::min(m.start.z, m.end.z));
@@ -86,7 +88,8 @@ bool goes_back_in(const Motion& cut, const Motion& rapid) {
 
 // The least radius beyond what is cut towards the chuck that rapids lead to: the bar is thinner.
 // A way off a cut, which rapids go on outwards from, says nothing.
-double clear_radius(std::span<const Motion> motions, const TurnedCuts& cuts) {
+double clear_radius(std::span<const Motion> motions, const std::vector<bool>& links,
+                    const TurnedCuts& cuts) {
   double least = -kNoHeight, beyond = 0;  // beyond: the largest radius of the rapids that follow
   for (std::size_t i = motions.size(); i-- > 0;) {
     const Motion& m = motions[i];
@@ -94,7 +97,8 @@ double clear_radius(std::span<const Motion> motions, const TurnedCuts& cuts) {
     const bool leads_on = i + 1 < motions.size() && !motions[i + 1].assumed_start;
     if (m.kind != MotionKind::rapid || (m.assumed_start && !leads_on)) continue;
     const double r = std::fabs(m.end.x);
-    const bool is_off = r < beyond - kSameHeight || (i > 0 && goes_back_in(motions[i - 1], m));
+    const bool is_off =
+        links[i] || r < beyond - kSameHeight || (i > 0 && goes_back_in(motions[i - 1], m));
     if (!is_off && r > cuts.along + kSameHeight) least = std::min(least, r);
     beyond = std::max(beyond, r);
   }
@@ -118,8 +122,8 @@ double approach_radius(std::span<const Motion> motions, std::span<const Tool> to
         from > std::max(cuts.widest, std::fabs(motions[i].end.x)) + kSameHeight)
       least = std::min(least, from);
   }
-  if (cuts.widest - cuts.narrowest < kSameHeight)
-    least = std::min(least, clear_radius(motions, cuts));
+  if (cuts.only_passes && cuts.widest - cuts.narrowest < kSameHeight)
+    least = std::min(least, clear_radius(motions, links, cuts));
   return least == -kNoHeight ? 0 : least;
 }
 
@@ -227,7 +231,7 @@ StockShape default_bar(std::span<const Motion> motions, std::span<const Tool> to
   if (std::max(cuts.widest, cuts.inside) == 0) cuts.inside = cuts.across;  // G72 in a bore alone
   const double wide = std::max(cuts.widest, cuts.inside);
   const double margin = margin_of({{-wide, -wide, cuts.lowest}, {wide, wide, cuts.highest}});
-  const double clear = clear_radius(motions, cuts);
+  const double clear = clear_radius(motions, links, cuts);
   if (cuts.widest > 0 && cuts.passes > cuts.widest - kSameHeight) {
     const double limit = approach_radius(motions, tools, links, cuts);
     cuts.widest = std::clamp(limit, cuts.widest, cuts.widest + margin);

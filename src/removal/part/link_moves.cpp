@@ -43,7 +43,7 @@ class LinkFinder {
     if (m.end.x < -kSameHeight || (!from_rapid && !came_out)) return i;  // a cut past the axis
     if (came_out && m.end.x > m.start.x) return i + 1;
     std::size_t j = i + 1;
-    while (is_aside_before_zero(j) && is_horizontal(motions_[j])) ++j;
+    while (is_aside_before_zero(j) && nears_part(motions_[j])) ++j;
     const bool goes_in =
         is_cut_at(j) && goes_down(motions_[j]) && motions_[j].end.z <= zero_ + kSameHeight;
     return goes_in ? j : i;
@@ -57,6 +57,9 @@ class LinkFinder {
            std::min(motions_[i].start.z, motions_[i].end.z) > zero_ + kSameHeight;
   }
 
+  static bool nears_part(const Motion& m) {
+    return m.end.z <= m.start.z + kSameHeight && m.end.x <= m.start.x + kSameHeight;
+  }
   static bool rises(const Motion& m) { return m.end.z > m.start.z; }
   static bool goes_down(const Motion& m) { return m.end.z < m.start.z - kSameHeight; }
   static bool is_horizontal(const Motion& m) {
@@ -109,28 +112,27 @@ class LinkFinder {
   double zero_;
 };
 
-// Feeds away from a pass: outwards and forwards over what the pass has turned.
+// Ways off a pass: outwards and forwards over what the pass has turned, and straight back.
 void add_ways_off(std::span<const Motion> motions, std::vector<bool>& links) {
   bool is_off = false;
   double front = kNoHeight, widest = 0;  // of the cuts since the last rapid
   for (std::size_t i = 0; i < motions.size(); ++i) {
     const Motion& m = motions[i];
-    if (!is_cut(m)) {
-      is_off = false;
-      front = kNoHeight, widest = 0;
-    }
-    if (!is_cut(m) || links[i]) continue;
+    if (links[i]) continue;
     const double from = std::fabs(m.start.x), to = std::fabs(m.end.x);
     const bool slopes_off = m.end.z > m.start.z + kSameHeight && m.end.z < front &&
                             to > from + kSameHeight && to > widest;
-    const bool goes_on = is_off && m.end.z > m.start.z - kSameHeight && to > from - kSameHeight;
+    const bool goes_on = is_off && m.end.z > m.start.z - kSameHeight && to > from - kSameHeight &&
+                         (is_cut(m) || to < from + kSameHeight);
     is_off = slopes_off || goes_on;
     if (is_off) {
       links[i] = true;
-      continue;
+    } else if (!is_cut(m)) {
+      front = kNoHeight, widest = 0;
+    } else {
+      if (m.end.z < m.start.z) front = std::max(front, m.start.z);
+      widest = std::max(widest, to);
     }
-    if (m.end.z < m.start.z) front = std::max(front, m.start.z);
-    widest = std::max(widest, to);
   }
 }
 
