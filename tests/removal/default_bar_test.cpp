@@ -86,6 +86,9 @@ TEST(DefaultBar, IsNoWiderThanWhatFollowsAFeedInFront) {
   StockPath chamfer;
   chamfer.rapid({30, 0, 2}).cut({20, 0, 2}).cut({23, 0, -1}).cut({23, 0, -30}).cut({25, 0, -30});
   EXPECT_EQ(chamfer.rapid({30, 0, 5}).bar().outer_radius, 25);
+  StockPath behind;  // of a turret behind the axis
+  behind.rapid({-30, 0, 2}).cut({-20, 0, 2}).cut({-23, 0, -1}).cut({-23, 0, -30});
+  EXPECT_EQ(behind.cut({-25, 0, -30}).rapid({-30, 0, 5}).bar().outer_radius, 25);
   StockPath rings;  // faced down to a bore, at two heights: what is fed across is cut
   rings.rapid({30, 0, 2}).cut({10, 0, 2}).rapid({10, 0, 3}).rapid({30, 0, 3}).rapid({30, 0, 1});
   EXPECT_EQ(rings.cut({10, 0, 1}).rapid({10, 0, 3}).bar().outer_radius, 30);

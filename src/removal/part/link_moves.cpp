@@ -40,8 +40,9 @@ class LinkFinder {
     const Motion& m = motions_[i];
     const bool from_rapid = i == 0 || !is_cut(motions_[i - 1]);
     const bool came_out = !from_rapid && motions_[i - 1].start.z <= zero_ + kSameHeight;
-    if (m.end.x < -kSameHeight || (!from_rapid && !came_out)) return i;  // a cut past the axis
-    if (came_out && m.end.x > m.start.x) return i + 1;
+    const bool passes_axis = m.start.x * m.end.x < 0;  // a face
+    if (passes_axis || (!from_rapid && !came_out)) return i;
+    if (came_out && std::fabs(m.end.x) > std::fabs(m.start.x)) return i + 1;
     std::size_t j = i + 1;
     while (is_aside_before_zero(j) && nears_part(motions_[j])) ++j;
     const bool goes_in =
@@ -58,7 +59,8 @@ class LinkFinder {
   }
 
   static bool nears_part(const Motion& m) {
-    return m.end.z <= m.start.z + kSameHeight && m.end.x <= m.start.x + kSameHeight;
+    return m.end.z <= m.start.z + kSameHeight &&
+           std::fabs(m.end.x) <= std::fabs(m.start.x) + kSameHeight;
   }
   static bool rises(const Motion& m) { return m.end.z > m.start.z; }
   static bool goes_down(const Motion& m) { return m.end.z < m.start.z - kSameHeight; }
