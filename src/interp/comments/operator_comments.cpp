@@ -25,10 +25,48 @@ bool is_near(const CommentView& view, std::size_t i,
   return false;
 }
 
+bool is_part(const CommentView& view, std::size_t i) {
+  return view.is_one(i, {"PART", "PARTS", "WORK", "WORKPIECE", "STOCK", "BLOCK", "MATERIAL",
+                         "PLATE", "BOARD", "BLANK", "PIECE", "JOB"});
+}
+
+// "PART STOP", "WORK LIGHT", "WORK OFFSET": the part says of what the thing is.
+bool is_thing_of_part(const CommentView& view, std::size_t i) {
+  return view.is_one(i, {"STOP", "STOPS", "STOPPER", "LIGHT",   "LAMP",   "OFFSET",  "OFFSETS",
+                         "ZERO", "CLAMP", "CLAMPS",  "CATCHER", "HOLDER", "SUPPORT", "COUNTER",
+                         "BIN",  "TRAY",  "NUMBER",  "DOOR",    "PROBE",  "LENGTH"});
+}
+
 bool names_part(const CommentView& view, std::size_t i) {
-  return is_near(view, i,
-                 {"PART", "PARTS", "WORK", "WORKPIECE", "STOCK", "BLOCK", "MATERIAL", "PLATE",
-                  "BOARD", "BLANK", "PIECE", "JOB"});
+  for (std::size_t k = i + 1; k <= i + 3; ++k)
+    if (is_part(view, k)) return !is_thing_of_part(view, k + 1);
+  return false;
+}
+
+// What is moved stands behind the word: "MOVE CLAMP OFF PART" moves the clamp.
+bool moves_part(const CommentView& view, std::size_t i) {
+  std::size_t k = i + 1;
+  while (view.is_one(k, {"THE", "UP", "EACH", "BOTH", "YOUR", "RAW", "WHOLE"})) ++k;
+  return is_part(view, k) && !is_thing_of_part(view, k + 1);
+}
+
+// "DO NOT MOVE", "DON'T TURN", "TEIL NICHT DREHEN".
+bool is_forbidden(const CommentView& view, std::size_t i) {
+  const auto forbids = [&](std::size_t k) {
+    return view.is_one(k, {"NOT", "NEVER", "DONT", "NO", "NICHT", "KEIN", "NIE", "PAS"});
+  };
+  const bool dont = i > 2 && view.is(i - 1, "T") && view.is(i - 2, "'") && view.is(i - 3, "DON");
+  return dont || (i > 0 && forbids(i - 1));
+}
+
+// "TEIL DREHEN", "DREHE DAS TEIL"; on a lathe the part is turned by its spindle.
+bool turns_german(const CommentView& view, std::size_t i) {
+  if (!view.is_one(i, {"DREHEN", "DREHE", "GEDREHT"})) return false;
+  for (std::size_t k = i > 5 ? i - 5 : 0; k <= i + 3; ++k)
+    if (view.is_one(k, {"TEIL", "BAUTEIL", "WERKSTUECK", "WERKSTUCK", "WERKST~CK", "ROHTEIL",
+                        "PLATTE", "BLOCK"}))
+      return true;
+  return false;
 }
 
 bool starts_with_one(std::string_view text, std::initializer_list<std::string_view> stems) {
@@ -46,6 +84,8 @@ bool flips_something_else(const CommentView& view, std::size_t i) {
 }
 
 bool turns_at(const CommentView& view, std::size_t i, bool lathe) {
+  if (is_forbidden(view, i)) return false;
+  if (turns_german(view, i)) return !lathe;
   if (view.is_one(i, {"FLIP", "FLIPPED"})) return !flips_something_else(view, i);
   if (view.is_one(i, {"TURN", "ROTATE", "TURNED", "ROTATED"})) {
     if (is_near(view, i, {"OVER", "AROUND", "UPSIDE", "VISE", "VICE", "FIXTURE"})) return true;
@@ -62,7 +102,7 @@ bool turns_at(const CommentView& view, std::size_t i, bool lathe) {
 // Whether the word at i moves the part: "SHIFT PART IN VISE", "STAND UP PART ON END".
 bool moves_at(const CommentView& view, std::size_t i) {
   return view.is_one(i, {"SHIFT", "SLIDE", "MOVE", "REPOSITION", "RELOCATE", "STAND"}) &&
-         names_part(view, i);
+         !is_forbidden(view, i) && moves_part(view, i);
 }
 
 // Whether another side of the part is named: "OTHER SIDE", "2ND SIDE", "SIDE 2", "ZWEITE SEITE".
@@ -97,7 +137,7 @@ bool is_tool(const CommentView& view, std::size_t i) {
 // Whether the word at i says that the tool stays: "CHANGE DRILL IF WORN", "CHANGE TOOL OFFSET".
 bool is_reserve(const CommentView& view, std::size_t i) {
   return view.is_one(i, {"IF", "CHECK", "WORN", "BROKEN", "DULL", "OFFSET", "OFFSETS", "NO", "NOT",
-                         "SETTER", "PROBE", "WEAR"});
+                         "EVERY", "WHEN", "SETTER", "PROBE", "WEAR"});
 }
 
 }  // namespace

@@ -267,7 +267,9 @@ void SinumerikWords::call(Block& block, std::size_t from, std::string_view token
   if (what.empty() && first == std::string_view::npos) return push(block, word, from);
   if (what.empty())
     return fault(block, "subprogram-missing",
-                 fmt::format("{} is no cycle, and no PROC of this file or of one beside it", name),
+                 fmt::format("{0} is no cycle and no subprogram: in this file one begins with "
+                             "%_N_{0}_SPF and PROC {0}, else it is a file {0}.SPF beside it",
+                             name),
                  from, p_);
   unsupported(block, token, what, from);
 }
