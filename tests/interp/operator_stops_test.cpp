@@ -16,14 +16,27 @@ TEST(OperatorStops, WhatCommentsSay) {
   for (const char* yes :
        {"FLIP PART", "STOP - FLIP OVER AND CLAMP", "Turn part over", "ROTATE STOCK 180 DEG",
         "REVERSE PART IN VISE", "BAUTEIL WENDEN", "UMSPANNEN", "RETOURNER LA PIECE",
-        "VOLTEAR LA PIEZA", "GIRARE IL PEZZO", "OBRNI KOS", "PART UPSIDE DOWN"})
+        "VOLTEAR LA PIEZA", "GIRARE IL PEZZO", "OBRNI KOS", "PART UPSIDE DOWN", "TEIL DREHEN",
+        "WERKSTUECK UM 180 GRAD DREHEN", "BAUTEIL GEDREHT", "DREHE DAS TEIL"})
     EXPECT_EQ(said(yes), PartTurned::yes) << yes;
   for (const char* perhaps :
-       {"OTHER SIDE", "2ND SIDE", "SIDE 2", "BACK SIDE", "RÜCKSEITE", "ZWEITE SEITE", "2. SEITE"})
+       {"OTHER SIDE", "2ND SIDE", "SIDE 2", "BACK SIDE", "RÜCKSEITE", "ZWEITE SEITE", "2. SEITE",
+        "MOVE THE PART", "SHIFT PART LEFT", "MOVE CLAMPS THEN SLIDE STOCK"})
     EXPECT_EQ(said(perhaps), PartTurned::perhaps) << perhaps;
-  for (const char* no : {"FLIP UP STOP", "FLIP JAWS", "TURN OFF COOLANT", "SIDE 1", "CHECK SIZE",
-                         "ROTATE TOOL", "CLEAR CHIPS", "DO NOT FLIP", "SIDE MILL D63"})
+  for (const char* no : {"FLIP UP STOP",        "FLIP JAWS",
+                         "TURN OFF COOLANT",    "SIDE 1",
+                         "CHECK SIZE",          "ROTATE TOOL",
+                         "CLEAR CHIPS",         "DO NOT FLIP",
+                         "SIDE MILL D63",       "DO NOT MOVE PART",
+                         "DONT MOVE THE PART",  "MOVE PART STOP",
+                         "MOVE CLAMP OFF PART", "SLIDE STOP AWAY FROM PART",
+                         "TEIL NICHT DREHEN",   "MOVE WORK LIGHT",
+                         "DO NOT TURN PART",    "NEVER ROTATE STOCK",
+                         "SPINDEL DREHEN",      "DREHEN FERTIG",
+                         "SHIFT WORK OFFSET"})
     EXPECT_EQ(said(no), PartTurned::no) << no;
+  EXPECT_EQ(said("TEIL DREHEN", true), PartTurned::no);
+  EXPECT_EQ(said("DO NOT MOVE CLAMPS, FLIP PART"), PartTurned::yes);
   EXPECT_EQ(said("TURN PART TO 40.", true), PartTurned::no);
   EXPECT_EQ(said("TURN PART AROUND", true), PartTurned::yes);
 }
@@ -77,6 +90,8 @@ TEST(OperatorStops, AToolChangedByHandWithoutATWordIsAnError) {
   EXPECT_EQ(told("(MSG, Change bit to 3mm ball)\nM0\n", Dialect::ngc), "tool-by-hand");
   EXPECT_EQ(told("MSG(\"WERKZEUG WECHSELN\")\nM0\n", Dialect::sinumerik), "tool-by-hand");
   EXPECT_EQ(told("M0\n(1/8 BALL ENDMILL)\n"), "tool-by-hand");
+  EXPECT_EQ(told("M1 (REPLACE 10MM ENDMILL EVERY 20 PARTS)\n"), "");
+  EXPECT_EQ(told("M1 (CHANGE 10MM ENDMILL EVERY 20 PARTS)\n"), "");
   EXPECT_EQ(told("M0\n(FINISH WALL WITH 10MM ENDMILL)\n"), "") << "the one in the spindle";
   EXPECT_EQ(told("M0\n(DRILL 5MM HOLES)\n"), "") << "the work";
   EXPECT_EQ(told("M1 (TOOL CHANGE)\nT2 M6 (D4 ENDMILL)\n"), "");

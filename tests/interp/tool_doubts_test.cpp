@@ -56,6 +56,17 @@ TEST(ToolCommentDoubts, SizesOfTheWork) {
   });
 }
 
+// No end mill is as wide as that: the number is of a name.
+TEST(ToolCommentDoubts, NumbersOfNames) {
+  expect_readings({
+      {mm, "365_endmill001", "? gives the diameter 365 without a unit, in a program in mm"},
+      {mm, "200 FACE MILL", "endmill 200"},
+      {mm, "200 SAW 3 WIDE", "tslot 200, width 3"},
+      {mm, "ENDMILL D160", "endmill 160"},
+      {mm, "ENDMILL 160MM", "endmill 160"},
+  });
+}
+
 TEST(ToolCommentDoubts, SizesWithAnotherSignForThePoint) {
   expect_readings({
       {mm, "DRILL 8-5", "? can be read as size 8 or 8.5"},

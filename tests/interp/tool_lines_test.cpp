@@ -210,6 +210,34 @@ TEST(ToolLines, WhatIsTakenToBeTheWorkIsTold) {
   EXPECT_NE(told.find("\"ROUGH T-SLOT\" taken to be the work"), std::string::npos) << told;
 }
 
+// Diameters of holes and pockets beside the tool that makes them.
+TEST(ToolLines, SizesOfTheWorkBesideATool) {
+  const std::string call = std::string("T1 M6\n") + kCut;
+  const std::string mill = tool_like(ToolType::endmill, 10, 0, 0);
+  for (const char* line :
+       {"T1 D30 POCKET", "T1 BORE D30", "T1 KREISTASCHE D30", "T1 BORE 30MM", "T1 DIA 30 BORE"}) {
+    EXPECT_EQ(first_tool(fmt::format("(T1 10MM ENDMILL)\n({})\n", line) + call), mill) << line;
+    EXPECT_EQ(first_tool(fmt::format("({})\n(T1 10MM ENDMILL)\n", line) + call), mill) << line;
+  }
+  for (const char* line : {"T1 D12 GUEHRING", "T1 D=30 POCKET", "T1 TAPPING D8"})
+    EXPECT_NE(first_tool(fmt::format("(T1 10MM ENDMILL)\n({})\n", line) + call).find("read as"),
+              std::string::npos)
+        << line;
+}
+
+// When a tool is replaced says not which is at hand, unless nothing else does.
+TEST(ToolLines, UpkeepIsOfNoOtherTool) {
+  const std::string call = std::string("T1 M6\n") + kCut;
+  const std::string line = "(REPLACE 10MM ENDMILL EVERY 20 PARTS)\n";
+  const std::string mill = tool_like(ToolType::endmill, 12, 0, 0);
+  EXPECT_EQ(first_tool("(T1 12MM ENDMILL)\n" + line + call), mill);
+  EXPECT_EQ(first_tool(line + "(T1 12MM ENDMILL)\n" + call), mill);
+  EXPECT_EQ(first_tool(line + call), tool_like(ToolType::endmill, 10, 0, 0));
+  const std::string own = "(T1 10MM ENDMILL - CHECK IF WORN)\n";
+  EXPECT_EQ(first_tool(own + call), tool_like(ToolType::endmill, 10, 0, 0));
+  EXPECT_NE(first_tool(own + "(T1 12MM ENDMILL)\n" + call).find("read as"), std::string::npos);
+}
+
 // What F-Engrave writes of its V-bit.
 TEST(ToolLines, SettingsOfFEngrave) {
   const auto settings = [](const char* cut, const char* bit) {

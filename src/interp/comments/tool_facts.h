@@ -64,6 +64,8 @@ struct ToolFacts : PlainFacts {
   bool padded_radius = false;    ///< "R05"
   bool alternatives = false;     ///< "12MM OR 1/2 ENDMILL"
   bool shaped = false;           ///< "TAPER", "UNDERCUT": no end mill, if nothing else names a kind
+  bool upkeep = false;           ///< when a tool is seen to: "REPLACE 10MM ENDMILL EVERY 20 PARTS"
+  bool size_of_work = false;     ///< names a hollow: "BORE D30", "D30 POCKET"
   bool round_work = false;       ///< "CIRCLE MILL 30 DIA": the diameter may be that of the work
   bool round_insert = false;     ///< "BUTTON TOOL", "ROUND INSERT"
   std::vector<ToolLength> bare;  ///< numbers with a point that nothing names: "CNMG .8"

@@ -82,7 +82,10 @@ double agreed_diameter(const ToolHint& hint, double unit, std::string& why) {
   if (first.unit == 0 && !confirmed) {
     const bool metric_fraction = first.fraction && unit == 1 && !hint.type;
     const bool converted = unit > 1 && !first.fraction && is_inch_size_in_mm(first);
-    const bool huge = converted || diameter > (unit > 1 ? kLargestWithoutUnit : kLargestMetric);
+    const bool wide = hint.trade == ToolTrade::face_mill || hint.trade == ToolTrade::disc;
+    const bool name = hint.type && hint.bare_size && !wide;  // "365_endmill001"
+    const bool huge =
+        converted || diameter > (unit > 1 || name ? kLargestWithoutUnit : kLargestMetric);
     if (first.letter_point && unit == 1) {
       why = fmt::format("can be read as diameter {0} or as D. and a number without a point",
                         as_written(first));

@@ -68,6 +68,17 @@ void pass_work(ToolHint& tool, const ToolHint& line) {
   if (tool.work.size() < kMost) tool.work += (tool.work.empty() ? "" : "\", \"") + line.text;
 }
 
+// Whether the comment names a kind of tool and its size.
+bool is_sized_tool(const ToolHint& tool) {
+  return tool.type && !tool.diameters.empty() && tool.doubt.empty() && !tool.upkeep;
+}
+
+// Whether the size of another line may be the work's: "T1 BORE D30" beside "T1 10MM ENDMILL".
+bool is_size_of_work(const ToolHint& line) {
+  return line.size_of_work && !line.type && !line.diameters.empty() && line.doubt.empty() &&
+         !line.at_call;
+}
+
 // Whether the tool is a plain mill, "10MM END MILL", which may cut the work of another line: slots
 // and edges of any form.
 bool is_plain_mill(const ToolHint& tool) {
@@ -231,6 +242,13 @@ void merge_sizes(ToolHint& into, const ToolHint& line) {
 }  // namespace
 
 void merge_hint(ToolHint& into, const ToolHint& more) {
+  if (is_sized_tool(into) && more.upkeep) return;
+  if (is_sized_tool(into) && is_size_of_work(more)) return pass_work(into, more);
+  if (is_sized_tool(more) && (into.upkeep || is_size_of_work(into))) {
+    const ToolHint line = std::exchange(into, more);
+    if (!line.upkeep) pass_work(into, line);
+    return;
+  }
   if (is_plain_mill(into) && may_be_work(more)) return pass_work(into, more);
   if (is_plain_mill(more) && may_be_work(into)) {
     const ToolHint line = std::exchange(into, more);

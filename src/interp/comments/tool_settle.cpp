@@ -18,6 +18,8 @@ class Settler {
 
   void settle() {
     static_cast<PlainFacts&>(hint_) = facts_;
+    hint_.upkeep = facts_.upkeep && facts_.id.empty();
+    hint_.size_of_work = facts_.size_of_work && !facts_.kind() && facts_.named.empty();
     if (hint_.angle_line) return;
     if (facts_.several_ids) doubt("names several tools");
     if (!facts_.split_size.empty()) doubt(fmt::format("can be read as size {}", facts_.split_size));

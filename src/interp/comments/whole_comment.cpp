@@ -169,6 +169,8 @@ void read_whole_comment(const CommentView& view, ToolFacts& facts) {
   facts.bare_kind = facts.kind() != nullptr;
   facts.next_tool = names_next_tool(view);
   facts.last_tool = names_last_tool(view);
+  facts.upkeep = tells_upkeep(view);
+  facts.size_of_work = names_hollow(view);
   facts.round_work = facts.kind() && mills_round_work(view, *facts.kind());
   for (std::size_t i = 0; i < view.size(); ++i) {
     const bool word = view.word(i);

@@ -90,6 +90,29 @@ bool names_last_tool(const CommentView& view) {
   return false;
 }
 
+bool tells_upkeep(const CommentView& view) {
+  bool order = false, when = false;
+  for (std::size_t i = 0; i < view.size(); ++i) {
+    order |= view.is_one(i, {"REPLACE", "CHANGE", "CHECK", "INSPECT", "INDEX", "SWAP", "REGRIND",
+                             "WECHSELN", "PRUEFEN", "REMPLACER", "CAMBIAR"});
+    when |= view.is_one(
+        i, {"EVERY", "WHEN", "IF", "WORN", "BROKEN", "DULL", "ALLE", "TOUS", "TOUTES", "CADA"});
+  }
+  return order && when;
+}
+
+bool names_hollow(const CommentView& view) {
+  bool hollow = false;
+  for (std::size_t i = 0; i < view.size(); ++i) {
+    if (is_word_for_tool(view, i) || view.is_one(i, {"CUTTER", "BIT", "="})) return false;
+    hollow |= is_round_work(view, i) ||
+              view.is_one(i, {"SLOT", "BOHRUNG", "BOHRUNGEN", "LOCH", "ZAPFEN", "KREISTASCHE",
+                              "KREISNUT", "INNENKREIS", "TASCHE", "NUT", "FORO", "FORI", "TROU",
+                              "TROUS", "POCHE", "RAINURE", "AGUJERO", "AGUJEROS", "CAJERA"});
+  }
+  return hollow;
+}
+
 bool is_diameter_of_work(const CommentView& view, const ToolKind* kind, std::size_t first,
                          std::size_t next) {
   if (kind && makes_holes(*kind)) return false;

@@ -25,6 +25,13 @@ bool names_next_tool(const CommentView& view);
 /// Whether the comment is about the tool before: "LAST TOOL WAS 6MM DRILL".
 bool names_last_tool(const CommentView& view);
 
+/// Whether the comment says when a tool is seen to, not which is at hand: "REPLACE 10MM ENDMILL
+/// EVERY 20 PARTS", "CHECK DRILL IF WORN".
+bool tells_upkeep(const CommentView& view);
+
+/// Whether the comment names holes, pockets or bosses and no tool: "BORE D30".
+bool names_hollow(const CommentView& view);
+
 /// Whether the words at `first` and `next` give the diameter of the work: "30 DIA BORE", "HOLE DIA
 /// 30". False for a drill, whose diameter is that of the hole.
 bool is_diameter_of_work(const CommentView& view, const ToolKind* kind, std::size_t first,

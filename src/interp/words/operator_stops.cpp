@@ -72,8 +72,9 @@ bool OperatorStops::names_another_tool(std::string_view text) const {
   std::string why;
   constexpr double kSameSize = 0.1;  // mm
   const double size = program_.tools[std::size_t(index)].diameter;
-  return hint.firm && hint.type && hint.id.empty() && fill_tool(hint, scale(), false, said, why) &&
-         size > 0 && std::abs(said.diameter - size) > kSameSize;
+  return hint.firm && hint.type && hint.id.empty() && !hint.upkeep &&
+         fill_tool(hint, scale(), false, said, why) && size > 0 &&
+         std::abs(said.diameter - size) > kSameSize;
 }
 
 void OperatorStops::tell_turn(const Text& text) const {
