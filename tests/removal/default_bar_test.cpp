@@ -48,6 +48,12 @@ TEST(DefaultBar, EndsWhereSlopesLeadIn) {
   StockPath face;
   face.rapid({30, 0, 1.4}).cut({26.4, 0, 1.4}).cut({25, 0, 0}).cut({-0.8, 0, 0});
   EXPECT_EQ(face.cut({0.6, 0, 1.4}).cut({28, 0, 1.4}).rapid({30, 0, 5}).bar().outer_radius, 25);
+  StockPath levels;  // faced at two heights, with straight feeds in front
+  levels.rapid({31, 0, 5}).cut({31, 0, 2.4}).cut({29.4, 0, 2.4}).cut({28, 0, 1}).cut({-0.8, 0, 1});
+  levels.rapid({-0.8, 0, 3}).rapid({31, 0, 3}).rapid({31, 0, 1.4}).cut({29.4, 0, 1.4});
+  levels.cut({28, 0, 0}).cut({-0.8, 0, 0}).rapid({-0.8, 0, 5});
+  EXPECT_EQ(levels.bar().outer_radius, 28);
+  EXPECT_GT(levels.bar().box.hi.z, 1);
   StockPath hollow;  // a cut across at zero is none
   hollow.rapid({30, 0, 0}).cut({20, 0, 0}).cut({15, 0, -2}).cut({-0.8, 0, -2});
   EXPECT_EQ(hollow.rapid({-0.8, 0, 1.4}).bar().outer_radius, 30);

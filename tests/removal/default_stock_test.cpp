@@ -168,6 +168,7 @@ TEST(DefaultStock, SlantedFeedsInTheAirAndFeedsHomeAreNoCuts) {
   EXPECT_EQ(StockPath(slot).rapid({90, 50, 20}).cut({0, 0, 20}).top(), 0);
   EXPECT_EQ(StockPath(slot).cut({70, 50, 2}).rapid({70, 50, 20}).top(), 2) << "a step";
   EXPECT_EQ(StockPath(slot).cut({90, 80, 5}).cut({90, 90, 5}).cut({90, 90, -2}).top(), 5);
+  EXPECT_EQ(StockPath(slot).cut({50, 50, 2}).cut({50, 90, 2}).cut({50, 90, -2}).top(), 0) << "legs";
 }
 
 // Where the way up leads to more than one line, or nothing goes down behind it, it led to a cut.

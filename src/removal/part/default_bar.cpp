@@ -44,6 +44,16 @@ double widest_of(const Motion& m, double zero) {
   return std::max(from + passed * (to - from), to);
 }
 
+// A slope from a rapid or a link to where a face begins: "X52.8 Z1.4", "X50. Z0", "X-1.6".
+bool leads_to_face(std::span<const Motion> motions, const std::vector<bool>& links, std::size_t i) {
+  if (i + 1 >= motions.size() || (i > 0 && is_cut(motions[i - 1]) && !links[i - 1])) return false;
+  const Motion &m = motions[i], &next = motions[i + 1];
+  const double to = std::fabs(m.end.x);
+  return m.kind == MotionKind::line && m.end.z < m.start.z - kSameHeight &&
+         to < std::fabs(m.start.x) - kSameHeight && is_cut(next) && next.end.z == next.start.z &&
+         std::fabs(next.end.x) < to - kSameHeight;
+}
+
 TurnedCuts turned_cuts(std::span<const Motion> motions, std::span<const Tool> tools,
                        const std::vector<bool>& links, double zero) {
   const std::vector<double> radii = radii_of(motions, tools);
@@ -51,9 +61,12 @@ TurnedCuts turned_cuts(std::span<const Motion> motions, std::span<const Tool> to
   for (std::size_t i = 0; i < motions.size(); ++i) {
     const Motion& m = motions[i];
     if (!is_cut(m) || links[i]) continue;
-    const double from = std::fabs(m.start.x), to = std::fabs(m.end.x), wide = widest_of(m, zero);
+    const bool to_face = leads_to_face(motions, links, i);
+    const double from = std::fabs(m.start.x), to = std::fabs(m.end.x);
+    const double wide = to_face ? to : widest_of(m, zero);
     const bool inwards = m.end.z < m.start.z - kSameHeight;
-    const bool leads_in = m.start.z > zero + kSameHeight && m.end.z <= zero + kSameHeight;
+    const bool leads_in =
+        to_face || (m.start.z > zero + kSameHeight && m.end.z <= zero + kSameHeight);
     cuts.lowest = std::min({cuts.lowest, m.start.z, m.end.z});
     cuts.highest = std::max({cuts.highest, m.start.z, m.end.z});
     const auto tool = static_cast<std::size_t>(std::max(m.tool, 0));

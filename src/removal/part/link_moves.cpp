@@ -32,25 +32,39 @@ class LinkFinder {
     if (!from_rapid && !came_up) return i;
     if (!is_horizontal(motions_[i]))
       return from_rapid && goes_down(motions_[i]) ? i : end_before_plunge(i);
-    if (!from_rapid) return is_cut_at(i + 1) && goes_down(motions_[i + 1]) ? i + 1 : i;
+    if (!from_rapid && is_cut_at(i + 1) && goes_down(motions_[i + 1])) return i + 1;
+    if (!from_rapid) return end_of_two_legs(i);
     return end_before_way_down(i);
   }
 
   std::size_t end_on_lathe(std::size_t i) const {
     const Motion& m = motions_[i];
-    const bool from_rapid = i == 0 || !is_cut(motions_[i - 1]);
+    const bool from_rapid = comes_from_rapid(i);
     const bool came_out = !from_rapid && motions_[i - 1].start.z <= zero_ + kSameHeight;
     const bool passes_axis = m.start.x * m.end.x < 0;  // a face
     if (passes_axis || (!from_rapid && !came_out)) return i;
     if (came_out && std::fabs(m.end.x) > std::fabs(m.start.x)) return i + 1;
-    std::size_t j = i + 1;
-    while (is_aside_before_zero(j) && nears_part(motions_[j])) ++j;
-    const bool goes_in =
-        is_cut_at(j) && goes_down(motions_[j]) && motions_[j].end.z <= zero_ + kSameHeight;
-    return goes_in ? j : i;
+    std::size_t level = i + 1;
+    while (is_aside_before_zero(level) && is_horizontal(motions_[level])) ++level;
+    std::size_t nearer = level;
+    while (is_aside_before_zero(nearer) && nears_part(motions_[nearer])) ++nearer;
+    const auto goes_in = [&](std::size_t j) { return is_cut_at(j) && goes_down(motions_[j]); };
+    if (goes_in(nearer) && motions_[nearer].end.z <= zero_ + kSameHeight) return nearer;
+    return goes_in(level) && slopes_in(motions_[level]) ? level : i;
+  }
+
+  // Straight feeds in front of the part lead to a link.
+  void add_straight(std::vector<bool>& links) const {
+    for (std::size_t i = links.size(); i-- > 1;)
+      if (links[i] && is_straight_before_zero(i - 1)) links[i - 1] = true;
   }
 
  private:
+  bool is_straight_before_zero(std::size_t i) const {
+    return is_cut(motions_[i]) && is_upright_line(motions_[i]) &&
+           std::min(motions_[i].start.z, motions_[i].end.z) > zero_ + kSameHeight;
+  }
+
   bool is_cut_at(std::size_t i) const { return i < motions_.size() && is_cut(motions_[i]); }
 
   bool is_aside_before_zero(std::size_t i) const {
@@ -58,6 +72,16 @@ class LinkFinder {
            std::min(motions_[i].start.z, motions_[i].end.z) > zero_ + kSameHeight;
   }
 
+  // With straight feeds in front of the part in between.
+  bool comes_from_rapid(std::size_t i) const {
+    while (i > 0 && is_straight_before_zero(i - 1)) --i;
+    return i == 0 || !is_cut(motions_[i - 1]);
+  }
+
+  // "X52.8 Z1.4", "X50. Z0": towards the axis and the chuck.
+  static bool slopes_in(const Motion& m) {
+    return std::fabs(m.end.x) < std::fabs(m.start.x) - kSameHeight;
+  }
   static bool nears_part(const Motion& m) {
     return m.end.z <= m.start.z + kSameHeight &&
            std::fabs(m.end.x) <= std::fabs(m.start.x) + kSameHeight;
@@ -66,6 +90,13 @@ class LinkFinder {
   static bool goes_down(const Motion& m) { return m.end.z < m.start.z - kSameHeight; }
   static bool is_horizontal(const Motion& m) {
     return std::fabs(m.end.z - m.start.z) <= kSameHeight;
+  }
+
+  // "G1 Z5", "X20", "Y10", "Z-2": one leg an axis, from behind the zero and back.
+  std::size_t end_of_two_legs(std::size_t i) const {
+    const bool level = is_aside_before_zero(i + 1) && is_horizontal(motions_[i + 1]);
+    const bool came_from_behind = motions_[i - 1].start.z < zero_ - kSameHeight;
+    return level && came_from_behind && plunges_behind_zero(i + 2) ? i + 2 : i;
   }
 
   // "G1 X20 Z5", "Z-2".
@@ -144,6 +175,7 @@ std::vector<bool> link_moves(std::span<const Motion> motions, double zero, bool 
   const LinkFinder finder(motions, zero);
   if (!lathe) return finder.find(&LinkFinder::end_on_mill);
   std::vector<bool> links = finder.find(&LinkFinder::end_on_lathe);
+  finder.add_straight(links);
   add_ways_off(motions, links);
   return links;
 }
