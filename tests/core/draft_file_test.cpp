@@ -6,6 +6,7 @@
 #include "support/temp_folder.h"
 
 #include <csignal>
+#include <cstdlib>
 #include <filesystem>
 #include <fstream>
 
@@ -44,6 +45,25 @@ TEST_F(Drafts, LeaveNothingWhenTheyAreGivenUp) {
   }
   EXPECT_EQ(read_file(path("a")), "old");
   EXPECT_EQ(files(), 1u);
+}
+
+// A folder of `chattr +a` takes drafts that nobody can rename or remove again.
+TEST_F(Drafts, AreRefusedWhereTheyCouldNotTakeTheirPlaces) {
+  const auto change = [](const std::string& words) {
+    return std::system(("chattr " + words + " 2>/dev/null").c_str()) == 0;
+  };
+  if (!change("+a " + folder_.string())) GTEST_SKIP() << "no attributes here";
+  EXPECT_EQ(testing::error_code([&] { check_writable(path("a")); }), "output-unwritable");
+  EXPECT_EQ(testing::error_code([&] { DraftFile draft(path("a")); }), "output-unwritable");
+  ASSERT_TRUE(change("-a " + folder_.string()));
+  EXPECT_EQ(files(), 0u);
+  std::ofstream(path("a")) << "old";
+  for (const std::string kind : {"i ", "a "}) {
+    ASSERT_TRUE(change("+" + kind + path("a")));
+    EXPECT_EQ(testing::error_code([&] { check_writable(path("a")); }), "output-unwritable");
+    ASSERT_TRUE(change("-" + kind + path("a")));
+  }
+  check_writable(path("a"));
 }
 
 // Small pieces are collected, large ones are not; both keep their order.

@@ -31,6 +31,7 @@ std::string link_of(int fd) { return fmt::format("/proc/self/fd/{}", fd); }
 
 DraftFile::DraftFile(const std::string& path) : place_(output_place(path)) {
   if (place_.kind == OutputPlace::Kind::file) {
+    check_replaceable(place_);
     if (!open_nameless(place_.folder)) open_named();
     return;
   }

@@ -132,9 +132,34 @@ OutputPlace output_place(const std::string& path) {
   return place;
 }
 
+void check_replaceable(const OutputPlace& place) {
+#if defined(STATX_ATTR_APPEND) && defined(STATX_ATTR_IMMUTABLE)
+  const auto attributes = [](const std::string& path) {
+    struct statx info {};
+    return ::statx(AT_FDCWD, path.c_str(), AT_SYMLINK_NOFOLLOW, STATX_TYPE, &info) == 0
+               ? info.stx_attributes
+               : 0;
+  };
+  const auto refuse = [&](const std::string& why) {
+    throw Error("output-unwritable", fmt::format("cannot write {}: {}", place.given, why));
+  };
+  if ((attributes(place.folder) & STATX_ATTR_APPEND) != 0)
+    refuse(fmt::format("nothing in {} can be renamed or removed (chattr +a)", place.folder));
+  const auto own = attributes(place.path);
+  if ((own & (STATX_ATTR_APPEND | STATX_ATTR_IMMUTABLE)) != 0)
+    refuse("it cannot be replaced (chattr +a or +i)");
+#ifdef STATX_ATTR_MOUNT_ROOT
+  if ((own & STATX_ATTR_MOUNT_ROOT) != 0) refuse("it is mounted there and cannot be replaced");
+#endif
+#else
+  (void)place;
+#endif
+}
+
 void check_writable(const std::string& path) {
   const OutputPlace place = output_place(path);
   if (place.kind == OutputPlace::Kind::stream) return;
+  check_replaceable(place);
   // A probe, because access() says yes to root on a read-only file system.
   int fd = -1;
 #ifdef O_TMPFILE

@@ -25,6 +25,11 @@ struct OutputPlace {
 /// of links).
 OutputPlace output_place(const std::string& path);
 
+/// Throws Error "output-unwritable" where a draft could be made beside the place but not renamed to
+/// it, nor removed: by attributes of the folder or file (chattr), or because the file is mounted.
+/// Requires: `place` is a file.
+void check_replaceable(const OutputPlace& place);
+
 /// Throws what a DraftFile would throw for a place where no file can be made, before any work.
 void check_writable(const std::string& path);
 
