@@ -47,10 +47,12 @@ TriMesh mesh_of_vdb(const std::string& path, int threads, std::string* note) {
 // refused where it is used.
 std::string repair(TriMesh& mesh, const std::string& path) {
   const MeshSummary summary = check_mesh(mesh);
-  if (summary.closed && summary.oriented && summary.volume > 0) return "";
+  const bool is_solid = summary.closed && summary.oriented && summary.volume > 0;
+  if (is_solid && summary.components < 2) return "";
   TriMesh solid = mesh;
   try {
     const std::string repairs = make_solid(solid, path);
+    if (repairs.empty() && is_solid) return "";
     mesh = std::move(solid);
     return path + " was no solid and has been repaired: " + repairs;
   } catch (const Error&) {

@@ -180,7 +180,6 @@ TEST_F(StockRepair, RefusesBodiesThatTouchInAFace) {
   const auto expect_crossing = [&](const Facets& second) {
     expect_refused(joined(first, second), "crosses itself near (");
   };
-  expect_crossing(block(100, 0));
   Facets second = block(100, 0);  // by the other diagonal
   second.triangles[8] = {0, 4, 2};
   second.triangles[9] = {4, 6, 2};
@@ -190,6 +189,24 @@ TEST_F(StockRepair, RefusesBodiesThatTouchInAFace) {
   expect_crossing(second);
   for (Corner& c : second.corners) c[2] = std::min(c[2], 5.0);  // one corner
   expect_crossing(second);
+}
+
+// Two bodies in CAD that share a face are one piece of material.
+TEST_F(StockRepair, UnitesBodiesThatTouchInTheSameTriangles) {
+  const Facets two = joined(block(0, 0), block(100, 0));
+  write("two.off", off_text(two));
+  const std::string run_of = "PRIMER_2F.MPF --voxel 1 --stock two.off";
+  const Outcome o = run(run_of + " --json j.json -o part.stl");
+  ASSERT_EQ(o.code, 0) << o.err;
+  EXPECT_TRUE(contains(o.err, "4 triangles dropped where bodies touch")) << o.err;
+  EXPECT_NEAR(Json::parse(read("j.json"))["stock"]["volume"].get<double>(), 120000, 1e-3);
+  write("one.off",
+        "OFF\n8 6 0\n0 -60 0\n200 -60 0\n0 0 0\n200 0 0\n0 -60 10\n200 -60 10\n"
+        "0 0 10\n200 0 10\n4 0 2 3 1\n4 4 5 7 6\n4 0 1 5 4\n4 2 6 7 3\n"
+        "4 0 4 6 2\n4 1 3 7 5\n");
+  EXPECT_EQ(run("compare two.off one.off --accept 0.001").code, 0);
+  write("cut.off", off_text(joined(two, block(300, 0))));  // a third one apart
+  EXPECT_EQ(run("compare cut.off cut.off --accept 0.001").code, 0);
 }
 
 TEST_F(StockRepair, RefusesBodiesWithinOthersOrInsideOut) {

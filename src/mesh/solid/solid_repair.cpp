@@ -2,6 +2,7 @@
 
 #include "core/numbers/vec.h"
 #include "mesh/solid/check.h"
+#include "mesh/solid/double_faces.h"
 #include "mesh/solid/half_edges.h"
 #include "mesh/solid/pieces.h"
 #include "mesh/solid/weld.h"
@@ -13,7 +14,6 @@
 #include <limits>
 #include <numeric>
 #include <optional>
-#include <set>
 #include <utility>
 #include <vector>
 
@@ -82,14 +82,11 @@ void join_borders(TriMesh& mesh) {
     }
 }
 
-// Leaves the first of the triangles with the same corners in the same order.
-void drop_doubles(TriMesh& mesh) {
-  std::set<Triangle> seen;
-  const auto is_double = [&](Triangle t) {
-    std::rotate(t.begin(), std::min_element(t.begin(), t.end()), t.end());
-    return !seen.insert(t).second;
-  };
-  std::erase_if(mesh.triangles, is_double);
+// Whether bodies that are closed each touch in the same triangles.
+bool bodies_touch(const TriMesh& mesh, const MeshSummary& summary) {
+  if (summary.components < 2) return false;
+  TriMesh welded = weld(mesh);
+  return drop_touching(welded) > 0;
 }
 
 SurfaceMesh to_surface(const TriMesh& mesh) {
@@ -339,16 +336,17 @@ std::string make_solid(TriMesh& mesh, const std::string& name) {
     mesh = std::move(welded);
     require_triangles(mesh, name);
   };
+  std::size_t sheets = summary.oriented ? drop_sheets(mesh) : 0;
+  require_triangles(mesh, name);
   // Closed by indices, a mesh may still have vertices that share a place.
-  if (!summary.oriented || summary.degenerate > 0) {
+  if (!summary.oriented || summary.degenerate > 0 || bodies_touch(mesh, summary)) {
     mesh.owners.clear(), mesh.colors.clear();
     weld_all("vertex welded", "vertices welded");
     if (!is_solid(mesh)) {
       join_borders(mesh);
       weld_all("vertex of an open edge welded", "vertices of open edges welded");
-      const std::size_t count = mesh.triangles.size();
-      drop_doubles(mesh);
-      step(count - mesh.triangles.size(), "double triangle dropped", "double triangles dropped");
+      step(drop_doubles(mesh), "double triangle dropped", "double triangles dropped");
+      step(drop_touching(mesh), "", "triangles dropped where bodies touch");
       require_triangles(mesh, name);
     }
     if (!is_solid(mesh)) {
@@ -360,8 +358,9 @@ std::string make_solid(TriMesh& mesh, const std::string& name) {
                            : counted(n, "triangle turned", "triangles turned"));
       mesh = std::move(after);
     }
+    sheets += drop_sheets(mesh);
   }
-  step(drop_sheets(mesh), "sheet without thickness dropped", "sheets without thickness dropped");
+  step(sheets, "sheet without thickness dropped", "sheets without thickness dropped");
   require_triangles(mesh, name);
   return fmt::format("{}", fmt::join(done, ", "));
 }
