@@ -3,6 +3,7 @@
 #include "core/process/error.h"
 
 #include <algorithm>
+#include <fstream>
 #include <limits>
 
 #ifdef __GLIBC__
@@ -37,6 +38,13 @@ double free_memory() {
   return pages > 0 && page > 0 ? double(pages) * double(page) : 4e9;
 }
 
+// Bytes that the process holds, with what was freed and may be used again.
+double memory_held() {
+  double pages = 0;
+  std::ifstream("/proc/self/statm") >> pages >> pages;  // all, then the resident ones
+  return pages * double(::sysconf(_SC_PAGESIZE));
+}
+
 }  // namespace
 
 void set_thread_limit(std::size_t bytes) {
@@ -54,7 +62,11 @@ double memory_left() {
 
 void require_memory(double bytes, const std::string& what, const std::string& advice) {
   const double left = memory_left();
-  if (bytes <= left) return;
+  if (bytes <= left) {
+    // What was freed does not fit: it lies in pieces, or in what belongs to other threads.
+    if (limit > 0 && memory_held() + bytes > double(limit)) release_freed_memory();
+    return;
+  }
   throw Error("memory", fmt::format("{} takes about {}, {} of the limit of {} are left; {}", what,
                                     size_text(bytes), size_text(left), size_text(double(limit)),
                                     advice.empty() ? "--max-memory allows more" : advice));

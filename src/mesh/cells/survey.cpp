@@ -1,6 +1,7 @@
 #include "mesh/cells/survey.h"
 
 #include "core/numbers/vec.h"
+#include "core/process/memory_limit.h"
 #include "core/process/parallel.h"
 #include "mesh/cells/cells.h"
 
@@ -17,6 +18,7 @@ namespace {
 constexpr int kFirstDepth = 5, kLastDepth = 7;  ///< halvings of the longest side
 constexpr int kApart = 2;                       ///< halvings after which parts are worked on alone
 constexpr std::size_t kEnough = 12000;          ///< blocks that give the area well enough
+constexpr double kSweepBytes = 110;             ///< measured: each sweep, in the lists of all parts
 
 struct Count {
   std::size_t blocks = 0, sweeps = 0;
@@ -124,6 +126,7 @@ double SurfaceSurvey::cells(double voxel) const {
 
 SurfaceSurvey survey_surface(const ExactField& field, const Candidates& list, int threads,
                              int one_in) {
+  require_memory(kSweepBytes * static_cast<double>(list.size()), "a survey of the part's surface");
   const Box3 cube = cube_about(field.bounds());
   std::vector<Part> parts;
   const auto whole = field.descent(0.5 * (cube.lo + cube.hi), list);

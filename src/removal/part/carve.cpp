@@ -31,6 +31,7 @@ Stock carve(const StockShape& shape, std::span<const Motion> motions, std::span<
   SweepTable sweeps(motions, tools, cuts, options.threads);
   grid->field = std::make_unique<PartField>(std::move(solid), std::move(sweeps), options.threads);
   const PartField& field = *grid->field;
+  require_survey(field.sweeps(), options.threads);
   CarvePlan chosen = options;
   if (decide) decide(field, chosen);
   if (chosen.voxel == 0)

@@ -4,6 +4,7 @@
 #include "core/process/error.h"
 #include "core/process/memory_limit.h"
 #include "core/process/parallel.h"
+#include "removal/columns/sweep_columns.h"
 
 #include <algorithm>
 #include <cmath>
@@ -23,8 +24,10 @@ constexpr double kMotion = 320;
 constexpr double kSweep = 20, kSegment = 20;
 // Each triangle of a stock that is a mesh: the tree over it, and what checking the mesh has left.
 constexpr double kStockTriangle = 230;
-// Each tool, in what SweepTable keeps of its shape; checked before the table is made.
+// Each tool, in what SweepTable keeps of its shapes; checked before the table is made.
 constexpr double kTool = 9000;
+// Each shape in the table; and in the lists that each thread has while it surveys the part.
+constexpr double kShape = 4500, kShapeLists = 5000;
 // A .vdb: OpenVDB's library, and each motion once more, in the recipe for the file.
 constexpr double kOpenVdb = 30e6, kRecipe = 1300;
 // A .vdb: each voxel on the stock's surface has a column of 2 * kBandVoxels active voxels, in
@@ -95,6 +98,14 @@ double section_tiles(const StockSolid& stock, double voxel) {
   return (sides[0] + 2 * sides[1]) / (voxel * kTileVoxels) + 1;
 }
 
+double shapes_in(const SweepTable& sweeps) {
+  return static_cast<double>(sweeps.columns().shapes.size());
+}
+
+double lists_of_shapes(const SweepTable& sweeps, int threads) {
+  return kShapeLists * shapes_in(sweeps) * resolve_threads(threads);
+}
+
 // The table, and the lists of those that threads work on.
 double memory_of(const SweepTable& sweeps) {
   return static_cast<double>(sweeps.memory()) + kSweep * static_cast<double>(sweeps.size()) +
@@ -119,6 +130,7 @@ struct Need {
 
   double always() const {
     return kProgramMemory + kMotion * static_cast<double>(motions) + memory_of(sweeps) +
+           kShape * shapes_in(sweeps) + lists_of_shapes(sweeps, options.threads) +
            kStockTriangle * static_cast<double>(stock.triangles());
   }
   /// Cells in which faces of a stock's mesh meet: they are split, and remembered. Long straight
@@ -208,6 +220,12 @@ void require_table(std::span<const Motion> motions, std::span<const Tool> tools,
   const double share = static_cast<double>(motions.size()) / kSample;
   require_memory(share * memory_of(sample),
                  fmt::format("what the tools sweep along {} motions", motions.size()));
+}
+
+void require_survey(const SweepTable& sweeps, int threads) {
+  require_memory(lists_of_shapes(sweeps, threads),
+                 fmt::format("a survey of what {} shapes of tools cut", shapes_in(sweeps)),
+                 "fewer --threads take less");
 }
 
 MemoryPlan plan_memory(const PartField& field, std::size_t motions, const CarvePlan& options) {

@@ -24,6 +24,9 @@ struct MemoryPlan {
 void require_table(std::span<const Motion> motions, std::span<const Tool> tools,
                    const SweepSelection& selection);
 
+/// The same for the lists that threads have of the sweeps while the part is surveyed.
+void require_survey(const SweepTable& sweeps, int threads);
+
 /// The plan of a run whose program has that many motions. Throws Error "voxel-invalid";
 /// "voxel-too-small" where the stock's surface has too many voxels; "memory" where the run does not
 /// fit, with what would.
