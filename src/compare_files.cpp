@@ -69,7 +69,12 @@ std::string crossing(const TriMesh& mesh, const std::string& path) {
     require_clean_bodies(mesh, path);
     return "";
   } catch (const Error& error) {
-    return error.what();
+    std::string text = error.what();
+    if (error.code() != "mesh-inverted")
+      text +=
+          "; until then faces within the material are compared like others, and what lies in two "
+          "bodies counts twice in volumes";
+    return text;
   }
 }
 

@@ -6,6 +6,7 @@
 #include <array>
 #include <cstdint>
 #include <set>
+#include <vector>
 
 namespace mrsim {
 namespace {
@@ -26,10 +27,12 @@ std::size_t drop_doubles(TriMesh& mesh) {
 }
 
 std::size_t drop_touching(TriMesh& mesh) {
-  std::set<Triangle> all;
-  for (const Triangle& t : mesh.triangles) all.insert(least_first(t));
+  std::vector<Triangle> all;
+  all.reserve(mesh.triangles.size());
+  for (const Triangle& t : mesh.triangles) all.push_back(least_first(t));
+  std::sort(all.begin(), all.end());
   const std::size_t dropped = std::erase_if(mesh.triangles, [&](const Triangle& t) {
-    return all.count(least_first({t[0], t[2], t[1]})) > 0;
+    return std::binary_search(all.begin(), all.end(), least_first({t[0], t[2], t[1]}));
   });
   if (dropped > 0) drop_unused_vertices(mesh);
   return dropped;
