@@ -1,5 +1,6 @@
 // The compare part of the facade that needs every stage: parts from .vdb, programs beside parts.
 #include "core/process/error.h"
+#include "core/process/memory_limit.h"
 #include "core/text/text_io.h"
 #include "mesh/draw/palette.h"
 #include "mesh/extract.h"
@@ -120,6 +121,9 @@ TriMesh read_solid(const std::string& path, double deflection, int threads, std:
   if (is_vdb(path)) return mesh_of_vdb(path, threads, note);
   TriMesh mesh = is_step(path) ? read_step(path, deflection, note) : read_mesh(path);
   if (note == nullptr) return mesh;
+  constexpr double kCheckBytes = 520;  // a triangle, as the comparison asks for after this
+  require_memory(kCheckBytes * double(mesh.triangles.size()), "checking the bodies of " + path,
+                 "a coarser mesh takes less");
   if (!is_step(path)) *note = repair(mesh, path);
   if (const std::string crosses = crossing(mesh, path); !crosses.empty())
     *note += (note->empty() ? "" : "\n") + crosses;

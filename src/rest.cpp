@@ -30,7 +30,7 @@ constexpr double kLeaves = 0.25;     // of what is too thin to be looked for: wh
 constexpr double kLargestTool = 64;  // mm
 constexpr double kNear = 2;          // voxels from a piece's surface: inner edges that belong to it
 // Bytes, measured: for a square of a voxel on both surfaces, for a triangle of them.
-constexpr double kSquareMemory = 180, kSurfaceTriangle = 100;
+constexpr double kSquareMemory = 240, kSurfaceTriangle = 100;
 constexpr double kMostVoxels = 2500;  // along it: some 10 GB for the surfaces of a block
 
 // Both surfaces, searched for their nearest place.

@@ -3,6 +3,7 @@
 #include "core/numbers/rounding.h"
 #include "core/numbers/units.h"
 #include "core/numbers/vec.h"
+#include "core/process/memory_limit.h"
 #include "core/text/text_io.h"
 #include "interp/path/arc.h"
 #include "interp/show/motion_text.h"
@@ -72,6 +73,15 @@ const char* colour(MotionKind kind) {
   return kind == MotionKind::rapid ? "#c05020" : kind == MotionKind::line ? "#2060c0" : "#208040";
 }
 
+// A text that grows by doubling.
+void require_picture_memory(const Program& program, bool is_svg) {
+  constexpr double kPoint = 300;  // bytes
+  double points = 0;
+  for (const Motion& m : program.motions)
+    points += m.kind == MotionKind::arc && !is_svg ? arc_steps(m) : 1;
+  require_memory(kPoint * points, fmt::format("a picture of {} motions", program.motions.size()));
+}
+
 }  // namespace
 
 std::string path_svg(const Program& program) {
@@ -99,7 +109,8 @@ std::string path_svg(const Program& program) {
                                      : "arc",
         colour(m.kind), style, svg_point(view, m.start), path, m.line);
   }
-  return out + "</svg>\n";
+  out += "</svg>\n";
+  return out;
 }
 
 std::string path_ply(const Program& program) {
@@ -136,6 +147,7 @@ void write_path_picture(const Program& program, const std::string& path) {
   if (extension != ".SVG" && extension != ".PLY")
     throw Error("output-format", fmt::format("{}: a tool path is written as .svg or .ply", path),
                 Error::Kind::usage);
+  require_picture_memory(program, extension == ".SVG");
   const std::string text = extension == ".SVG" ? path_svg(program) : path_ply(program);
   write_file_atomically(path, [&](const ByteSink& sink) { sink(text.data(), text.size()); });
 }

@@ -71,13 +71,10 @@ LevelSetSurface read(const std::string& path) {
 
 // Where voxels are zero but for rounding, VolumeToMesh draws sheets some 1e-27 mm thin, in which no
 // point is certainly inside or outside. Vertices that agree within a millionth of a voxel are one.
-TriMesh surface_of(const openvdb::FloatGrid& grid) {
-  std::vector<openvdb::Vec3s> points;
-  std::vector<openvdb::Vec3I> triangles;
-  std::vector<openvdb::Vec4I> quads;
-  openvdb::tools::volumeToMesh(grid, points, triangles, quads);
-  const openvdb::Vec3d size = grid.voxelSize();
-  const double step = kFinest * std::min({size.x(), size.y(), size.z()});
+TriMesh joined_surface(const std::vector<openvdb::Vec3s>& points,
+                       const std::vector<openvdb::Vec3I>& triangles,
+                       const std::vector<openvdb::Vec4I>& quads, double voxel) {
+  const double step = kFinest * voxel;
   TriMesh mesh;
   std::map<std::array<float, 3>, std::uint32_t> known;
   std::vector<std::uint32_t> vertex_of;
