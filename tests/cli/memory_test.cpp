@@ -1,6 +1,11 @@
 // What a run takes against what was expected of it, and runs that may not take it.
 #include "run_program.h"
 
+#include <algorithm>
+#include <array>
+
+#include <sys/resource.h>
+
 namespace mrsim {
 namespace {
 
@@ -306,6 +311,48 @@ TEST_F(Memory, LimitsTheSearchForCollisions) {
   EXPECT_EQ(outcome.code, 1);
   EXPECT_TRUE(contains(outcome.err, "[memory]")) << outcome.err;
   EXPECT_LT(peak(), 1048576.0 * limit * 1.05);
+}
+
+// Each piece has a tree of its own while pieces are told apart.
+TEST_F(Memory, OfWhatIsLeftGrowsLittleWithThePieces) {
+  if (!kIsPlain) GTEST_SKIP();
+  constexpr int kSide = 14;  // cubes of 2 mm in a layer, 6 mm apart, along an axis
+  std::string corners, faces;
+  int first = 0;
+  const auto cube = [&](int i, int j, int k) {
+    for (int c = 0; c < 8; ++c)
+      corners += std::to_string(6 * i + (c & 1 ? 2 : 0)) + " " +
+                 std::to_string(6 * j + (c & 2 ? 2 : 0)) + " " +
+                 std::to_string(6 * k + (c & 4 ? 2 : 0)) + "\n";
+    for (const auto& side : {std::array{0, 2, 3, 1},
+                             {4, 5, 7, 6},
+                             {0, 1, 5, 4},
+                             {2, 6, 7, 3},
+                             {0, 4, 6, 2},
+                             {1, 3, 7, 5}}) {
+      faces += "4";
+      for (const int c : side) faces += " " + std::to_string(first + c);
+      faces += "\n";
+    }
+    first += 8;
+  };
+  const auto off = [&] {
+    return "OFF\n" + std::to_string(first) + " " + std::to_string(first / 8 * 6) + " 0\n" +
+           corners + faces;
+  };
+  cube(0, 0, 0);
+  write("nominal.off", off());
+  for (int n = 1; n < 3 * kSide * kSide; ++n)
+    cube(n % kSide, n / kSide % kSide, n / (kSide * kSide));
+  write("cubes.off", off());
+  const auto peak = [] {  // of the largest child so far, kB
+    rusage usage{};
+    ::getrusage(RUSAGE_CHILDREN, &usage);
+    return usage.ru_maxrss;
+  };
+  const long before = peak();
+  ASSERT_EQ(run("rest cubes.off nominal.off --voxel 0.5 --json r.json -q").code, 0);
+  EXPECT_LT(peak(), std::max(before, 160'000L));
 }
 
 // Skins of an onion, each ray through all of them: their crossings took gigabytes.
