@@ -352,7 +352,7 @@ TEST_F(Memory, OfWhatIsLeftGrowsLittleWithThePieces) {
   };
   const long before = peak();
   ASSERT_EQ(run("rest cubes.off nominal.off --voxel 0.5 --json r.json -q").code, 0);
-  EXPECT_LT(peak(), std::max(before, 160'000L));
+  EXPECT_LE(peak(), std::max(before, 160'000L));
 }
 
 // Skins of an onion, each ray through all of them: their crossings took gigabytes.
