@@ -91,8 +91,8 @@ struct ToolHint : PlainFacts {
   bool padded_radius = false;  ///< "R05", which may be R5 or R0.5
   bool settings = false;       ///< settings of the program that wrote the NC program
   bool upkeep = false;         ///< when it is seen to: "REPLACE 10MM ENDMILL EVERY 20 PARTS"
-  bool size_of_work = false;   ///< a size of the work perhaps, and no kind: "BORE D30", "D30 POCKET"
-  bool at_call = false;        ///< in the block of the change or right behind it
+  bool size_of_work = false;  ///< a size of the work perhaps, and no kind: "BORE D30", "D30 POCKET"
+  bool at_call = false;       ///< in the block of the change or right behind it
   std::string work;  ///< other comments at the tool that are about the work: 'ROUGH T-SLOT'
   bool rounds_edges = false;  ///< one of them rounds edges: "ROUND OVER EDGES"
   std::string doubt;  ///< why no tool can be made of it, after "the comment ... "; empty: it can
