@@ -94,15 +94,12 @@ TriangleTree::TriangleTree(const TriMesh& mesh)
     : vertices_(mesh.vertices), triangles_(mesh.triangles) {
   MRSIM_ASSERT(!triangles_.empty());
   for (const auto& v : vertices_) extend(bounds_, to_vec(v));
-  std::vector<Vec3> centroids(triangles_.size());
-  for (std::uint32_t t = 0; t < triangles_.size(); ++t) {
-    const Corners k = corners(t);
-    centroids[t] = k.a + k.b + k.c;
-  }
-  order_.resize(triangles_.size());
-  std::iota(order_.begin(), order_.end(), 0u);
-  nodes_.reserve(triangles_.size());
-  build_node(order_, 0, static_cast<std::uint32_t>(order_.size()), centroids);
+  std::vector<FloatBox> boxes(triangles_.size());
+  for (std::size_t t = 0; t < boxes.size(); ++t)
+    for (const std::uint32_t v : triangles_[t]) boxes[t].extend({vertices_[v], vertices_[v]});
+  std::vector<std::uint32_t> order(triangles_.size());
+  std::iota(order.begin(), order.end(), 0u);
+  boxes_ = BoxTree(boxes, std::move(order), kLeafSize);
   build_normals();
 }
 
@@ -114,33 +111,6 @@ TriangleTree::Corners TriangleTree::corners(std::uint32_t triangle) const {
 Vec3 TriangleTree::normal(std::uint32_t triangle) const {
   const Corners k = corners(triangle);
   return normalized(cross(k.b - k.a, k.c - k.a));
-}
-
-std::uint32_t TriangleTree::build_node(std::vector<std::uint32_t>& order, std::uint32_t begin,
-                                       std::uint32_t end, const std::vector<Vec3>& centroids) {
-  const auto self = static_cast<std::uint32_t>(nodes_.size());
-  constexpr float kHuge = std::numeric_limits<float>::infinity();
-  Node node{{kHuge, kHuge, kHuge}, {-kHuge, -kHuge, -kHuge}, begin, end - begin};
-  Box3 centers;
-  for (std::uint32_t i = begin; i < end; ++i) {
-    extend(centers, centroids[order[i]]);
-    for (const std::uint32_t v : triangles_[order[i]])
-      for (std::size_t k = 0; k < 3; ++k) {
-        node.lo[k] = std::min(node.lo[k], vertices_[v][k]);
-        node.hi[k] = std::max(node.hi[k], vertices_[v][k]);
-      }
-  }
-  nodes_.push_back(node);
-  if (end - begin <= kLeafSize) return self;
-  const Vec3 size = centers.hi - centers.lo;
-  const int axis = axis_of_longest(size.x, size.y, size.z);
-  const std::uint32_t middle = halve_at_median(
-      order, begin, end, [&](std::uint32_t i) { return component(centroids[i], axis); });
-  build_node(order, begin, middle, centroids);
-  const std::uint32_t second = build_node(order, middle, end, centroids);
-  nodes_[self].first = second;
-  nodes_[self].count = 0;
-  return self;
 }
 
 void TriangleTree::build_normals() {
@@ -175,21 +145,23 @@ void TriangleTree::build_normals() {
   }
 }
 
-double TriangleTree::plan_distance2(const Node& node, const Vec3& p) {
-  const double x = std::max({node.lo[0] - p.x, p.x - node.hi[0], 0.0}),
-               y = std::max({node.lo[1] - p.y, p.y - node.hi[1], 0.0});
+double TriangleTree::plan_distance2(const FloatBox& box, const Vec3& p) {
+  const double x = std::max({box.lo[0] - p.x, p.x - box.hi[0], 0.0}),
+               y = std::max({box.lo[1] - p.y, p.y - box.hi[1], 0.0});
   return x * x + y * y;
 }
 
-double TriangleTree::box_distance2(const Node& node, const Vec3& p) {
-  const double x = std::max({node.lo[0] - p.x, p.x - node.hi[0], 0.0}),
-               y = std::max({node.lo[1] - p.y, p.y - node.hi[1], 0.0}),
-               z = std::max({node.lo[2] - p.z, p.z - node.hi[2], 0.0});
+double TriangleTree::box_distance2(const FloatBox& box, const Vec3& p) {
+  const double x = std::max({box.lo[0] - p.x, p.x - box.hi[0], 0.0}),
+               y = std::max({box.lo[1] - p.y, p.y - box.hi[1], 0.0}),
+               z = std::max({box.lo[2] - p.z, p.z - box.hi[2], 0.0});
   return x * x + y * y + z * z;
 }
 
 TriangleTree::Hit TriangleTree::nearest(const Vec3& p, std::uint32_t hint) const {
   Hit best;
+  const auto& nodes = boxes_.nodes();
+  const auto& order = boxes_.order();
   const auto test = [&](std::uint32_t t) {
     const Corners k = corners(t);
     const TrianglePoint point = nearest_on_triangle(p, k.a, k.b, k.c);
@@ -206,17 +178,17 @@ TriangleTree::Hit TriangleTree::nearest(const Vec3& p, std::uint32_t hint) const
   };
   Entry stack[64];  // depth of a median tree: at most 32
   int top = 0;
-  stack[top++] = {0, box_distance2(nodes_[0], p)};
+  stack[top++] = {0, box_distance2(nodes[0], p)};
   while (top > 0) {
     const Entry entry = stack[--top];
     if (entry.distance2 > best.distance2) continue;
-    const Node& node = nodes_[entry.node];
+    const BoxTree::Node& node = nodes[entry.node];
     if (node.count > 0) {
-      for (std::uint32_t i = node.first; i < node.first + node.count; ++i) test(order_[i]);
+      for (std::uint32_t i = node.first; i < node.first + node.count; ++i) test(order[i]);
       continue;
     }
-    Entry near{entry.node + 1, box_distance2(nodes_[entry.node + 1], p)},
-        far{node.first, box_distance2(nodes_[node.first], p)};
+    Entry near{entry.node + 1, box_distance2(nodes[entry.node + 1], p)},
+        far{node.first, box_distance2(nodes[node.first], p)};
     if (far.distance2 < near.distance2) std::swap(near, far);
     stack[top++] = far;
     stack[top++] = near;
@@ -226,13 +198,15 @@ TriangleTree::Hit TriangleTree::nearest(const Vec3& p, std::uint32_t hint) const
 
 bool TriangleTree::is_near(const Vec3& p, double most) const {
   const double most2 = most * most;
+  const auto& nodes = boxes_.nodes();
+  const auto& order = boxes_.order();
   std::uint32_t stack[64] = {0};  // depth of a median tree: at most 32
   for (int top = 1; top > 0;) {
     const std::uint32_t at = stack[--top];
-    const Node& node = nodes_[at];
+    const BoxTree::Node& node = nodes[at];
     if (box_distance2(node, p) > most2) continue;
     for (std::uint32_t i = node.first; i < node.first + node.count; ++i) {
-      const Corners k = corners(order_[i]);
+      const Corners k = corners(order[i]);
       if (nearest_on_triangle(p, k.a, k.b, k.c).distance2 <= most2) return true;
     }
     if (node.count > 0) continue;
@@ -245,17 +219,19 @@ bool TriangleTree::is_near(const Vec3& p, double most) const {
 TrianglePoint TriangleTree::nearest_in_plan(const Vec3& p, double most) const {
   TrianglePoint best;
   double best2 = most * most;
+  const auto& nodes = boxes_.nodes();
+  const auto& order = boxes_.order();
   std::uint32_t stack[64] = {0};  // depth of a median tree: at most 32
   for (int top = 1; top > 0;) {
     const std::uint32_t at = stack[--top];
-    const Node& node = nodes_[at];
+    const BoxTree::Node& node = nodes[at];
     if (node.hi[2] <= p.z || plan_distance2(node, p) >= best2) continue;
     for (std::uint32_t i = node.first; i < node.first + node.count; ++i) {
-      const TrianglePoint point = nearest_in_plan_on(corners(order_[i]), p);
+      const TrianglePoint point = nearest_in_plan_on(corners(order[i]), p);
       if (point.distance2 < best2) best = point, best2 = point.distance2;
     }
     if (node.count > 0) continue;
-    const bool swap = plan_distance2(nodes_[node.first], p) < plan_distance2(nodes_[at + 1], p);
+    const bool swap = plan_distance2(nodes[node.first], p) < plan_distance2(nodes[at + 1], p);
     stack[top++] = swap ? at + 1 : node.first;
     stack[top++] = swap ? node.first : at + 1;
   }
@@ -277,9 +253,8 @@ double TriangleTree::signed_distance(const Vec3& p, const Hit& hit) const {
 
 std::size_t TriangleTree::memory() const {
   return vertices_.capacity() * sizeof(vertices_[0]) +
-         triangles_.capacity() * sizeof(triangles_[0]) + nodes_.capacity() * sizeof(Node) +
-         order_.capacity() * sizeof(order_[0]) + neighbors_.capacity() * sizeof(neighbors_[0]) +
-         vertex_normals_.capacity() * sizeof(Vec3);
+         triangles_.capacity() * sizeof(triangles_[0]) + boxes_.memory() +
+         neighbors_.capacity() * sizeof(neighbors_[0]) + vertex_normals_.capacity() * sizeof(Vec3);
 }
 
 }  // namespace mrsim

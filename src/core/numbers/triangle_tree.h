@@ -7,9 +7,9 @@
 // about log n.
 #pragma once
 
+#include "core/numbers/box_tree.h"
 #include <mrsim/types.h>
 
-#include <algorithm>
 #include <cstdint>
 #include <limits>
 #include <vector>
@@ -28,26 +28,6 @@ struct TrianglePoint {
   TriangleFeature feature = kTriangleFace;
 };
 TrianglePoint nearest_on_triangle(const Vec3& p, const Vec3& a, const Vec3& b, const Vec3& c);
-
-/// The axis of the largest of three sizes, of equal ones the first.
-template <class T>
-int axis_of_longest(T x, T y, T z) {
-  return x >= y && x >= z ? 0 : y >= z ? 1 : 2;
-}
-
-/// How trees over triangles are built: sorts the indices order[begin, end) into two halves by
-/// `place(index)`, and by index where places are equal. Returns where the second half begins.
-template <class Place>
-std::uint32_t halve_at_median(std::vector<std::uint32_t>& order, std::uint32_t begin,
-                              std::uint32_t end, const Place& place) {
-  const std::uint32_t middle = begin + (end - begin) / 2;
-  std::nth_element(order.begin() + begin, order.begin() + middle, order.begin() + end,
-                   [&](std::uint32_t i, std::uint32_t j) {
-                     const auto x = place(i), y = place(j);
-                     return x != y ? x < y : i < j;
-                   });
-  return middle;
-}
 
 class TriangleTree {
  public:
@@ -92,22 +72,13 @@ class TriangleTree {
   std::size_t memory() const;
 
  private:
-  // Leaves hold `count` triangles from `first`; inner nodes have count 0, their children are the
-  // next node and `first`.
-  struct Node {
-    std::array<float, 3> lo, hi;
-    std::uint32_t first, count;
-  };
-  std::uint32_t build_node(std::vector<std::uint32_t>& order, std::uint32_t begin,
-                           std::uint32_t end, const std::vector<Vec3>& centroids);
   void build_normals();
-  static double plan_distance2(const Node& node, const Vec3& p);
-  static double box_distance2(const Node& node, const Vec3& p);
+  static double plan_distance2(const FloatBox& box, const Vec3& p);
+  static double box_distance2(const FloatBox& box, const Vec3& p);
 
   std::vector<std::array<float, 3>> vertices_;
   std::vector<std::array<std::uint32_t, 3>> triangles_;
-  std::vector<Node> nodes_;
-  std::vector<std::uint32_t> order_;  ///< triangles in the order of the leaves
+  BoxTree boxes_;
   std::vector<std::array<std::uint32_t, 3>>
       neighbors_;  ///< across the edge from corner i to the next
   std::vector<Vec3> vertex_normals_;
@@ -119,7 +90,7 @@ void TriangleTree::visit(const Box3& box, Visit&& visit) const {
   std::uint32_t stack[64] = {0};  // depth of a median tree: at most 32
   for (int top = 1; top > 0;) {
     const std::uint32_t at = stack[--top];
-    const Node& node = nodes_[at];
+    const BoxTree::Node& node = boxes_.nodes()[at];
     if (node.lo[0] > box.hi.x || node.hi[0] < box.lo.x || node.lo[1] > box.hi.y ||
         node.hi[1] < box.lo.y || node.lo[2] > box.hi.z || node.hi[2] < box.lo.z)
       continue;
@@ -129,7 +100,7 @@ void TriangleTree::visit(const Box3& box, Visit&& visit) const {
       continue;
     }
     for (std::uint32_t i = node.first; i < node.first + node.count; ++i)
-      if (!visit(order_[i])) return;
+      if (!visit(boxes_.order()[i])) return;
   }
 }
 

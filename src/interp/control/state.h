@@ -73,6 +73,10 @@ struct TurnSettings {
 /// The height at which a drilling cycle ends: G98, G99, and M53 of Okuma.
 enum class HoleReturn { initial, safe, level };
 
+/// The axes of each plane by Modal::plane: its first, its second, and the one across it.
+inline constexpr int kFirstOfPlane[] = {0, 2, 1, 0}, kSecondOfPlane[] = {1, 0, 2, 1},
+                     kNormalOfPlane[] = {2, 1, 0, 2};
+
 /// What modal G words and values have set.
 struct Modal {
   Code motion = Code::line;

@@ -244,11 +244,10 @@ double AxisWords::last_polar_radius(const Basis& b) const {
 // G91 counts from the position; the first angle beside it counts from the plane's first axis.
 bool AxisWords::fanuc_polar_target(Target& out, const Vec3& from) {
   const Basis b = basis();
-  static constexpr int kFirst[] = {0, 2, 1, 0}, kSecond[] = {1, 0, 2, 1}, kNormal[] = {2, 1, 0, 2};
-  const Word* radius = take("XYZ"[kFirst[modal_.plane]]);
-  const Word* angle = take("XYZ"[kSecond[modal_.plane]]);
-  const Word* height = take("XYZ"[kNormal[modal_.plane]]);
-  if (height && !axis_word(out, kNormal[modal_.plane], *height, false)) return false;
+  const Word* radius = take("XYZ"[kFirstOfPlane[modal_.plane]]);
+  const Word* angle = take("XYZ"[kSecondOfPlane[modal_.plane]]);
+  const Word* height = take("XYZ"[kNormalOfPlane[modal_.plane]]);
+  if (height && !axis_word(out, kNormalOfPlane[modal_.plane], *height, false)) return false;
   if (!radius && !angle) return true;
   const Word& where = radius ? *radius : *angle;
   Vec2 pole;
@@ -266,7 +265,7 @@ bool AxisWords::fanuc_polar_target(Target& out, const Vec3& from) {
   position_.polar_radius = r;
   const SinCos sc = sincos_deg(position_.polar_angle);
   out.programmed = from_plane(b, pole + r * Vec2{sc.cos, sc.sin}, dot(out.programmed, b.w));
-  out.named |= (1U << kFirst[modal_.plane]) | (1U << kSecond[modal_.plane]);
+  out.named |= (1U << kFirstOfPlane[modal_.plane]) | (1U << kSecondOfPlane[modal_.plane]);
   out.absolute |= out.named;
   if (!out.first || where.column < out.first->column) out.first = &where;
   return true;

@@ -132,9 +132,8 @@ bool FrameWords::set_work(const std::string& written) {
 
 // ROT turns about Z, then about the new Y, then about the new X; RPL= turns in the plane.
 void FrameWords::rotation_arguments(Frame& frame) {
-  static constexpr int kNormal[] = {2, 1, 0, 2};
   if (const Word* rpl = take(Address::rpl)) {
-    frame = rotation_frame(kNormal[modal_.plane], rpl->value);
+    frame = rotation_frame(kNormalOfPlane[modal_.plane], rpl->value);
     return;
   }
   Vec3 angles;

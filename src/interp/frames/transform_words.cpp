@@ -7,11 +7,6 @@
 #include <fmt/format.h>
 
 namespace mrsim {
-namespace {
-
-constexpr int kNormalOf[] = {2, 1, 0, 2};  // the axis across each plane, by Modal::plane
-
-}  // namespace
 
 // X Y Z of the block are the centre in the plane, or the shift of G52 and G11.
 bool TransformWords::run(const Word& word) {
@@ -32,7 +27,7 @@ bool TransformWords::run(const Word& word) {
                      word);
       if (!center_of_mach(values, word)) return false;
       const bool adds = modal_.incremental || take('I');
-      turn_about(angle_value(*r), kNormalOf[modal_.plane], values, adds, word);
+      turn_about(angle_value(*r), kNormalOfPlane[modal_.plane], values, adds, word);
       break;
     }
     case Code::rotation_off:
@@ -122,8 +117,8 @@ bool TransformWords::turn_locally(Vec3 zero, unsigned named, const Word& word) {
                  word);
   for (int i = 0; i < 3; ++i)
     if ((named >> i & 1U) == 0) component(zero, i) = 0;
-  frames_.program = compose(
-      shift_frame(zero), rotation_frame(kNormalOf[modal_.plane], angle ? angle_value(*angle) : 0));
+  frames_.program = compose(shift_frame(zero), rotation_frame(kNormalOfPlane[modal_.plane],
+                                                              angle ? angle_value(*angle) : 0));
   frames_.local_turned = named;
   return true;
 }
@@ -256,7 +251,8 @@ bool TransformWords::fagor_turn(const Word& word) {
                  word);
   frames_.rotation_angle = q ? frames_.rotation_angle + q->value : 0;
   frames_.rotation_at = center;
-  frames_.rotation = about(rotation_frame(kNormalOf[modal_.plane], frames_.rotation_angle), center);
+  frames_.rotation =
+      about(rotation_frame(kNormalOfPlane[modal_.plane], frames_.rotation_angle), center);
   return true;
 }
 

@@ -1,12 +1,11 @@
 #include "mesh/solid/self_intersection.h"
 
-#include "core/numbers/triangle_tree.h"
+#include "core/numbers/box_tree.h"
 #include "core/process/parallel.h"
 #include "mesh/solid/exact_predicates.h"
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <utility>
 
 namespace mrsim::detail {
@@ -17,7 +16,6 @@ using Triangle = std::array<std::uint32_t, 3>;
 constexpr std::uint32_t kLeaf = 8;   // triangles
 constexpr std::uint32_t kBlock = 8;  // triangles that go through the tree together
 constexpr std::size_t kPart = 512;   // triangles of a task, whole blocks
-constexpr float kFar = std::numeric_limits<float>::infinity();
 
 bool on_segment(const Vec3& p, const Vec3& a, const Vec3& b, int axis) {
   for (const int i : {(axis + 1) % 3, (axis + 2) % 3}) {
@@ -123,124 +121,100 @@ class PairTest {
   std::span<const Triangle> triangles_;
 };
 
-// A box in single precision, rounded outwards.
-struct Bounds {
-  float lo[3] = {kFar, kFar, kFar}, hi[3] = {-kFar, -kFar, -kFar};
-
-  void extend(const Vec3& p) {
-    for (int k = 0; k < 3; ++k) {
-      const double x = mrsim::component(p, k);
-      float low = static_cast<float>(x), high = low;
-      if (low > x) low = std::nextafter(low, -kFar);
-      if (high < x) high = std::nextafter(high, kFar);
-      lo[k] = std::min(lo[k], low), hi[k] = std::max(hi[k], high);
-    }
+// Around a point, rounded outwards.
+FloatBox box_of(const Vec3& p) {
+  FloatBox box;
+  for (std::size_t k = 0; k < 3; ++k) {
+    const double x = mrsim::component(p, static_cast<int>(k));
+    const float near = static_cast<float>(x);
+    box.lo[k] = near > x ? std::nextafter(near, -FloatBox::kFar) : near;
+    box.hi[k] = near < x ? std::nextafter(near, FloatBox::kFar) : near;
   }
-  void extend(const Bounds& b) {
-    for (int k = 0; k < 3; ++k) lo[k] = std::min(lo[k], b.lo[k]), hi[k] = std::max(hi[k], b.hi[k]);
-  }
-  bool overlaps(const Bounds& b) const {
-    return lo[0] <= b.hi[0] && b.lo[0] <= hi[0] && lo[1] <= b.hi[1] && b.lo[1] <= hi[1] &&
-           lo[2] <= b.hi[2] && b.lo[2] <= hi[2];
-  }
-};
+  return box;
+}
 
 // The boxes of all triangles.
-std::vector<Bounds> boxes_of(std::span<const Vec3> vertices, std::span<const Triangle> triangles,
-                             int threads) {
+std::vector<FloatBox> boxes_of(std::span<const Vec3> vertices, std::span<const Triangle> triangles,
+                               int threads) {
   constexpr std::size_t kChunk = 4096;
-  std::vector<Bounds> boxes(triangles.size());
+  std::vector<FloatBox> boxes(triangles.size());
   parallel_for_chunks(triangles.size(), threads, kChunk, [&](std::size_t begin, std::size_t end) {
     for (std::size_t k = begin; k < end; ++k)
-      for (const std::uint32_t v : triangles[k]) boxes[k].extend(vertices[v]);
+      for (const std::uint32_t v : triangles[k]) boxes[k].extend(box_of(vertices[v]));
   });
   return boxes;
 }
 
-// A tree over the boxes of the chosen triangles (none chosen: all), halved at the median of the
-// longest side.
-class BoxTree {
+std::vector<std::uint32_t> chosen_of(std::size_t count, std::span<const char> chosen) {
+  std::vector<std::uint32_t> out;
+  for (std::uint32_t k = 0; k < count; ++k)
+    if (chosen.empty() || chosen[k]) out.push_back(k);
+  return out;
+}
+
+// The boxes of the chosen triangles (none chosen: all) in a tree that many are looked up in.
+class OverlapSearch {
  public:
-  BoxTree(std::vector<Bounds> boxes, std::span<const char> chosen) : boxes_(std::move(boxes)) {
-    for (std::uint32_t k = 0; k < boxes_.size(); ++k)
-      if (chosen.empty() || chosen[k]) order_.push_back(k);
-    if (!order_.empty()) build(0, static_cast<std::uint32_t>(order_.size()));
+  OverlapSearch(std::vector<FloatBox> boxes, std::span<const char> chosen)
+      : boxes_(std::move(boxes)), tree_(boxes_, chosen_of(boxes_.size(), chosen), kLeaf) {
+    for (const BoxTree::Node& node : tree_.nodes()) {
+      leaf_of_.push_back(static_cast<std::uint32_t>(leaves_.size()));
+      if (node.count > 0) add_leaf(node);
+    }
   }
 
   /// Calls f(i, j) for the triangles i of [first, end), which are near each other in most meshes,
   /// and those of the tree whose boxes overlap theirs.
   template <class F>
   void visit(std::uint32_t first, std::uint32_t end, F&& f) const {
-    Bounds all;
+    FloatBox all;
     for (std::uint32_t i = first; i < end; ++i) all.extend(boxes_[i]);
     static thread_local std::vector<std::uint32_t> stack;
-    stack.assign(nodes_.empty() ? 0 : 1, 0);
+    stack.assign(tree_.nodes().empty() ? 0 : 1, 0);
     while (!stack.empty()) {
-      const Node& n = nodes_[stack.back()];
+      const std::uint32_t at = stack.back();
+      const BoxTree::Node& n = tree_.nodes()[at];
       stack.pop_back();
-      if (!n.box.overlaps(all)) continue;
-      if (n.right == 0) {
+      if (!n.overlaps(all)) continue;
+      if (n.count > 0) {
         for (std::uint32_t i = first; i < end; ++i)
-          if (n.box.overlaps(boxes_[i])) visit_leaf(n, i, f);
+          if (n.overlaps(boxes_[i])) visit_leaf(n, leaves_[leaf_of_[at]], i, f);
       } else {
-        stack.push_back(n.right);
-        stack.push_back(static_cast<std::uint32_t>(&n - nodes_.data()) + 1);
+        stack.push_back(n.first);
+        stack.push_back(at + 1);
       }
     }
   }
 
  private:
-  struct Node {
-    Bounds box;
-    std::uint32_t begin = 0, end = 0, right = 0, leaf = 0;
-  };
   // The boxes of a leaf by columns, so that they are tested together.
   struct Leaf {
     float lo[3][kLeaf], hi[3][kLeaf];
   };
 
   template <class F>
-  void visit_leaf(const Node& n, std::uint32_t i, F& f) const {
-    const Leaf& leaf = leaves_[n.leaf];
-    const Bounds& b = boxes_[i];
+  void visit_leaf(const BoxTree::Node& n, const Leaf& leaf, std::uint32_t i, F& f) const {
+    const FloatBox& b = boxes_[i];
     std::int32_t overlap[kLeaf];
     for (std::uint32_t k = 0; k < kLeaf; ++k)
       overlap[k] = (leaf.lo[0][k] <= b.hi[0]) & (b.lo[0] <= leaf.hi[0][k]) &
                    (leaf.lo[1][k] <= b.hi[1]) & (b.lo[1] <= leaf.hi[1][k]) &
                    (leaf.lo[2][k] <= b.hi[2]) & (b.lo[2] <= leaf.hi[2][k]);
-    for (std::uint32_t k = 0; k < n.end - n.begin; ++k)
-      if (const std::uint32_t j = order_[n.begin + k]; overlap[k] != 0 && j != i) f(i, j);
+    for (std::uint32_t k = 0; k < n.count; ++k)
+      if (const std::uint32_t j = tree_.order()[n.first + k]; overlap[k] != 0 && j != i) f(i, j);
   }
 
-  void build(std::uint32_t begin, std::uint32_t end) {
-    const auto id = nodes_.size();
-    nodes_.push_back({{}, begin, end, 0, 0});
-    Bounds box;
-    for (std::uint32_t k = begin; k < end; ++k) box.extend(boxes_[order_[k]]);
-    nodes_[id].box = box;
-    if (end - begin <= kLeaf) return add_leaf(nodes_[id]);
-    const int axis =
-        axis_of_longest(box.hi[0] - box.lo[0], box.hi[1] - box.lo[1], box.hi[2] - box.lo[2]);
-    const std::uint32_t middle = halve_at_median(order_, begin, end, [&](std::uint32_t t) {
-      return boxes_[t].lo[axis] + boxes_[t].hi[axis];
-    });
-    build(begin, middle);
-    nodes_[id].right = static_cast<std::uint32_t>(nodes_.size());
-    build(middle, end);
-  }
-
-  void add_leaf(Node& node) {
-    node.leaf = static_cast<std::uint32_t>(leaves_.size());
+  void add_leaf(const BoxTree::Node& node) {
     Leaf& leaf = leaves_.emplace_back();
     for (std::uint32_t k = 0; k < kLeaf; ++k) {
-      const Bounds box = node.begin + k < node.end ? boxes_[order_[node.begin + k]] : Bounds();
-      for (int a = 0; a < 3; ++a) leaf.lo[a][k] = box.lo[a], leaf.hi[a][k] = box.hi[a];
+      const FloatBox box = k < node.count ? boxes_[tree_.order()[node.first + k]] : FloatBox();
+      for (std::size_t a = 0; a < 3; ++a) leaf.lo[a][k] = box.lo[a], leaf.hi[a][k] = box.hi[a];
     }
   }
 
-  std::vector<Bounds> boxes_;
-  std::vector<std::uint32_t> order_;
-  std::vector<Node> nodes_;
+  std::vector<FloatBox> boxes_;
+  BoxTree tree_;
+  std::vector<std::uint32_t> leaf_of_;  ///< by node: its leaf
   std::vector<Leaf> leaves_;
 };
 
@@ -250,7 +224,7 @@ std::vector<std::pair<std::uint32_t, std::uint32_t>> self_intersections(
     std::span<const Vec3> vertices, std::span<const Triangle> triangles, int threads,
     std::span<const char> chosen) {
   const PairTest test(vertices, triangles);
-  const BoxTree tree(boxes_of(vertices, triangles, threads), chosen);
+  const OverlapSearch search(boxes_of(vertices, triangles, threads), chosen);
   const std::size_t count = triangles.size();
   std::vector<std::vector<std::pair<std::uint32_t, std::uint32_t>>> found((count + kPart - 1) /
                                                                           kPart);
@@ -258,12 +232,12 @@ std::vector<std::pair<std::uint32_t, std::uint32_t>> self_intersections(
   parallel_for_chunks(count, threads, kPart, [&](std::size_t begin, std::size_t end) {
     auto& pairs = found[begin / kPart];
     for (std::size_t first = begin; first < end; first += kBlock)
-      tree.visit(static_cast<std::uint32_t>(first),
-                 static_cast<std::uint32_t>(std::min(first + kBlock, end)),
-                 [&](std::uint32_t i, std::uint32_t j) {
-                   const bool is_chosen = chosen.empty() || chosen[i];
-                   if ((j > i || !is_chosen) && test.meet(i, j)) pairs.emplace_back(i, j);
-                 });
+      search.visit(static_cast<std::uint32_t>(first),
+                   static_cast<std::uint32_t>(std::min(first + kBlock, end)),
+                   [&](std::uint32_t i, std::uint32_t j) {
+                     const bool is_chosen = chosen.empty() || chosen[i];
+                     if ((j > i || !is_chosen) && test.meet(i, j)) pairs.emplace_back(i, j);
+                   });
     std::sort(pairs.begin(), pairs.end());
   });
   std::vector<std::pair<std::uint32_t, std::uint32_t>> all;
