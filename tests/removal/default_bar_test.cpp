@@ -122,6 +122,33 @@ TEST(DefaultBar, IsThickerThanItsOnlyPass) {
   EXPECT_EQ(two.bar().outer_radius, 25);
 }
 
+// The rapid to where a slope leads in says nothing of the shoulder behind.
+TEST(DefaultBar, IsAsWideAsAShoulderBehindASlopeIn) {
+  StockPath shaft;
+  shaft.rapid({30, 0, 5}).rapid({16.4, 0, 1.4}).cut({15, 0, 0}).cut({15, 0, -30});
+  shaft.cut({25, 0, -30}).cut({26.4, 0, -28.6});
+  EXPECT_EQ(shaft.rapid({30, 0, 5}).bar().outer_radius, 25);
+  StockPath cone;
+  cone.rapid({30, 0, 2}).rapid({25, 0, 2}).cut({20, 0, -30}).cut({27, 0, -30});
+  EXPECT_EQ(cone.rapid({30, 0, 2}).bar().outer_radius, 27);
+}
+
+// A chamfer before the blade parts off begins outside the bar.
+TEST(DefaultBar, IsAsWideAsAChamferBehindZero) {
+  StockPath off;
+  off.rapid({27, 0, 2}).rapid({27, 0, -38}).cut({23, 0, -42}).cut({0, 0, -42});
+  EXPECT_EQ(off.rapid({27, 0, -42}).bar().outer_radius, 27);
+}
+
+// Shoulders in front of the zero are cut, on the way to a pass beyond it.
+TEST(DefaultBar, EndsBeforeShouldersInFrontOfZero) {
+  StockPath shaft;
+  shaft.rapid({27, 0, 52}).rapid({10, 0, 52}).cut({10, 0, 40}).cut({15, 0, 40}).cut({15, 0, -3});
+  const StockShape bar = shaft.cut({27, 0, -3}).rapid({27, 0, 60}).bar();
+  EXPECT_EQ(bar.outer_radius, 27);
+  EXPECT_EQ(bar.box.hi.z, 52);
+}
+
 // G71 R0.5: the rapid off a pass leads over what that has turned.
 TEST(DefaultBar, IsAsWideAsWhereRoughingBegins) {
   StockPath rough;

@@ -44,14 +44,16 @@ double widest_of(const Motion& m, double zero) {
   return std::max(from + passed * (to - from), to);
 }
 
-// A slope from a rapid or a link to where a face begins: "X52.8 Z1.4", "X50. Z0", "X-1.6".
-bool leads_to_face(std::span<const Motion> motions, const std::vector<bool>& links, std::size_t i) {
+// A slope from before the zero, and from a rapid or a link, to where a face begins: "X52.8 Z1.4",
+// "X50. Z0", "X-1.6". Behind the zero it cuts a chamfer: "Z-38", "X46. Z-42", "X0".
+bool leads_to_face(std::span<const Motion> motions, const std::vector<bool>& links, std::size_t i,
+                   double zero) {
   if (i + 1 >= motions.size() || (i > 0 && is_cut(motions[i - 1]) && !links[i - 1])) return false;
   const Motion &m = motions[i], &next = motions[i + 1];
   const double to = std::fabs(m.end.x);
-  return m.kind == MotionKind::line && m.end.z < m.start.z - kSameHeight &&
-         to < std::fabs(m.start.x) - kSameHeight && is_cut(next) && next.end.z == next.start.z &&
-         std::fabs(next.end.x) < to - kSameHeight;
+  return m.kind == MotionKind::line && m.start.z > zero + kSameHeight &&
+         m.end.z < m.start.z - kSameHeight && to < std::fabs(m.start.x) - kSameHeight &&
+         is_cut(next) && next.end.z == next.start.z && std::fabs(next.end.x) < to - kSameHeight;
 }
 
 TurnedCuts turned_cuts(std::span<const Motion> motions, std::span<const Tool> tools,
@@ -61,7 +63,7 @@ TurnedCuts turned_cuts(std::span<const Motion> motions, std::span<const Tool> to
   for (std::size_t i = 0; i < motions.size(); ++i) {
     const Motion& m = motions[i];
     if (!is_cut(m) || links[i]) continue;
-    const bool to_face = leads_to_face(motions, links, i);
+    const bool to_face = leads_to_face(motions, links, i, zero);
     const double from = std::fabs(m.start.x), to = std::fabs(m.end.x);
     const double wide = to_face ? to : widest_of(m, zero);
     const bool inwards = m.end.z < m.start.z - kSameHeight;
@@ -83,7 +85,8 @@ TurnedCuts turned_cuts(std::span<const Motion> motions, std::span<const Tool> to
     cuts.widest = std::max(cuts.widest, wide);
     if (m.lead != 0) continue;
     cuts.narrowest = std::min(cuts.narrowest, to);
-    if (inwards) cuts.along = std::max(cuts.along, wide);
+    // A rapid leads to where a slope begins: it says nothing of what is wider.
+    if (inwards) cuts.along = std::max(cuts.along, to_face ? to : std::max(from, to));
     if (inwards && is_upright_line(m)) cuts.passes = std::max(cuts.passes, wide);
     cuts.only_passes = cuts.only_passes && (is_upright_line(m) || leads_in);
     if (inwards) cuts.turned = std::max(cuts.turned, m.end.z);

@@ -42,7 +42,7 @@ class LinkFinder {
     const bool from_rapid = comes_from_rapid(i);
     const bool came_out = !from_rapid && motions_[i - 1].start.z <= zero_ + kSameHeight;
     const bool passes_axis = m.start.x * m.end.x < 0;  // a face
-    if (passes_axis || (!from_rapid && !came_out)) return i;
+    if (passes_axis || is_shoulder(i) || (!from_rapid && !came_out)) return i;
     if (came_out && std::fabs(m.end.x) > std::fabs(m.start.x)) return i + 1;
     std::size_t level = i + 1;
     while (is_aside_before_zero(level) && is_horizontal(motions_[level])) ++level;
@@ -70,6 +70,12 @@ class LinkFinder {
   bool is_aside_before_zero(std::size_t i) const {
     return is_cut_at(i) && motions_[i].kind == MotionKind::line && !is_upright_line(motions_[i]) &&
            std::min(motions_[i].start.z, motions_[i].end.z) > zero_ + kSameHeight;
+  }
+
+  // "Z10.", "X30.": a pass towards the chuck ends there, with its zero farther in.
+  bool is_shoulder(std::size_t i) const {
+    return i > 0 && is_straight_before_zero(i - 1) && goes_down(motions_[i - 1]) &&
+           std::fabs(motions_[i].end.x) > std::fabs(motions_[i].start.x) + kSameHeight;
   }
 
   // With straight feeds in front of the part in between.
