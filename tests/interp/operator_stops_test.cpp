@@ -21,7 +21,8 @@ TEST(OperatorStops, WhatCommentsSay) {
     EXPECT_EQ(said(yes), PartTurned::yes) << yes;
   for (const char* perhaps :
        {"OTHER SIDE", "2ND SIDE", "SIDE 2", "BACK SIDE", "RÜCKSEITE", "ZWEITE SEITE", "2. SEITE",
-        "MOVE THE PART", "SHIFT PART LEFT", "MOVE CLAMPS THEN SLIDE STOCK"})
+        "MOVE THE PART", "SHIFT PART LEFT", "MOVE CLAMPS THEN SLIDE STOCK", "MOVE THIS PART",
+        "MOVE THE FIRST PART", "REPOSITION FINISHED WORKPIECE", "SHIFT 2ND PART"})
     EXPECT_EQ(said(perhaps), PartTurned::perhaps) << perhaps;
   for (const char* no : {"FLIP UP STOP",        "FLIP JAWS",
                          "TURN OFF COOLANT",    "SIDE 1",
@@ -33,7 +34,8 @@ TEST(OperatorStops, WhatCommentsSay) {
                          "TEIL NICHT DREHEN",   "MOVE WORK LIGHT",
                          "DO NOT TURN PART",    "NEVER ROTATE STOCK",
                          "SPINDEL DREHEN",      "DREHEN FERTIG",
-                         "SHIFT WORK OFFSET"})
+                         "SHIFT WORK OFFSET",   "MOVE OVER PART",
+                         "MOVE HOSE FROM PART"})
     EXPECT_EQ(said(no), PartTurned::no) << no;
   EXPECT_EQ(said("TEIL DREHEN", true), PartTurned::no);
   EXPECT_EQ(said("DO NOT MOVE CLAMPS, FLIP PART"), PartTurned::yes);
@@ -70,12 +72,13 @@ TEST(OperatorStops, IsNoneWithoutAStopOrWithoutCutsOnBothSides) {
 }
 
 TEST(OperatorStops, CommentsAboutToolsChangedByHand) {
-  for (const char* yes :
-       {"CHANGE TO 1/8 BALL ENDMILL", "Insert 60 degree V bit", "TOOL CHANGE", "CHANGE TOOL",
-        "Change bit to 3mm ball", "WERKZEUG WECHSELN", "LOAD 6MM DRILL"})
+  for (const char* yes : {"CHANGE TO 1/8 BALL ENDMILL", "Insert 60 degree V bit", "TOOL CHANGE",
+                          "CHANGE TOOL", "Change bit to 3mm ball", "WERKZEUG WECHSELN",
+                          "LOAD 6MM DRILL", "WHEN STOPPED CHANGE TO 6MM BALL ENDMILL"})
     EXPECT_TRUE(says_tool_is_changed(yes)) << yes;
-  for (const char* no : {"CHANGE DRILL IF WORN", "CHECK TOOL", "CHANGE INSERT", "LOAD PART",
-                         "CHANGE TOOL OFFSET", "MOVE CLAMPS", "1/8 BALL ENDMILL"})
+  for (const char* no :
+       {"CHANGE DRILL IF WORN", "CHANGE DRILL WHEN NEEDED", "CHECK TOOL", "CHANGE INSERT",
+        "LOAD PART", "CHANGE TOOL OFFSET", "MOVE CLAMPS", "1/8 BALL ENDMILL"})
     EXPECT_FALSE(says_tool_is_changed(no)) << no;
 }
 

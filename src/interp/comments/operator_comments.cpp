@@ -43,11 +43,16 @@ bool names_part(const CommentView& view, std::size_t i) {
   return false;
 }
 
-// What is moved stands behind the word: "MOVE CLAMP OFF PART" moves the clamp.
+// What is moved stands behind the word, "MOVE THE FINISHED PART"; "MOVE CLAMP OFF PART" moves the
+// clamp, and "MOVE OVER PART" the tool.
 bool moves_part(const CommentView& view, std::size_t i) {
-  std::size_t k = i + 1;
-  while (view.is_one(k, {"THE", "UP", "EACH", "BOTH", "YOUR", "RAW", "WHOLE"})) ++k;
-  return is_part(view, k) && !is_thing_of_part(view, k + 1);
+  for (std::size_t k = i + 1; k <= i + 3; ++k) {
+    if (is_part(view, k)) return !is_thing_of_part(view, k + 1);
+    if (is_thing_of_part(view, k) ||
+        view.is_one(k, {"OFF", "FROM", "OVER", "TO", "ON", "AWAY", "CLEAR", "UNDER", "NEAR"}))
+      return false;
+  }
+  return false;
 }
 
 // "DO NOT MOVE", "DON'T TURN", "TEIL NICHT DREHEN".
@@ -134,10 +139,11 @@ bool is_tool(const CommentView& view, std::size_t i) {
                          "UTENSILE", "ORODJE", "NARZEDZIE", "WERKZEUGWECHSEL", "TOOLCHANGE"});
 }
 
-// Whether the word at i says that the tool stays: "CHANGE DRILL IF WORN", "CHANGE TOOL OFFSET".
+// Whether the word at i says that the tool stays: "CHANGE DRILL IF WORN", "CHANGE TOOL OFFSET"; in
+// "WHEN STOPPED CHANGE TO 6MM BALL" it does not.
 bool is_reserve(const CommentView& view, std::size_t i) {
   return view.is_one(i, {"IF", "CHECK", "WORN", "BROKEN", "DULL", "OFFSET", "OFFSETS", "NO", "NOT",
-                         "EVERY", "WHEN", "SETTER", "PROBE", "WEAR"});
+                         "EVERY", "NEEDED", "NECESSARY", "REQUIRED", "SETTER", "PROBE", "WEAR"});
 }
 
 }  // namespace
