@@ -149,6 +149,18 @@ TEST(DefaultBar, EndsBeforeShouldersInFrontOfZero) {
   EXPECT_EQ(bar.box.hi.z, 52);
 }
 
+// From the axis outwards, with the rim in front of the zero; and a flank behind a pass.
+TEST(DefaultBar, IsAsWideAsLongSlopesOutwards) {
+  StockPath dish;
+  dish.rapid({0, 0, 5}).cut({0, 0, 0}).cut({10, 0, 0}).cut({25, 0, 4}).rapid({25, 0, 10});
+  EXPECT_EQ(dish.bar().outer_radius, 25);
+  EXPECT_GE(dish.bar().box.hi.z, 4);
+  StockPath flank;
+  flank.rapid({27, 0, 2}).rapid({22, 0, 2}).cut({22, 0, -40}).cut({20, 0, -40});
+  flank.cut({20, 0, -20}).cut({27, 0, -13});
+  EXPECT_EQ(flank.rapid({30, 0, -13}).bar().outer_radius, 27);
+}
+
 // G71 R0.5: the rapid off a pass leads over what that has turned.
 TEST(DefaultBar, IsAsWideAsWhereRoughingBegins) {
   StockPath rough;

@@ -151,16 +151,19 @@ class LinkFinder {
   double zero_;
 };
 
-// Ways off a pass: outwards and forwards over what the pass has turned, and straight back.
+// Ways off a pass: outwards and forwards over what the pass has turned, and straight back. Long
+// slopes with the feed cut: dished faces, flanks that are turned from behind.
 void add_ways_off(std::span<const Motion> motions, std::vector<bool>& links) {
+  constexpr double kLongest = 5;  // mm in radius and in Z
   bool is_off = false;
   double front = kNoHeight, widest = 0;  // of the cuts since the last rapid
   for (std::size_t i = 0; i < motions.size(); ++i) {
     const Motion& m = motions[i];
     if (links[i]) continue;
     const double from = std::fabs(m.start.x), to = std::fabs(m.end.x);
+    const bool is_short = std::max(to - from, m.end.z - m.start.z) < kLongest + kSameHeight;
     const bool slopes_off = m.end.z > m.start.z + kSameHeight && m.end.z < front &&
-                            to > from + kSameHeight && to > widest;
+                            to > from + kSameHeight && to > widest && (is_short || !is_cut(m));
     const bool goes_on = is_off && m.end.z > m.start.z - kSameHeight && to > from - kSameHeight &&
                          (is_cut(m) || to < from + kSameHeight);
     is_off = slopes_off || goes_on;
