@@ -120,6 +120,14 @@ TEST(DefaultBar, IsThickerThanItsOnlyPass) {
   two.rapid({25, 0, 2}).cut({24, 0, 2}).cut({24, 0, -30}).rapid({25, 0, -30}).rapid({25, 0, 2});
   two.rapid({24, 0, 2}).cut({23, 0, 2}).cut({23, 0, -20}).rapid({24, 0, -20});
   EXPECT_EQ(two.bar().outer_radius, 25);
+  StockPath lifts;  // two passes, with the feed off each
+  lifts.rapid({27, 0, 2}).rapid({23, 0, 2}).cut({23, 0, -30}).cut({24, 0, -29}).rapid({24, 0, 2});
+  lifts.rapid({19, 0, 2}).cut({19, 0, -30}).cut({20, 0, -29});
+  EXPECT_EQ(lifts.rapid({20, 0, 2}).bar().outer_radius, 24);
+  StockPath faced;  // from the bar's radius, and off a shoulder of that radius
+  faced.rapid({25, 0, 2}).cut({25, 0, 0}).cut({-0.8, 0, 0}).rapid({-0.8, 0, 2}).rapid({23, 0, 2});
+  faced.cut({23, 0, -30}).cut({25, 0, -30}).cut({26, 0, -29}).rapid({26, 0, 2});
+  EXPECT_EQ(faced.bar().outer_radius, 25);
 }
 
 // The rapid to where a slope leads in says nothing of the shoulder behind.
@@ -147,6 +155,9 @@ TEST(DefaultBar, EndsBeforeShouldersInFrontOfZero) {
   const StockShape bar = shaft.cut({27, 0, -3}).rapid({27, 0, 60}).bar();
   EXPECT_EQ(bar.outer_radius, 27);
   EXPECT_EQ(bar.box.hi.z, 52);
+  StockPath neck;  // and what is thinner behind, far in front of it
+  neck.rapid({31, 0, 102}).rapid({25, 0, 102}).cut({25, 0, 60}).cut({20, 0, 50}).cut({20, 0, -2});
+  EXPECT_EQ(neck.cut({31, 0, -2}).rapid({31, 0, 120}).bar().outer_radius, 31);
 }
 
 // From the axis outwards, with the rim in front of the zero; and a flank behind a pass.

@@ -128,19 +128,22 @@ bool works_outside(const Motion& m, std::span<const Tool> tools) {
 }
 
 // The radius that the tool comes from to the widest of the passes, which cuts something: the least
-// one beyond where a feed leads in from, of one pass alone that of a rapid. 0: nothing tells.
+// one beyond where a feed leads in from, of one pass alone that of a rapid; or where a way off it
+// leads to, if that is more. 0: nothing tells.
 double approach_radius(std::span<const Motion> motions, std::span<const Tool> tools,
                        const std::vector<bool>& links, const TurnedCuts& cuts) {
-  double least = -kNoHeight;
+  double least = -kNoHeight, off = 0;
   for (std::size_t i = 0; i < motions.size(); ++i) {
-    const double from = std::fabs(motions[i].start.x);
-    if (links[i] && works_outside(motions[i], tools) &&
-        from > std::max(cuts.widest, std::fabs(motions[i].end.x)) + kSameHeight)
-      least = std::min(least, from);
+    const double from = std::fabs(motions[i].start.x), to = std::fabs(motions[i].end.x);
+    if (!links[i] || !works_outside(motions[i], tools)) continue;
+    if (from > std::max(cuts.widest, to) + kSameHeight) least = std::min(least, from);
+    const bool off_pass =
+        is_cut(motions[i]) && i > 0 && is_cut(motions[i - 1]) && is_upright_line(motions[i - 1]);
+    if (off_pass && std::fabs(from - cuts.widest) < kSameHeight) off = std::max(off, to);
   }
   if (cuts.only_passes && cuts.widest - cuts.narrowest < kSameHeight)
     least = std::min(least, clear_radius(motions, links, cuts));
-  return least == -kNoHeight ? 0 : least;
+  return least == -kNoHeight ? off : std::max(least, off);
 }
 
 // Places outside that tools have cut, by their Z and least radius.

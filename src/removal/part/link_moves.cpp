@@ -48,7 +48,9 @@ class LinkFinder {
     while (is_aside_before_zero(level) && is_horizontal(motions_[level])) ++level;
     std::size_t nearer = level;
     while (is_aside_before_zero(nearer) && nears_part(motions_[nearer])) ++nearer;
-    const auto goes_in = [&](std::size_t j) { return is_cut_at(j) && goes_down(motions_[j]); };
+    const auto goes_in = [&](std::size_t j) {
+      return is_cut_at(j) && goes_down(motions_[j]) && motions_[j].start.z < zero_ + kFarthest;
+    };
     if (goes_in(nearer) && motions_[nearer].end.z <= zero_ + kSameHeight) return nearer;
     return goes_in(level) && slopes_in(motions_[level]) ? level : i;
   }
@@ -60,6 +62,9 @@ class LinkFinder {
   }
 
  private:
+  // mm from the zero to where ways in begin: others turn a part with its zero in the chuck.
+  static constexpr double kFarthest = 10;
+
   bool is_straight_before_zero(std::size_t i) const {
     return is_cut(motions_[i]) && is_upright_line(motions_[i]) &&
            std::min(motions_[i].start.z, motions_[i].end.z) > zero_ + kSameHeight;
