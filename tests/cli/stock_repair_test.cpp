@@ -209,6 +209,19 @@ TEST_F(StockRepair, UnitesBodiesThatTouchInTheSameTriangles) {
   EXPECT_EQ(run("compare cut.off cut.off --accept 0.001").code, 0);
 }
 
+// As STL, where corners have no numbers, they were one body before.
+TEST_F(StockRepair, TakesABodyThatIsThereTwiceOnce) {
+  const Facets body = block(0, 0);
+  Facets inverse = body;
+  for (auto& t : inverse.triangles) std::swap(t[0], t[1]);
+  expect_refused(joined(body, inverse), "nothing is left");
+  write("twice.off", off_text(joined(body, body)));
+  const Outcome o = run("PRIMER_2F.MPF --voxel 1 --stock twice.off --json j.json -o part.stl");
+  ASSERT_EQ(o.code, 0) << o.err;
+  EXPECT_TRUE(contains(o.err, "12 double triangles dropped")) << o.err;
+  EXPECT_NEAR(Json::parse(read("j.json"))["stock"]["volume"].get<double>(), 60000, 1e-3);
+}
+
 TEST_F(StockRepair, RefusesBodiesWithinOthersOrInsideOut) {
   const auto turned = [](Facets f) {
     for (auto& t : f.triangles) std::swap(t[0], t[1]);
@@ -335,11 +348,11 @@ TEST_F(StockWrap, WhatItCannotDoIsSaid) {
   expect_failure("PRIMER_2F.MPF --stock block.off --stock-repair wrap=1e-5", 2, "triangles");
 }
 
-// Bodies in one place cross by pairs of triangles, the square of their number: the search ends
-// early.
+// Bodies that are nearly in one place cross by pairs of triangles, the square of their number: the
+// search ends early.
 TEST_F(StockRepair, ManyBodiesInOnePlaceAreRefusedAtOnce) {
   Facets all = block();
-  for (int i = 1; i < 600; ++i) all = joined(all, block());
+  for (int i = 1; i < 600; ++i) all = joined(all, block(0.01 * i));
   write("stock.off", off_text(all));
   const Outcome outcome = run("PRIMER_2F.MPF --stock stock.off --json r.json");
   EXPECT_EQ(outcome.code, 1);

@@ -292,6 +292,26 @@ TEST(DefaultBar, EndsAtZeroWhateverIsInside) {
   EXPECT_EQ(groove.outer_radius, 16);  // not 12: nothing would be cut
 }
 
+// What is cut far beside a link, or far before zero, is no link and no run-out in the air.
+TEST(DefaultBar, IsAsWideAsCutsFarFromLinks) {
+  StockPath finish;  // of one pass: the rapid is in front of its shoulder
+  finish.rapid({18, 0, 2}).cut({15, 0, 2}).cut({15, 0, -30}).cut({30, 0, -30});
+  EXPECT_EQ(finish.bar().outer_radius, 30);
+  StockPath dish;
+  dish.rapid({28, 0, 4}).cut({25, 0, 4}).cut({10, 0, -1}).cut({0, 0, -1});
+  EXPECT_EQ(dish.bar().outer_radius, 28);
+  StockPath ring;
+  ring.rapid({28, 0, 3}).cut({15, 0, 3}).cut({15, 0, -2}).cut({0, 0, -2});
+  EXPECT_EQ(ring.bar().outer_radius, 28);
+  StockPath face;  // outwards, after a bore
+  face.rapid({10, 0, 2}).cut({10, 0, -5}).cut({10, 0, 1}).cut({27, 0, 1});
+  EXPECT_EQ(face.bar().outer_radius, 27);
+  StockPath dome;
+  dome.rapid({30, 0, 10}).cut({28, 0, 9}).cut({25, 0, 5}).cut({22, 0, -5});
+  EXPECT_EQ(dome.bar().outer_radius, 30);
+  EXPECT_EQ(dome.bar().box.hi.z, 10);
+}
+
 // Zero in the chuck.
 TEST(DefaultBar, EndsBeforeTheFaceThatIsCut) {
   const StockShape bar = StockPath()

@@ -82,11 +82,11 @@ void join_borders(TriMesh& mesh) {
     }
 }
 
-// Whether bodies that are closed each touch in the same triangles.
-bool bodies_touch(const TriMesh& mesh, const MeshSummary& summary) {
+// Whether bodies that are closed each touch in the same triangles, or are there twice.
+bool bodies_coincide(const TriMesh& mesh, const MeshSummary& summary) {
   if (summary.components < 2) return false;
   TriMesh welded = weld(mesh);
-  return drop_touching(welded) > 0;
+  return drop_doubles(welded) > 0 || drop_touching(welded) > 0;
 }
 
 SurfaceMesh to_surface(const TriMesh& mesh) {
@@ -339,7 +339,7 @@ std::string make_solid(TriMesh& mesh, const std::string& name) {
   std::size_t sheets = summary.oriented ? drop_sheets(mesh) : 0;
   require_triangles(mesh, name);
   // Closed by indices, a mesh may still have vertices that share a place.
-  if (!summary.oriented || summary.degenerate > 0 || bodies_touch(mesh, summary)) {
+  if (!summary.oriented || summary.degenerate > 0 || bodies_coincide(mesh, summary)) {
     mesh.owners.clear(), mesh.colors.clear();
     weld_all("vertex welded", "vertices welded");
     if (!is_solid(mesh)) {
@@ -347,7 +347,11 @@ std::string make_solid(TriMesh& mesh, const std::string& name) {
       weld_all("vertex of an open edge welded", "vertices of open edges welded");
       step(drop_doubles(mesh), "double triangle dropped", "double triangles dropped");
       step(drop_touching(mesh), "", "triangles dropped where bodies touch");
-      require_triangles(mesh, name);
+      if (mesh.triangles.empty())
+        throw Error("mesh-inverted",
+                    name +
+                        ": each of its bodies lies in one place with the same body turned inside "
+                        "out, so that nothing is left; export one of them");
     }
     if (!is_solid(mesh)) {
       TriMesh after = weld(oriented(mesh, name));

@@ -7,6 +7,7 @@
 #include <iterator>
 
 namespace mrsim::detail {
+
 // Where the vertex of each loop goes; count = 0: it stays.
 std::vector<SurfacePoint> RidgeSharpener::find_tips() const {
   std::vector<SurfacePoint> tips = outside_;

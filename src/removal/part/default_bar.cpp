@@ -242,11 +242,18 @@ double front_of(const TurnedCuts& cuts, double clearance, double zero) {
   return cuts.face + std::min(kLeastMargin, (clearance - cuts.face) / 2);
 }
 
-}  // namespace
+// mm: how far cuts run out in the air, and links lead beside the bar. What would make it thinner or
+// shorter by more is no sign of that.
+constexpr double kMostAir = 6;
 
-StockShape default_bar(std::span<const Motion> motions, std::span<const Tool> tools, double zero) {
-  const std::vector<bool> links = link_moves(motions, zero, true);
-  TurnedCuts cuts = turned_cuts(motions, tools, links, zero);
+// Its radius and Z, rounded.
+struct Bar {
+  double radius = 0, low = 0, front = 0;
+};
+
+Bar bar_of(std::span<const Motion> motions, std::span<const Tool> tools,
+           const std::vector<bool>& links, double zero, TurnedCuts& cuts) {
+  cuts = turned_cuts(motions, tools, links, zero);
   if (std::max(cuts.widest, cuts.inside) == 0) cuts.inside = cuts.across;  // G72 in a bore alone
   const double wide = std::max(cuts.widest, cuts.inside);
   const double margin = margin_of({{-wide, -wide, cuts.lowest}, {wide, wide, cuts.highest}});
@@ -255,29 +262,40 @@ StockShape default_bar(std::span<const Motion> motions, std::span<const Tool> to
     const double limit = approach_radius(motions, tools, links, cuts);
     cuts.widest = std::clamp(limit, cuts.widest, cuts.widest + margin);
   }
-  const bool is_thinner = clear < cuts.widest && clear > cuts.narrowest + kSameHeight;
+  const bool is_thinner =
+      clear < cuts.widest && clear > cuts.narrowest + kSameHeight && clear > cuts.widest - kMostAir;
   const double edge =
       std::min(is_thinner ? clear : cuts.widest, entered_radius(motions, tools, cuts, zero));
   const double outer =
       is_thinner || rapids_reach(motions, edge) ? round_down(edge) : round_up(edge);
   const double bored = cuts.inside > 0 ? round_up(cuts.inside + margin) : 0;
-  const double radius = std::max({outer, bored, 0.1});
+  Bar bar{std::max({outer, bored, 0.1}), round_down(cuts.lowest - margin), 0};
+  const double front = front_of(cuts, clear_front(motions, cuts, bar.radius), zero);
+  bar.front = std::max(front, bar.low + margin);
+  return bar;
+}
+
+}  // namespace
+
+StockShape default_bar(std::span<const Motion> motions, std::span<const Tool> tools, double zero) {
+  TurnedCuts all, cuts;
+  const Bar with_links = bar_of(motions, tools, std::vector<bool>(motions.size()), zero, all);
+  Bar bar = bar_of(motions, tools, link_moves(motions, zero, true), zero, cuts);
+  if (bar.radius < with_links.radius - kMostAir) bar.radius = with_links.radius;
+  if (bar.front < with_links.front - kMostAir) bar.front = with_links.front;
   StockShape shape;
   shape.kind = StockShape::Kind::cylinder;
-  shape.outer_radius = radius;
-  shape.box.lo = {-radius, -radius, round_down(cuts.lowest - margin)};
-  const double front = front_of(cuts, clear_front(motions, cuts, radius), zero);
-  shape.box.hi = {radius, radius, std::max(front, shape.box.lo.z + margin)};
-  const double hole = round_up(entered_hole(motions, tools, shape.box.hi.z));
+  shape.outer_radius = bar.radius;
+  shape.box = {{-bar.radius, -bar.radius, bar.low}, {bar.radius, bar.radius, bar.front}};
+  const double hole = round_up(entered_hole(motions, tools, bar.front));
   const bool is_hollow = hole >= kLeastMargin && hole < std::max(cuts.inside, cuts.across);
   if (is_hollow) {
     shape.kind = StockShape::Kind::tube;
     shape.inner_radius = hole;
   }
-  shape.description = fmt::format("around the program's cuts: {}:{:.6g},{}{:.6g},{:.6g}",
-                                  is_hollow ? "tube" : "cylinder", 2 * radius,
-                                  is_hollow ? fmt::format("{:.6g},", 2 * hole) : "", shape.box.lo.z,
-                                  shape.box.hi.z);
+  shape.description = fmt::format(
+      "around the program's cuts: {}:{:.6g},{}{:.6g},{:.6g}", is_hollow ? "tube" : "cylinder",
+      2 * bar.radius, is_hollow ? fmt::format("{:.6g},", 2 * hole) : "", bar.low, bar.front);
   return shape;
 }
 
