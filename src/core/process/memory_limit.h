@@ -9,8 +9,8 @@
 
 namespace mrsim {
 
-/// Bytes that every process takes: code, stacks, libraries.
-inline constexpr double kProgramMemory = 13e6;
+/// Bytes that every process takes before it reads anything: code, stacks, libraries.
+inline constexpr double kProgramMemory = 10e6;
 
 /// While this object lives, require_memory() on this thread keeps the whole process to `bytes`; 0
 /// means what is in use now plus what the machine has free. Limits may be nested; the inner one
