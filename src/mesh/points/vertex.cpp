@@ -10,10 +10,10 @@ namespace {
 constexpr double kLeastDeterminant = 1e-4;  ///< of the normals of three faces that meet in a corner
 constexpr double kClearDeterminant = 0.25;  ///< of a corner outside of its cell
 constexpr double kSharpDeterminant = 0.05;  ///< of a corner seen from a crease
-constexpr double kBeside = 1e-3;  ///< mm: from a ridge to where the part about it is looked at
-constexpr double kAlong = 16;     ///< of kBeside: from the end of a ridge to where it is looked at
-constexpr double kClear = 0.25;   ///< of the distance to the two faces that is expected there
-constexpr double kOnFace = 0.02;  ///< of kBeside: how far from a face what lies on it may be
+constexpr double kBesideRidge = 1e-3;  ///< mm: from a ridge to where the part about it is looked at
+constexpr double kAlong = 16;          ///< of kBesideRidge: from the end of a ridge
+constexpr double kClear = 0.25;        ///< of the distance to the two faces that is expected there
+constexpr double kOnFace = 0.02;  ///< of kBesideRidge: how far from a face what lies on it may be
 constexpr double kFlatRidge = 0.98;  ///< cosine between faces that need not be kept apart
 
 // Up to `most` different faces, in the order of their first crossing.
@@ -131,12 +131,13 @@ SurfacePoint passing_crease(const Probe& probe, const Box3& room, const Vec3& st
 bool is_doubled(const Probe& probe, const Vec3& p, const Vec3& n, const Vec3& m) {
   const double c = dot(n, m), sine = std::sqrt(std::max(0.0, 1 - c * c));
   if (c > kFlatRidge || sine < kSharpDeterminant) return false;
-  const Vec3 first = (kBeside / sine) * (m - c * n), second = (kBeside / sine) * (n - c * m);
+  const Vec3 first = (kBesideRidge / sine) * (m - c * n),
+             second = (kBesideRidge / sine) * (n - c * m);
   const auto at = [&](const Vec3& v) { return probe.sample(p + v).distance; };
   const double under[] = {at(-first), at(-second)}, over[] = {at(first), at(second)};
-  const double clear = kClear * sine * kBeside;
+  const double clear = kClear * sine * kBesideRidge;
   const auto on_surface = [](const double* d) {
-    return std::abs(d[0]) < kOnFace * kBeside && std::abs(d[1]) < kOnFace * kBeside;
+    return std::abs(d[0]) < kOnFace * kBesideRidge && std::abs(d[1]) < kOnFace * kBesideRidge;
   };
   return (on_surface(under) && !(over[0] > clear && over[1] > clear)) ||
          (on_surface(over) && !(under[0] < -clear && under[1] < -clear));
@@ -243,7 +244,7 @@ void keep_apart(const Probe& probe, const Vec3& side, SurfacePoint& ridge) {
   for (int k = ridge.count == 2 ? 2 : 0; k < 3; ++k) {
     const Vec3 &n = normal[(k + 1) % 3], &m = normal[(k + 2) % 3];
     // The ridge may run either way from its end.
-    const Vec3 along = ridge.count == 2 ? Vec3() : kAlong * kBeside * normalized(cross(n, m));
+    const Vec3 along = ridge.count == 2 ? Vec3() : kAlong * kBesideRidge * normalized(cross(n, m));
     if (!is_doubled(probe, p + along, n, m) &&
         (ridge.count == 2 || !is_doubled(probe, p - along, n, m)))
       continue;
