@@ -257,9 +257,14 @@ TEST(CellTile, SidesThatNoCutReachesAreOneSquareATile) {
       EXPECT_NEAR(check_mesh(mesh).volume, 60 * 45 * 5 - 2 * slot, 0.02 * slot + 4 * wall * wall)
           << wall;
       EXPECT_LT(mesh.triangles.size(), 2 * 2 * (2 * 60 * 45 + 2 * 105 * 5) / 0.01 / 20) << wall;
-      MeshPlan two;
-      two.threads = 2;
-      EXPECT_EQ(mesh.triangles, mesh_part(field, 0.1, two).triangles) << wall;
+      for (const std::size_t room : {0u, 100'000u, 100'000'000u}) {
+        MeshPlan two;
+        two.threads = 2;
+        two.tile_room = room;
+        const TriMesh same = mesh_part(field, 0.1, two);
+        EXPECT_EQ(mesh.triangles, same.triangles) << wall << ", room " << room;
+        EXPECT_EQ(mesh.vertices, same.vertices) << wall << ", room " << room;
+      }
     }
 }
 
@@ -331,12 +336,17 @@ TEST(CellTile, TilesMeetWhateverTheirListsLeaveOutFarOff) {
   for (const bool steep : {false, true}) {
     const PartField part = raster({-3.3, 100.37, -20.1}, flat, steep);
     const FarOffField field(part);
-    MeshReport report;
-    MeshCollector mesh;
-    mesh_uniform(field, 0.06, 2, {}, mesh, report);
-    const MeshSummary check = check_mesh(mesh.mesh());
-    EXPECT_EQ(check.first_fault, "");
-    EXPECT_GT(report.passes, 1u) << "the field is as usual: nothing is tested";
+    const auto triangles = [&](std::size_t room) {
+      MeshPlan plan;
+      plan.tile_room = room;
+      MeshReport report;
+      MeshCollector mesh;
+      mesh_uniform(field, 0.06, 2, plan, mesh, report);
+      EXPECT_EQ(check_mesh(mesh.mesh()).first_fault, "");
+      EXPECT_GT(report.passes, 1u) << "the field is as usual: nothing is tested";
+      return mesh.mesh().triangles;
+    };
+    EXPECT_EQ(triangles(0), triangles(100'000'000));
   }
 }
 

@@ -95,9 +95,11 @@ bool ProgressBar::update(const char* stage, double fraction) {
   const std::lock_guard<std::mutex> lock(mutex_);
   if (!enabled_) return stop_code() == 0;
   const auto now = Clock::now();
-  if (stage_ != stage) stage_ = stage, stage_begin_ = now;
-  const double taken = std::chrono::duration<double>(now - stage_begin_).count();
   const double share = std::clamp(fraction, 0.0, 1.0);
+  const bool begins_anew = share == 0 && share_ > 0;
+  if (stage_ != stage || begins_anew) stage_ = stage, stage_begin_ = now;
+  share_ = share;
+  const double taken = std::chrono::duration<double>(now - stage_begin_).count();
   const bool is_known = share > 0 && taken > (share > kLittle ? kFirstLook : kSecondLook);
   const double left = is_known ? taken * (1 - share) / share : -1;
   if (!told_ && taken + left > kLong && left > 0) tell_long(stage, taken + left);

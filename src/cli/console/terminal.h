@@ -48,6 +48,7 @@ class ProgressBar {
   bool is_terminal_;
   bool drawn_ = false, told_ = false;
   std::string stage_;
+  double share_ = 0;  ///< of the stage, when it was last heard of
   Clock::time_point begin_, stage_begin_, last_;
 };
 

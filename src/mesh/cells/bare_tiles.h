@@ -12,6 +12,7 @@ class BareTiles {
   /// The tile that lies (x, y, z) tiles, -1 to 1 each, from this one.
   void add(int x, int y, int z) { bits_ |= bit(x, y, z); }
   bool has(int x, int y, int z) const { return (bits_ & bit(x, y, z)) != 0; }
+  friend bool operator==(const BareTiles& a, const BareTiles& b) { return a.bits_ == b.bits_; }
 
  private:
   static std::uint32_t bit(int x, int y, int z) {

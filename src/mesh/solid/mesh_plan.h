@@ -15,6 +15,9 @@ struct MeshPlan {
   std::size_t max_memory = 0;
   /// Without a tolerance: measure how far the mesh is from the exact part.
   bool measure = false;
+  /// Without a tolerance: bytes in which tiles that are done may be kept, so that they need not be
+  /// made again where others must be.
+  std::size_t tile_room = 0;
   /// A mesh within the tolerance is given up (MeshReport::given_up) where it takes more nodes of an
   /// octree than these, as its first cells show, or more memory, or is not possible. 0 =
   /// never: that is an Error.

@@ -6,6 +6,12 @@
 
 namespace mrsim::detail {
 
+std::size_t TileMesh::memory() const {
+  const auto bytes = [](const auto& v) { return v.capacity() * sizeof(v[0]); };
+  return sizeof(*this) + bytes(vertices) + bytes(marks) + bytes(triangles) + bytes(owners) +
+         bytes(border);
+}
+
 std::uint8_t tile_marks(const Vec3& p, const Vec3& low, const Vec3& high, const Vec3& middle) {
   if ((p.x == middle.x) + (p.y == middle.y) + (p.z == middle.z) >= 2) return TileMesh::kShared | 7u;
   unsigned out = 0;

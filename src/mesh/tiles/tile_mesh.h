@@ -40,6 +40,8 @@ struct TileMesh {
   std::vector<std::array<std::uint32_t, 3>> triangles;
   std::vector<std::int32_t> owners;
   std::vector<std::array<std::uint32_t, 2>> border;  ///< edges that other tiles have to close
+
+  std::size_t memory() const;  ///< bytes, about
 };
 
 /// The marks of a vertex in a tile. `low`, `high`: where its first and last cells begin that are

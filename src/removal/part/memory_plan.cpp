@@ -58,6 +58,9 @@ constexpr double kBentCell = 900;
 constexpr double kBends = 0.6, kMostBends = 1.5;
 // Each tile with surface, as long as the run lasts: the sizes of its records.
 constexpr double kTile = 400;
+// Tiles that are kept while others are mended: each cell, two triangles and a vertex with their
+// records, and bytes of all at most.
+constexpr double kKeptCell = 46, kMostKept = 96e6;
 constexpr double kTileVoxels = 60;  ///< voxels along a side of a tile, less those that it shares
 // Voxels on the stock's surface, the most that a run accepts; a mesh has twice as many triangles.
 constexpr double kMostColumns = 1e9;
@@ -164,6 +167,11 @@ struct Need {
         kBentCell * bent_cells(voxel);
     return in_slabs ? working : working + whole_mesh(voxel);
   }
+  /// All tiles of the mesh, if they are kept.
+  double kept_tiles() const {
+    return kKeptCell * (options.cut_cells +
+                        stock.area() / (options.voxel * options.voxel) * (stock.is_box() ? 0 : 1));
+  }
   double whole_mesh(double voxel) const {
     const double finer = options.voxel / voxel, cells = options.cut_cells * finer * finer;
     return (is_most ? kMost : kExpected).mesh_cell * cells +
@@ -240,7 +248,13 @@ MemoryPlan plan_memory(const PartField& field, std::size_t motions, const CarveP
   plan.expected = plan.whole = need(options.voxel, false);
   const auto available = static_cast<double>(plan.limit);
   plan.mesh_room = available - (plan.whole - need.whole_mesh(options.voxel));
-  if (!options.slabs && need.at_most(options.voxel, false) <= available) return plan;
+  const double left = available - need.at_most(options.voxel, false);
+  if (!options.slabs && left >= 0) {
+    plan.tile_room = options.grid_mesh ? std::min(left, kMostKept) : 0;
+    plan.expected += std::min(plan.tile_room, need.kept_tiles());
+    plan.mesh_room -= plan.tile_room;
+    return plan;
+  }
   const bool may_slab = options.no_slabs.empty();
   plan.in_slabs = true;
   plan.expected = need(options.voxel, true);

@@ -56,6 +56,8 @@ void Stock::plan_grid_mesh(double voxel, double cut_cells, const std::string& no
 
 double Stock::mesh_room() const { return grid_->plan.mesh_room; }
 
+double Stock::tile_room() const { return grid_->plan.tile_room; }
+
 void Stock::plan_slabs() {
   if (!grid_->asked.no_slabs.empty())
     throw Error("memory",

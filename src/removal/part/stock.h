@@ -41,6 +41,8 @@ class Stock {
   void plan_grid_mesh(double voxel, double cut_cells, const std::string& no_slabs);
   /// Bytes that this mesh may take as a whole.
   double mesh_room() const;
+  /// Bytes in which tiles of it may be kept besides.
+  double tile_room() const;
   /// Plans the same mesh in slabs, after it has taken more memory in one piece than was expected.
   /// Throws what plan_grid_mesh() throws.
   void plan_slabs();

@@ -78,7 +78,8 @@ MeshReport MeshMaker::make() {
   return extract_grid(grid_plan(job_, stock_, choice_));
 }
 
-MeshReport MeshMaker::extract(const MeshPlan& plan) {
+MeshReport MeshMaker::extract(MeshPlan plan) {
+  plan.tile_room = static_cast<std::size_t>(stock_.tile_room());
   part_.reset();
   part_.emplace(stock_.in_slabs() ? std::optional(spill_folder(job_.outputs)) : std::nullopt,
                 plan.tolerance > 0 ? kUnlimited : stock_.mesh_room(), threads_, next_);

@@ -35,7 +35,7 @@ class MeshMaker {
   double memory() const { return memory_; }
 
  private:
-  MeshReport extract(const MeshPlan& plan);
+  MeshReport extract(MeshPlan plan);
   MeshReport extract_grid(const MeshPlan& plan);
 
   const Job& job_;
