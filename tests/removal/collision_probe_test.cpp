@@ -29,7 +29,8 @@ class ProbeScene {
     part_ = std::make_unique<PartField>(StockSolid(shape), SweepTable(motions_, tools_));
     blocks_ = std::make_unique<BlockIndex>(*part_, kVoxel, kBand, std::size_t(1) << 30);
     std::vector<int> shapeless;
-    movers_.emplace(find_movers(ToolPart::cutter, motions_, tools_, 0, shape.box, shapeless));
+    movers_.emplace(
+        find_movers(ToolPart::cutter, motions_, tools_, 0, shape.box, kTouch, 1, shapeless));
   }
 
   std::vector<CollisionHit> probe(int threads = 1) const {
@@ -139,7 +140,8 @@ TEST(CollisionMovers, LeaveOutTheRetractOfAConeThatReachesAboveTheStock) {
     std::vector<int> shapeless;
     const Box3 stock{{0, 0, -20}, {60, 40, 0}};
     const std::vector<Tool> tools{cone};
-    return find_movers(ToolPart::cutter, motions, tools, 0, stock, shapeless).motions.size();
+    return find_movers(ToolPart::cutter, motions, tools, 0, stock, kTouch, 1, shapeless)
+        .motions.size();
   };
   EXPECT_EQ(movers(4, {30, 25, 5}), 0u);
   EXPECT_EQ(movers(2, {30, 25, 5}), 1u);

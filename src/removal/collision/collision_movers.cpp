@@ -2,6 +2,8 @@
 
 #include "core/numbers/vec.h"
 #include "core/process/memory_limit.h"
+#include "core/process/parallel.h"
+#include "removal/collision/recent_places.h"
 #include "removal/part/memory_plan.h"
 #include "removal/tool/tool.h"
 
@@ -13,8 +15,6 @@
 
 namespace mrsim {
 namespace {
-
-// mm: a cutter this near to where it has cut touches what it left, at most.
 
 // Bytes of each motion that may collide, beside its sweeps: itself, and what is found of it.
 constexpr double kChosen = sizeof(Motion) + 300;
@@ -95,6 +95,8 @@ class Selection {
       : part_(part), motions_(motions), tools_(tools), stock_(stock), known_(tools.size()) {}
 
   bool may_collide(std::size_t at);
+  /// For a rapid that may. Any number of threads at once.
+  bool keeps_to_recent_places(std::size_t at, double touch) const;
   const std::vector<int>& shapeless() const { return shapeless_; }
 
  private:
@@ -150,6 +152,12 @@ bool Selection::may_collide(std::size_t at) {
   return part_ != ToolPart::cutter || !follows_cut(at, k);
 }
 
+bool Selection::keeps_to_recent_places(std::size_t at, double touch) const {
+  const Known& k = known_[static_cast<std::size_t>(motions_[at].tool)];
+  return k.widens &&
+         mrsim::keeps_to_recent_places(motions_, at, k.shape.cutter, stock_.hi.z, touch);
+}
+
 bool Selection::follows_cut(std::size_t at, const Known& tool) const {
   const Motion& rapid = motions_[at];
   for (std::size_t back = 1; back <= std::min(kRecent, at); ++back) {
@@ -186,6 +194,21 @@ bool Selection::stays_in(const Motion& cut, const Motion& rapid, const Known& to
   return lies_in(rapid.start) && lies_in(rapid.end);
 }
 
+void drop_if_kept(const Selection& selection, double touch, int threads,
+                  std::vector<std::int32_t>& rapids) {
+  std::vector<char> keeps(rapids.size());
+  parallel_for(
+      rapids.size(), threads,
+      [&](std::size_t i) {
+        keeps[i] = selection.keeps_to_recent_places(static_cast<std::size_t>(rapids[i]), touch);
+      },
+      64);
+  std::size_t left = 0;
+  for (std::size_t i = 0; i < rapids.size(); ++i)
+    if (keeps[i] == 0) rapids[left++] = rapids[i];
+  rapids.resize(left);
+}
+
 }  // namespace
 
 bool moves(const Motion& m) {
@@ -193,13 +216,15 @@ bool moves(const Motion& m) {
 }
 
 Movers find_movers(ToolPart part, std::span<const Motion> motions, std::span<const Tool> tools,
-                   std::size_t first, const Box3& stock, std::vector<int>& shapeless) {
+                   std::size_t first, const Box3& stock, double touch, int threads,
+                   std::vector<int>& shapeless) {
   Selection selection(part, motions, tools, stock);
   std::vector<std::int32_t> index;
   if (std::none_of(tools.begin(), tools.end(), [&](const Tool& t) { return has_part(t, part); }))
     first = motions.size();
   for (std::size_t i = first; i < motions.size(); ++i)
     if (selection.may_collide(i)) index.push_back(static_cast<std::int32_t>(i));
+  if (part == ToolPart::cutter) drop_if_kept(selection, touch, threads, index);
   require_memory(kChosen * static_cast<double>(index.size()),
                  fmt::format("the search for collisions of {} motions", index.size()));
   std::vector<Motion> chosen;

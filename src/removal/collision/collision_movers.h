@@ -24,10 +24,12 @@ struct Movers {
 };
 
 /// Motions from index `first` on whose part can meet `stock`: rapids for the cutter, rapids and
-/// cuts for shank and holder. A rapid whose cutter stays where one of the cuts shortly before it
-/// has been, or above that, is left out: the usual retract. Tools without a valid shape are added
-/// to `shapeless`. Cost: some nanoseconds for each motion.
+/// cuts for shank and holder. A rapid whose cutter stays where the cuts shortly before it have
+/// been, above that, or within `touch` mm of it, is left out: the usual ways out and to the next
+/// pass. Tools without a valid shape are added to `shapeless`. Cost: some nanoseconds for each
+/// motion, some microseconds for each rapid in the stock. Same result for any number of threads.
 Movers find_movers(ToolPart part, std::span<const Motion> motions, std::span<const Tool> tools,
-                   std::size_t first, const Box3& stock, std::vector<int>& shapeless);
+                   std::size_t first, const Box3& stock, double touch, int threads,
+                   std::vector<int>& shapeless);
 
 }  // namespace mrsim

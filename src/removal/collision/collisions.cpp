@@ -266,7 +266,8 @@ CollisionReport Check::run(std::size_t first) {
   CollisionReport report;
   const Box3& stock = grid_.field->solid().bounds();
   for (const ToolPart part : kParts)
-    movers_.push_back(find_movers(part, motions_, tools_, first, stock, report.shapeless));
+    movers_.push_back(find_movers(part, motions_, tools_, first, stock, options_.depth,
+                                  options_.threads, report.shapeless));
   find_turned();
   std::vector<Hit> hits;
   for (std::size_t part = 0; part < kParts.size(); ++part) detect(part, hits);
