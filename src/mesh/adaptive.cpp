@@ -101,12 +101,12 @@ class AdaptiveMesher {
     }
     LabelledMesh mesh = detail::labelled_mesh(*surface_);
     detail::drop_unused_vertices(mesh);
-    report_.triangles_before = mesh.triangles.size();
     report_.cells = surface_->loops().size();
     surface_.reset();
     passed_ = detail::FlatMap();
     mesh = detail::cut_owner_borders(field_, tree_, mesh, border_room(), options_.threads);
     timer_.step("borders");
+    report_.triangles_before = mesh.triangles.size();
     mesh = simplified(mesh);
     const detail::MeshCertifier::Total total = certifier().total(mesh);
     report_.tolerance = tolerance_;

@@ -196,6 +196,34 @@ TEST_F(Defaults, SlotsInPassesAreMeshedWithinATolerance) {
   EXPECT_NEAR(j["volume"]["removed"], 20 * 12. * 60, 1e-3);
 }
 
+// Parts cut out of a large sheet in passes: its blocks are large, and many passes meet in each.
+TEST_F(Defaults, PartsOfALargeSheetAreMeshedWithinATolerance) {
+  std::string text = "%\nO1\nG21 G90 G17\nT1 M6\nS18000 M3\nG0 Z20\n";
+  const auto at = [](double x, double y) {
+    return "X" + std::to_string(x) + " Y" + std::to_string(y);
+  };
+  for (int k = 0; k < 12; ++k) {
+    const double x = 300 + 500 * (k % 4), y = 250 + 350 * (k / 4);
+    text += "G0 " + at(x + 120, y) + "\n";
+    for (int pass = 1; pass <= 5; ++pass) {
+      text += "G1 Z" + std::to_string(-3.66 * pass) + " F1000\n";
+      for (int side = 1; side <= 60; ++side) {
+        const double turn = 6.28318530718 * side / 60, r = 120 * (1 + 0.2 * std::sin(3 * turn));
+        text += "G1 " + at(x + r * std::cos(turn), y + r * std::sin(turn)) + " F6000\n";
+      }
+    }
+    text += "G0 Z20\n";
+  }
+  write("sheet.nc", text + "M30\n%\n");
+  const Outcome o =
+      run("sheet.nc --stock box:0,0,-18,2440,1220,0 --tool 1=flat:d=6 -q -o part.stl "
+          "--json r.json");
+  EXPECT_EQ(o.code, 0) << o.err;
+  const Json j = Json::parse(read("r.json"));
+  EXPECT_FALSE(j["tolerance"]["value"].is_null());
+  EXPECT_LT(j["mesh"]["triangles"], 60'000);
+}
+
 // A contour at one depth and holes, no stock: all of it is in the part, and no rapid meets it.
 TEST_F(Defaults, StockEndsAtZeroAboveAContourAndHoles) {
   write("part.nc",

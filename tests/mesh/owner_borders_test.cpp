@@ -1,4 +1,5 @@
 // Borders between owners on plane faces: where the floors of two passes meet.
+#include "core/numbers/trig.h"
 #include "core/numbers/units.h"
 #include "mesh/mesh_part.h"
 #include "mesh/solid/check.h"
@@ -205,6 +206,30 @@ TEST(OwnerBorders, OfPassesOverOneWallAreNone) {
   const MeshSummary s = check_mesh(mesh);
   EXPECT_TRUE(s.closed && s.oriented && s.manifold) << s.first_fault;
   EXPECT_LT(mesh.triangles.size(), 2'000u);  // cut to pieces of the tolerance they were a million
+}
+
+// An outline through a sheet in seven laps: on its walls, which no edge of the grid follows, the
+// floors of the laps leave bands narrower than a cell. Triangles that were cut at any of their
+// edges first became slivers that each cross many borders.
+TEST(OwnerBorders, OfBandsNarrowerThanCellsTakeFewCuts) {
+  constexpr int kSides = 100, kLaps = 7;
+  const auto rounded = [](double x) { return std::round(1000 * x) / 1000; };
+  std::vector<Vec3> places;
+  for (int k = 0; k <= kLaps * kSides; ++k) {
+    const double turn = kTwoPi * k / kSides, r = 55 * (1 + 0.25 * sincos(5 * turn).sin);
+    const auto [sin, cos] = sincos(turn);
+    const double lap = k / kSides + std::min(1.0, (k % kSides + 1) / 6.0);
+    places.push_back({rounded(r * cos), rounded(1.1 * r * sin), rounded(-3.0 / kLaps * lap)});
+  }
+  StockShape sheet;
+  sheet.box = {{-90, -90, -3}, {90, 90, 0}};
+  const Tool tool = endmill(3.175);
+  const PartField field{StockSolid(sheet), SweepTable(path(places), std::span(&tool, 1))};
+  MeshPlan plan;
+  plan.tolerance = 0.1;
+  MeshReport report;
+  mesh_part(field, 1, plan, &report);
+  EXPECT_LT(report.triangles_before, 100'000u);  // there were 189 000
 }
 
 }  // namespace

@@ -162,6 +162,20 @@ class BorderCutter {
     std::array<std::optional<Vec3>, 3> at;
   };
 
+  // The edges of a triangle: what is left of one that is cut at its longest edge first is less
+  // thin.
+  std::array<std::uint32_t, 3> longest_first(std::uint32_t t) const {
+    std::array<std::uint32_t, 3> order{0, 1, 2};
+    std::array<double, 3> size{};
+    for (std::uint32_t k = 0; k < 3; ++k) {
+      const std::uint32_t h = 3 * t + k;
+      size[k] = distance(cut_.position(cut_.from(h)), cut_.position(cut_.to(h)));
+    }
+    std::stable_sort(order.begin(), order.end(),
+                     [&](std::uint32_t a, std::uint32_t b) { return size[a] > size[b]; });
+    return order;
+  }
+
   // Most of the time goes into this, so it is found for many triangles at once. One that is changed
   // before its turn comes is searched again.
   std::vector<Crossed> ask(const std::vector<std::uint32_t>& triangles) const {
@@ -172,7 +186,7 @@ class BorderCutter {
           const std::uint32_t t = triangles[i];
           Crossed& crossed = found[i];
           crossed.corners = cut_.mesh.triangles[t];
-          for (std::uint32_t k = 0; k < 3; ++k) {
+          for (const std::uint32_t k : longest_first(t)) {
             if (asked_.find(edge_key(3 * t + k)) >= 0) continue;
             crossed.is_known[k] = true;
             crossed.at[k] = border_on(3 * t + k);
@@ -188,7 +202,7 @@ class BorderCutter {
 
   void cut_crossed_edges(std::uint32_t t, const Crossed& crossed) {
     const bool is_same = cut_.mesh.triangles[t] == crossed.corners;
-    for (std::uint32_t k = 0; k < 3; ++k) {
+    for (const std::uint32_t k : longest_first(t)) {
       const std::uint32_t h = 3 * t + k;
       if (!asked_.insert(edge_key(h), 0).second) continue;
       const bool known = is_same && crossed.is_known[k];

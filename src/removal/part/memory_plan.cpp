@@ -59,8 +59,8 @@ constexpr double kBends = 0.6, kMostBends = 1.5;
 // Each tile with surface, as long as the run lasts: the sizes of its records.
 constexpr double kTile = 400;
 // Tiles that are kept while others are mended: each cell, two triangles and a vertex with their
-// records, and bytes of all at most.
-constexpr double kKeptCell = 46, kMostKept = 96e6;
+// records; bytes of all at most; and how many times as much as expected.
+constexpr double kKeptCell = 46, kMostKept = 96e6, kMoreKept = 2;
 constexpr double kTileVoxels = 60;  ///< voxels along a side of a tile, less those that it shares
 // Voxels on the stock's surface, the most that a run accepts; a mesh has twice as many triangles.
 constexpr double kMostColumns = 1e9;
@@ -250,7 +250,8 @@ MemoryPlan plan_memory(const PartField& field, std::size_t motions, const CarveP
   plan.mesh_room = available - (plan.whole - need.whole_mesh(options.voxel));
   const double left = available - need.at_most(options.voxel, false);
   if (!options.slabs && left >= 0) {
-    plan.tile_room = options.grid_mesh ? std::min(left, kMostKept) : 0;
+    if (options.grid_mesh)
+      plan.tile_room = std::min({left, kMostKept, kMoreKept * need.kept_tiles()});
     plan.expected += std::min(plan.tile_room, need.kept_tiles());
     plan.mesh_room -= plan.tile_room;
     return plan;

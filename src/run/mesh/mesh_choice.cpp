@@ -48,8 +48,9 @@ constexpr double kMostGrooveCells = 4e6;
 // a piece of such a groove that is as long as wide (text of 6 m by a V-bit took 40).
 constexpr double kNarrow = 0.5, kGrooveNodes = 40;
 // Average number of creasing sweeps in a block above which no tolerance is tried: cells would be
-// halved too often.
-constexpr double kMostCreasing = 9;
+// halved too often. Unless they are few in all blocks together, as on a large sheet whose blocks
+// are large, and no pointed tool has left grooves.
+constexpr double kMostCreasing = 9, kFewCreasing = 1e5;
 // Sweeps in all blocks together above which no tolerance is tried: kMostSweeps where a block has
 // more than kFewSweeps on average, kMostSearched where points of helices are searched, which costs
 // ten times as much.
@@ -164,10 +165,12 @@ double sweeps_met(const detail::SurfaceSurvey& survey) {
 
 // Whether a mesh within the tolerance is worth a try. What it takes is known once its octree is
 // made.
-bool may_suit_tolerance(const detail::SurfaceSurvey& survey, bool searches_arc) {
-  if (searches_arc && sweeps_met(survey) > kMostSearched) return false;
+bool may_suit_tolerance(const detail::SurfaceSurvey& survey, const MeshChoice& choice) {
+  if (choice.searches_arc && sweeps_met(survey) > kMostSearched) return false;
   if (survey.sweeps > kFewSweeps && sweeps_met(survey) > kMostSweeps) return false;
-  return survey.creasing <= kMostCreasing;
+  return survey.creasing <= kMostCreasing ||
+         (choice.groove_lengths == 0 &&
+          static_cast<double>(survey.blocks) * survey.creasing <= kFewCreasing);
 }
 
 bool is_helix(const Motion& motion) { return motion.kind == MotionKind::arc && motion.rise != 0; }
@@ -271,7 +274,7 @@ void fit_voxel(const detail::SurfaceSurvey& survey, double cell, MeshChoice& cho
   while (survey.cells(grid) > most(grid)) grid = coarser_grid(grid);
   const double nodes = kGrooveNodes * choice.groove_lengths;
   const bool fits = nodes <= static_cast<double>(choice.most_nodes);
-  if (!choice.is_default || (fits && may_suit_tolerance(survey, choice.searches_arc))) {
+  if (!choice.is_default || (fits && may_suit_tolerance(survey, choice))) {
     const double given = choice.voxel;
     while (survey.cells(choice.voxel) > kMostScanned && next_voxel(choice.voxel) <= choice.radius)
       choice.voxel = next_voxel(choice.voxel);
