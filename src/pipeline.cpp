@@ -1,5 +1,6 @@
 // The facade: calls the stages in order.
 
+#include "core/numbers/motions.h"
 #include "core/numbers/units.h"
 #include "core/numbers/vec.h"
 #include "core/process/error.h"

@@ -1,8 +1,8 @@
 // Whether a run would take a program: its findings, and the sweeps that can not be made.
+#include "core/numbers/motions.h"
 #include "core/numbers/rounding.h"
 #include "core/process/error.h"
 #include "interp/interpreter.h"
-#include "removal/part/default_stock.h"
 #include "removal/sweep/sweep_table.h"
 #include "run/findings/assumed_sizes.h"
 #include "run/findings/thread_passes.h"

@@ -6,6 +6,7 @@
 #include "cli/console/terminal.h"
 #include "cli/options/option_values.h"
 #include "cli/report/findings.h"
+#include "core/numbers/motions.h"
 #include "core/output/output_place.h"
 #include "core/output/publish.h"
 #include "core/process/child_process.h"
@@ -72,9 +73,7 @@ std::vector<std::size_t> frame_ends(const JobResult& whole, const Arguments& arg
   const double total = arguments.frames_by_volume ? whole.history.total.removed
                                                   : whole.cycle.cutting + whole.cycle.rapid;
   const int frames = arguments.frames;
-  const auto first_cut =
-      std::find_if(program.motions.begin(), program.motions.end(),
-                   [](const Motion& m) { return m.kind != MotionKind::rapid && !m.assumed_start; });
+  const auto first_cut = std::find_if(program.motions.begin(), program.motions.end(), is_cut);
   const auto first = static_cast<std::size_t>(first_cut - program.motions.begin()) + 1;
   std::vector<std::size_t> ends;
   double passed = 0;

@@ -1,5 +1,6 @@
 #include "removal/collision/collision_movers.h"
 
+#include "core/numbers/motions.h"
 #include "core/numbers/vec.h"
 #include "core/process/memory_limit.h"
 #include "core/process/parallel.h"
@@ -163,8 +164,7 @@ bool Selection::follows_cut(std::size_t at, const Known& tool) const {
   for (std::size_t back = 1; back <= std::min(kRecent, at); ++back) {
     const Motion& m = motions_[at - back];
     if (m.tool != rapid.tool || !(m.tool_axis == rapid.tool_axis)) return false;
-    if (m.kind != MotionKind::rapid && moves(m) && !m.assumed_start && stays_in(m, rapid, tool))
-      return true;
+    if (is_cut(m) && moves(m) && stays_in(m, rapid, tool)) return true;
   }
   return false;
 }
@@ -210,10 +210,6 @@ void drop_if_kept(const Selection& selection, double touch, int threads,
 }
 
 }  // namespace
-
-bool moves(const Motion& m) {
-  return m.kind == MotionKind::arc ? m.sweep != 0 : !(m.start == m.end);
-}
 
 Movers find_movers(ToolPart part, std::span<const Motion> motions, std::span<const Tool> tools,
                    std::size_t first, const Box3& stock, double touch, int threads,

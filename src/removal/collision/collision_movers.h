@@ -12,10 +12,7 @@
 
 namespace mrsim {
 
-inline constexpr double kSameTip = 1e-6;  ///< mm: tips this near are at one place
-
-/// Whether the motion has any length.
-bool moves(const Motion& m);
+inline constexpr double kSameTip = 1e-6;  ///< mm: tips no farther apart are at one place
 
 /// One part of the tools along the motions that may collide.
 struct Movers {

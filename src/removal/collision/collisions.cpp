@@ -1,5 +1,6 @@
 #include "removal/collision/collisions.h"
 
+#include "core/numbers/motions.h"
 #include "core/numbers/vec.h"
 #include "core/process/error.h"
 #include "core/process/parallel.h"
@@ -10,7 +11,6 @@
 #include "removal/collision/withdrawals.h"
 #include "removal/field/lattice.h"
 #include "removal/forms/sweep_motion.h"
-#include "removal/part/default_stock.h"
 #include "removal/part/stock_grid.h"
 
 #include <algorithm>

@@ -9,6 +9,7 @@
 // space: a place with |w|^2 <= 2 r t covers those below the middle as it does those in plan.
 #include "removal/collision/recent_places.h"
 
+#include "core/numbers/motions.h"
 #include "core/numbers/trig.h"
 #include "core/numbers/units.h"
 #include "core/numbers/vec.h"
@@ -165,7 +166,7 @@ bool keeps_to_recent_places(std::span<const Motion> motions, std::size_t at, con
   for (std::size_t back = 1; back <= std::min(kRecent, at); ++back) {
     const Motion& m = motions[at - back];
     if (m.tool != rapid.tool || !(m.tool_axis == rapid.tool_axis)) break;
-    if (m.kind == MotionKind::rapid || !moves(m) || m.assumed_start) continue;
+    if (!is_cut(m) || !moves(m)) continue;
     const double lowest = std::min(m.start.z, m.end.z);
     if (!cutter.open_top() && lowest + cutter.top() < stock_top) continue;
     places.add_cut(m, rapid);

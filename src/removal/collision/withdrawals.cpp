@@ -1,5 +1,6 @@
 #include "removal/collision/withdrawals.h"
 
+#include "core/numbers/motions.h"
 #include "core/numbers/vec.h"
 #include "removal/collision/collision_movers.h"
 #include "removal/tool/polygon.h"

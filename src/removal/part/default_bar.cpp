@@ -1,5 +1,6 @@
 #include "removal/part/default_bar.h"
 
+#include "core/numbers/motions.h"
 #include "core/numbers/units.h"
 #include "core/words/tool_types.h"
 #include "removal/part/default_stock.h"

@@ -1,5 +1,6 @@
 #include "removal/part/default_stock.h"
 
+#include "core/numbers/motions.h"
 #include "removal/forms/sweep_motion.h"
 #include "removal/part/default_bar.h"
 #include "removal/part/link_moves.h"

@@ -21,12 +21,4 @@ namespace mrsim {
 StockShape default_stock(std::span<const Motion> motions, std::span<const Tool> tools, bool lathe,
                          double zero = 0);
 
-/// Whether removal cuts with this motion: a line or an arc, not of assumed start.
-inline bool is_cut(const Motion& m) { return m.kind != MotionKind::rapid && !m.assumed_start; }
-
-/// Whether a motion leads straight up or down.
-inline bool is_upright_line(const Motion& m) {
-  return m.kind != MotionKind::arc && m.start.x == m.end.x && m.start.y == m.end.y;
-}
-
 }  // namespace mrsim

@@ -1,6 +1,6 @@
 #include "removal/part/stock_margin.h"
 
-#include "removal/part/default_stock.h"
+#include "core/numbers/motions.h"
 #include "removal/tool/tool.h"
 
 #include <algorithm>

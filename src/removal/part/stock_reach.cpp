@@ -1,8 +1,8 @@
 #include "removal/part/stock_reach.h"
 
+#include "core/numbers/motions.h"
 #include "core/numbers/vec.h"
 #include "removal/forms/sweep_motion.h"
-#include "removal/part/default_stock.h"
 
 #include <cmath>
 

@@ -1,10 +1,10 @@
 #include "run/cuts/cut_pieces.h"
 
+#include "core/numbers/motions.h"
 #include "core/numbers/trig.h"
 #include "core/numbers/vec.h"
 #include "core/process/memory_limit.h"
 #include "removal/history/cut_extent.h"
-#include "removal/part/default_stock.h"
 
 #include <algorithm>
 #include <cmath>

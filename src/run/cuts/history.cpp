@@ -1,9 +1,9 @@
 #include "run/cuts/history.h"
 
+#include "core/numbers/motions.h"
 #include "core/numbers/vec.h"
 #include "removal/history/cut_heights.h"
 #include "removal/history/removed_volumes.h"
-#include "removal/part/default_stock.h"
 #include "removal/part/memory_plan.h"
 #include "removal/part/stock_grid.h"
 #include "removal/tool/tool.h"

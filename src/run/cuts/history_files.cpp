@@ -1,9 +1,9 @@
 // A history as a table and as JSON: the same rows in both.
 
+#include "core/numbers/motions.h"
 #include "core/numbers/units.h"
 #include "core/process/memory_limit.h"
 #include "core/text/text_io.h"
-#include "removal/part/default_stock.h"
 #include <mrsim/history.h>
 
 #include <cmath>

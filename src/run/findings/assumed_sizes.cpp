@@ -1,10 +1,10 @@
 #include "run/findings/assumed_sizes.h"
 
+#include "core/numbers/motions.h"
 #include "core/numbers/rounding.h"
 #include "core/numbers/trig.h"
 #include "core/words/tool_types.h"
 #include "removal/forms/sweep_motion.h"
-#include "removal/part/default_stock.h"
 #include "removal/tool/tool.h"
 #include "run/findings/part_findings.h"
 

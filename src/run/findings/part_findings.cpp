@@ -1,10 +1,10 @@
 #include "run/findings/part_findings.h"
 
+#include "core/numbers/motions.h"
 #include "core/numbers/rounding.h"
 #include "core/process/error.h"
 #include "core/process/memory_limit.h"
 #include "mesh/solid/pieces.h"
-#include "removal/part/default_stock.h"
 #include "removal/part/stock_margin.h"
 #include "run/findings/thread_passes.h"
 

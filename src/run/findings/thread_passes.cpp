@@ -1,6 +1,6 @@
 #include "run/findings/thread_passes.h"
 
-#include "removal/part/default_stock.h"
+#include "core/numbers/motions.h"
 
 #include <cmath>
 

@@ -1,11 +1,11 @@
 #include "run/mesh/mesh_choice.h"
 
+#include "core/numbers/motions.h"
 #include "core/numbers/rounding.h"
 #include "core/numbers/units.h"
 #include "core/numbers/vec.h"
 #include "mesh/cells/cell_halvings.h"
 #include "mesh/cells/survey.h"
-#include "removal/part/default_stock.h"
 #include "removal/part/stock.h"
 #include "removal/tool/tool.h"
 #include "run/cuts/cut_pieces.h"
