@@ -33,7 +33,7 @@ struct ToolLibrary {
 std::string_view library_name(LibraryFormat format);
 
 /// Reads a file of any format. Throws what read_file throws, Error "tools-format" for a file that
-/// is none of them, "tools-syntax", "tools-value", and what load_tools_file() throws.
+/// is none of them, "tools-syntax", "tools-value", and what parse_tools() throws.
 ToolLibrary load_library(const std::string& path);
 
 /// load_library() from memory; `name` stands in messages, FreeCAD's bits are looked for beside it.

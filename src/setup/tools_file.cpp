@@ -22,8 +22,6 @@
 namespace mrsim {
 namespace {
 
-constexpr std::size_t kToolsFileLimit = std::size_t(16) << 20;
-
 using Words = std::vector<std::string_view>;
 
 class Reader {
@@ -311,10 +309,6 @@ ToolTable Reader::read() {
 
 ToolTable parse_tools(std::string_view text, const std::string& name) {
   return Reader(text, name).read();
-}
-
-ToolTable load_tools_file(const std::string& path) {
-  return parse_tools(read_file(path, kToolsFileLimit), path);
 }
 
 }  // namespace mrsim

@@ -11,11 +11,8 @@
 
 namespace mrsim {
 
-/// Reads the file. Throws what read_file throws, and PlacedError "tools-syntax", "tools-key",
-/// "tools-value", "tools-duplicate".
-ToolTable load_tools_file(const std::string& path);
-
-/// The table in `text`; `name` is the file's, for messages.
+/// The table in `text`; `name` is the file's, for messages. Throws PlacedError "tools-syntax",
+/// "tools-key", "tools-value", "tools-duplicate".
 ToolTable parse_tools(std::string_view text, const std::string& name);
 
 }  // namespace mrsim

@@ -1,6 +1,9 @@
 #include "mesh/solid/pieces.h"
 
 #include "core/numbers/vec.h"
+#include "mesh/solid/check.h"
+#include "mesh/solid/mesh_audit.h"
+#include "mesh/solid/mesh_source.h"
 #include "support/mesh_asserts.h"
 #include "support/shapes.h"
 
@@ -41,7 +44,9 @@ TEST(Pieces, AreFoundWithVolumeAndPlace) {
 TEST(Pieces, CanBeTakenOut) {
   const TriMesh m = nested();
   const std::vector<Piece> pieces = find_pieces(m);
-  const TriMesh largest = extract_piece(m, pieces[0]);
+  MeshAudit audit;
+  audit.take(whole_block(m));
+  const TriMesh largest = collected(PieceOfMesh(audit, MemoryMesh(m), pieces[0]));
   EXPECT_EQ(largest.triangles.size(), 24u);
   EXPECT_EQ(largest.vertices.size(), 16u);
   EXPECT_EQ(largest.owners.front(), 12);

@@ -40,10 +40,6 @@ MeshFormat mesh_format_of(const std::string& path) {
               Error::Kind::usage);
 }
 
-bool keeps_owners(MeshFormat format) {
-  return format != MeshFormat::stl && format != MeshFormat::off;
-}
-
 TriMesh parse_mesh(std::string_view bytes, MeshFormat format, const std::string& name) {
   switch (format) {
     case MeshFormat::stl:

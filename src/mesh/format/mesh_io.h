@@ -18,11 +18,7 @@ enum class MeshFormat : std::uint8_t { stl, obj, ply, off, threemf, glb };
 /// that lists the known ones.
 MeshFormat mesh_format_of(const std::string& path);
 
-/// Whether the format keeps the owners of faces, so that a later comparison can name lines.
-bool keeps_owners(MeshFormat format);
-
-/// Mesh in the bytes of a file of that format; `name` for messages. GLB is not read: Error
-/// "mesh-format".
+/// Mesh in the bytes of a file of that format; `name` for messages. Throws what the format throws.
 TriMesh parse_mesh(std::string_view bytes, MeshFormat format, const std::string& name);
 
 /// Whether a file of that format is written from a mesh that is not in memory.

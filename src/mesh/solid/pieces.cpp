@@ -187,10 +187,4 @@ TriMesh collected(const MeshSource& mesh) {
   return std::move(collector.mesh());
 }
 
-TriMesh extract_piece(const TriMesh& mesh, const Piece& piece) {
-  MeshAudit audit;
-  audit.take(whole_block(mesh));
-  return collected(PieceOfMesh(audit, MemoryMesh(mesh), piece));
-}
-
 }  // namespace mrsim

@@ -62,7 +62,4 @@ class PieceOfMesh final : public MeshSource {
 /// All of `mesh` in memory, without its legend.
 TriMesh collected(const MeshSource& mesh);
 
-/// The triangles of one piece, owners and colours with them.
-TriMesh extract_piece(const TriMesh& mesh, const Piece& piece);
-
 }  // namespace mrsim
