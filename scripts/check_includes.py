@@ -21,7 +21,7 @@ ROOMS = {
     "core/numbers": ("core/process/",),
     "core/output": ("core/process/", "core/numbers/"),
     "core/text": ("core/process/", "core/output/"),
-    "core/words": (),
+    "core/words": ("core/text/",),
     "interp/text": CORE,
     "interp/comments": CORE + ("interp/text/",),
     "interp/path": CORE + ("interp/text/",),

@@ -1,6 +1,7 @@
 // The compare part of the facade that needs every stage: parts from .vdb, programs beside parts.
 #include "core/process/error.h"
 #include "core/process/memory_limit.h"
+#include "core/text/ascii.h"
 #include "core/text/text_io.h"
 #include "mesh/draw/palette.h"
 #include "mesh/extract.h"
@@ -12,20 +13,12 @@
 #include <mrsim/mrsim.h>
 #include <mrsim/solid_files.h>
 
-#include <algorithm>
 #include <filesystem>
 
 #include <fmt/format.h>
 
 namespace mrsim {
 namespace {
-
-bool has_extension(const std::string& path, const std::string& wanted) {
-  std::string end = std::filesystem::path(path).extension().string();
-  std::transform(end.begin(), end.end(), end.begin(),
-                 [](char c) { return c >= 'A' && c <= 'Z' ? char(c - 'A' + 'a') : c; });
-  return end == wanted;
-}
 
 TriMesh mesh_of_vdb(const std::string& path, int threads, std::string* note) {
   VdbContent saved = read_vdb_file(path);
@@ -114,7 +107,8 @@ std::vector<std::string> find_program(const std::vector<std::string>& places) {
 }  // namespace
 
 bool is_step(const std::string& path) {
-  return has_extension(path, ".step") || has_extension(path, ".stp");
+  const std::string extension = extension_of(path);
+  return extension == ".step" || extension == ".stp";
 }
 
 TriMesh read_solid(const std::string& path, double deflection, int threads, std::string* note) {

@@ -2,6 +2,7 @@
 // libraries {"tools": [{"nr": 1, "path": "5mm_Endmill.fctb"}]}.
 #include "core/numbers/units.h"
 #include "core/process/error.h"
+#include "core/text/ascii.h"
 #include "core/text/text_io.h"
 #include "setup/library_formats.h"
 
@@ -31,8 +32,8 @@ constexpr Kind kKinds[] = {{"endmill", ToolType::endmill},   {"ballend", ToolTyp
 std::string plain_name(const std::string& text) {
   std::string out;
   for (const char c : std::filesystem::path(text).stem().string()) {
-    if (c >= 'A' && c <= 'Z') out += static_cast<char>(c + 32);
-    if (c >= 'a' && c <= 'z') out += c;
+    const char letter = lower_case(c);
+    if (letter >= 'a' && letter <= 'z') out += letter;
   }
   return out;
 }

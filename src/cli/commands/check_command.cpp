@@ -5,6 +5,7 @@
 #include "cli/console/terminal.h"
 #include "cli/report/findings.h"
 #include "cli/report/report.h"
+#include "core/text/ascii.h"
 #include "core/text/json_text.h"
 #include <mrsim/mrsim.h>
 
@@ -23,11 +24,8 @@ constexpr std::array<std::string_view, 20> kExtensions = {
     ".nc",  ".ngc", ".mpf", ".tap", ".cnc", ".gcode", ".gc",  ".g",   ".min", ".eia",
     ".iso", ".din", ".fan", ".ptp", ".nci", ".fnc",   ".prg", ".anc", ".h",   ".txt"};
 
-bool is_program(const std::filesystem::path& path) {
-  std::string extension = path.extension().string();
-  for (char& c : extension)
-    if (c >= 'A' && c <= 'Z') c = static_cast<char>(c + 32);
-  return std::find(kExtensions.begin(), kExtensions.end(), extension) != kExtensions.end();
+bool is_program(const std::string& path) {
+  return std::find(kExtensions.begin(), kExtensions.end(), extension_of(path)) != kExtensions.end();
 }
 
 // The programs of the arguments; those of a folder by name, so that two runs print the same.
@@ -42,7 +40,7 @@ std::vector<std::string> programs_of(const std::vector<std::string>& inputs) {
     std::vector<std::string> found;
     const auto options = std::filesystem::directory_options::skip_permission_denied;
     for (const auto& entry : std::filesystem::recursive_directory_iterator(input, options))
-      if (entry.is_regular_file(failed) && is_program(entry.path()))
+      if (entry.is_regular_file(failed) && is_program(entry.path().string()))
         found.push_back(entry.path().string());
     if (found.empty())
       throw Error("folder-empty",
@@ -51,10 +49,6 @@ std::vector<std::string> programs_of(const std::vector<std::string>& inputs) {
     out.insert(out.end(), found.begin(), found.end());
   }
   return out;
-}
-
-const char* machine_word(MachineKind kind) {
-  return kind == MachineKind::mill ? "mill" : kind == MachineKind::lathe ? "lathe" : "unknown";
 }
 
 std::string dialect_word(Dialect dialect) {
@@ -105,11 +99,11 @@ class Checker {
                       "\"motions\":{},\"cuts\":{},\"errors\":{},\"warnings\":{},\"notes\":{},"
                       "\"ok\":{}}}\n",
                       json_string(path), dialect_word(program.dialect),
-                      machine_word(program.machine), report.motions, report.cuts, findings.errors(),
+                      machine_name(program.machine), report.motions, report.cuts, findings.errors(),
                       findings.warnings(), findings.notes(), !findings.failed()));
     } else if (many_ && !arguments_.quiet) {
       print(fmt::format("{}: {}, {}, {} motions: {}\n", printable(path),
-                        dialect_word(program.dialect), machine_word(program.machine),
+                        dialect_word(program.dialect), machine_name(program.machine),
                         report.motions, findings.summary()));
     } else if (!arguments_.quiet) {
       print(format_program(program, arguments_.verbose, has_colours(stdout)));

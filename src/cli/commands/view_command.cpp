@@ -5,13 +5,13 @@
 #include "cli/options/option_values.h"
 #include "cli/options/typed_options.h"
 #include "core/process/child_process.h"
+#include "core/text/ascii.h"
 #include "core/text/text_io.h"
 #include <mrsim/compare.h>
 #include <mrsim/solid_files.h>
 
 #include <algorithm>
 #include <array>
-#include <cctype>
 #include <filesystem>
 #include <string>
 #include <string_view>
@@ -25,10 +25,7 @@ namespace {
 bool is_part(const std::string& path) {
   static constexpr std::array<std::string_view, 9> kEndings = {
       ".stl", ".ply", ".obj", ".off", ".glb", ".3mf", ".step", ".stp", ".vdb"};
-  std::string end = std::filesystem::path(path).extension().string();
-  std::transform(end.begin(), end.end(), end.begin(),
-                 [](unsigned char c) { return char(std::tolower(c)); });
-  return std::find(kEndings.begin(), kEndings.end(), end) != kEndings.end();
+  return std::find(kEndings.begin(), kEndings.end(), extension_of(path)) != kEndings.end();
 }
 
 void open_page(const std::string& path) {

@@ -3,11 +3,11 @@
 #include "cli/console/standard_streams.h"
 #include "cli/options/command_lines.h"
 #include "cli/options/typed_options.h"
+#include "core/text/ascii.h"
 
 #include <algorithm>
 #include <array>
 #include <cstdio>
-#include <filesystem>
 #include <string_view>
 
 #include <fmt/format.h>
@@ -17,10 +17,7 @@ namespace {
 
 // Whether a name ends like one of these, in any case.
 bool ends_like(const std::string& path, std::initializer_list<std::string_view> endings) {
-  std::string end = std::filesystem::path(path).extension().string();
-  for (char& c : end)
-    if (c >= 'A' && c <= 'Z') c = static_cast<char>(c + 32);
-  return std::find(endings.begin(), endings.end(), end) != endings.end();
+  return std::find(endings.begin(), endings.end(), extension_of(path)) != endings.end();
 }
 
 bool any_ends_like(const std::vector<std::string>& paths,

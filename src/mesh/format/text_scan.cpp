@@ -1,15 +1,11 @@
 #include "mesh/format/text_scan.h"
 
+#include "core/text/ascii.h"
+
 #include <charconv>
 #include <cmath>
 
 namespace mrsim::detail {
-namespace {
-
-char lower(char c) { return c >= 'A' && c <= 'Z' ? char(c + 32) : c; }
-
-}  // namespace
-
 std::string_view TextScan::word_in_line() {
   while (at_ < text_.size() && is_blank(text_[at_])) ++at_;
   const std::size_t begin = at_;
@@ -85,7 +81,7 @@ void append_number(std::string& out, std::int64_t value) {
 bool equals_ignoring_case(std::string_view a, std::string_view b) {
   if (a.size() != b.size()) return false;
   for (std::size_t i = 0; i < a.size(); ++i)
-    if (lower(a[i]) != lower(b[i])) return false;
+    if (lower_case(a[i]) != lower_case(b[i])) return false;
   return true;
 }
 

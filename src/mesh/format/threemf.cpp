@@ -1,6 +1,7 @@
 #include "mesh/format/threemf.h"
 
 #include "core/numbers/vec.h"
+#include "core/text/ascii.h"
 #include "core/text/zip.h"
 #include "mesh/draw/palette.h"
 #include "mesh/format/item_writer.h"
@@ -338,17 +339,11 @@ TriMesh ModelReader::read() {
   return builder_.take();
 }
 
-std::string lower(std::string text) {
-  for (char& c : text)
-    if (c >= 'A' && c <= 'Z') c = char(c + 32);
-  return text;
-}
-
 // Names of parts are compared without regard to case.
 std::string part(std::string_view bytes, const std::vector<detail::ZipEntry>& entries,
                  const std::string& wanted, const std::string& name) {
   for (const detail::ZipEntry& e : entries)
-    if (lower(e.name) == lower(wanted)) return detail::unzip(bytes, e, kMostBytes, name);
+    if (lower_case(e.name) == lower_case(wanted)) return detail::unzip(bytes, e, kMostBytes, name);
   throw Error("3mf-zip", fmt::format("{}: it holds no \"{}\"; is it a 3MF file?", name, wanted));
 }
 

@@ -2,11 +2,11 @@
 
 #include "core/output/publish.h"
 #include "core/output/scratch_file.h"
+#include "core/text/ascii.h"
 #include "core/text/text_io.h"
 #include "mesh/format/mesh_io.h"
 #include "mesh/format/stl.h"
 
-#include <algorithm>
 #include <filesystem>
 
 #include <fmt/format.h>
@@ -29,12 +29,7 @@ void note_file(const DraftFile& draft, bool hash, std::vector<WrittenFile>& writ
 
 }  // namespace
 
-bool is_vdb(const std::string& path) {
-  std::string extension = std::filesystem::path(path).extension().string();
-  std::transform(extension.begin(), extension.end(), extension.begin(),
-                 [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c + 32) : c; });
-  return extension == kVdb;
-}
+bool is_vdb(const std::string& path) { return extension_of(path) == kVdb; }
 
 void check_outputs(const Job& job) {
   for (const std::string& path : job.outputs) {
