@@ -3,6 +3,7 @@
 #include "core/numbers/vec.h"
 #include "core/process/error.h"
 #include "core/process/parallel.h"
+#include "mesh/solid/check.h"
 #include "mesh/solid/half_edges.h"
 
 #include <algorithm>
@@ -62,12 +63,6 @@ Vec2 spread_point(std::size_t k) {
                    kRatio2 = 0.5698402909980532;  // g^3 = g + 1: 1/g, 1/g^2
   const double u = 0.5 + kRatio1 * double(k), v = 0.5 + kRatio2 * double(k);
   return {u - std::floor(u), v - std::floor(v)};
-}
-
-double surface_area(const TriMesh& mesh) {
-  double area = 0;
-  for (std::size_t f = 0; f < mesh.triangles.size(); ++f) area += length(area_normal(mesh, f)) / 2;
-  return area;
 }
 
 std::size_t sample_count(const CompareOptions& options, double area) {

@@ -43,10 +43,7 @@ DeviationField measure(SurfaceSamples samples, const NominalSurface& other, doub
 /// Largest, mean and percentiles, and the share beyond the band.
 DeviationFigures figures_of(const DeviationField& field, const Acceptance& band);
 
-/// 60 bins over twice the band, odd ones in the middle of nothing: `band` falls on bin borders.
+/// 60 bins over twice the band, so that the ends of `band` are borders between bins.
 Histogram histogram_of(const DeviationField& field, const Acceptance& band);
-
-/// mm^2
-double surface_area(const TriMesh& mesh);
 
 }  // namespace mrsim

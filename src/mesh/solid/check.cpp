@@ -69,6 +69,12 @@ double signed_volume(const TriMesh& mesh) {
   return volume6.value() / 6;
 }
 
+double surface_area(const TriMesh& mesh) {
+  double area = 0;
+  for (std::size_t f = 0; f < mesh.triangles.size(); ++f) area += length(area_normal(mesh, f)) / 2;
+  return area;
+}
+
 Box3 mesh_bounds(const TriMesh& mesh) {
   Box3 box;
   for (const auto& t : mesh.triangles)

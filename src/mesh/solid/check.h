@@ -24,6 +24,9 @@ void require_solid(const TriMesh& mesh, const std::string& name, int threads = 0
 /// Summed in a fixed order. Requires: indices in range.
 double signed_volume(const TriMesh& mesh);
 
+/// Area in mm^2, summed in the order of the triangles. Requires: indices in range.
+double surface_area(const TriMesh& mesh);
+
 /// Bounds of the vertices that triangles use.
 Box3 mesh_bounds(const TriMesh& mesh);
 

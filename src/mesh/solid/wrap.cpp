@@ -4,7 +4,6 @@
 #include "core/numbers/vec.h"
 #include "core/process/error.h"
 #include "mesh/solid/check.h"
-#include "mesh/solid/half_edges.h"
 
 #include <algorithm>
 #include <array>
@@ -107,12 +106,6 @@ void close_openings(Soup& soup, Wrap& out) {
   pmp::polygon_mesh_to_polygon_soup(mesh, soup.points, soup.faces);
 }
 
-double area_of(const TriMesh& mesh) {
-  double area = 0;
-  for (std::size_t f = 0; f < mesh.triangles.size(); ++f) area += length(area_normal(mesh, f)) / 2;
-  return area;
-}
-
 [[noreturn]] void no_solid() {
   throw Error("stock-wrap", "--stock-repair: no solid was found round the stock's surface");
 }
@@ -129,7 +122,7 @@ Wrap wrap_surface(const TriMesh& mesh, const StockWrap& options) {
     close_openings(soup, out);
     out.closed = to_mesh(soup);
     const double finest = std::min(alpha, 10 * offset);
-    if (const double count = 4 * area_of(out.closed) / (finest * finest); count > kMostTriangles)
+    if (const double count = 4 * surface_area(out.closed) / (finest * finest); count > kMostTriangles)
       throw Error(
           "stock-wrap",
           fmt::format("--stock-repair wrap={:g} would take some {:.2g} triangles; {:.2g} mm "

@@ -8,6 +8,7 @@
 // single position; the larger one counts.
 #include "removal/forms/turn_sweep.h"
 
+#include "core/numbers/angles.h"
 #include "core/numbers/rounding.h"
 #include "core/numbers/trig.h"
 #include "core/numbers/units.h"
@@ -144,12 +145,6 @@ SweepSample section_sample(const TurnSweep& s, Vec2 q) {
   return {polygon_distance(s.polygon, q) - s.round, s.round > 0 ? 0 : polygon_side(s.polygon, q)};
 }
 
-double wrap(double angle) {
-  while (angle < 0) angle += kTwoPi;
-  while (angle >= kTwoPi) angle -= kTwoPi;
-  return angle;
-}
-
 CircularArc make_arc(Vec2 center, double radius, double from, double turn) {
   CircularArc a{center, {}, radius, -1, 0, 0};
   const SinCos m = sincos(from + turn / 2);
@@ -190,10 +185,10 @@ void add_curves(TurnSweep& s, double from, double turn) {
     const Side& before = sides[(i + sides.size() - 1) % sides.size()];
     const Vec2 n = right_of(side.direction), m = right_of(before.direction);
     const double angle = mrsim::atan2(m.y, m.x);
-    const double opening = wrap(mrsim::atan2(n.y, n.x) - angle);
-    const double outer = wrap(angle), inner = wrap(angle + kPi);
-    add_corner(s, side.a, wrap(from), turn, outer, opening, 1);
-    add_corner(s, side.a, wrap(from), turn, inner, opening, -1);
+    const double opening = wrapped_angle(mrsim::atan2(n.y, n.x) - angle);
+    const double outer = wrapped_angle(angle), inner = wrapped_angle(angle + kPi);
+    add_corner(s, side.a, wrapped_angle(from), turn, outer, opening, 1);
+    add_corner(s, side.a, wrapped_angle(from), turn, inner, opening, -1);
     // Leaving the low end counter-clockwise, the path moves along (-y, x) of its radius.
     if (open && dot(n, Vec2{-low.y, low.x}) <= kSquareSine) rest(side, s.path.radius * low);
     if (open && dot(n, Vec2{-high.y, high.x}) >= -kSquareSine) rest(side, s.path.radius * high);
@@ -252,7 +247,7 @@ TurnSweep turn_arc(const InsertOutline& insert, Vec2 start, Vec2 center, double 
   const double from = mrsim::atan2(v.y, v.x) - (turn < 0 ? size : 0);
   s.path = make_arc(center, length(v), from, size);
   prepare_depth(s);
-  add_curves(s, wrap(from), size);
+  add_curves(s, wrapped_angle(from), size);
   s.lo = {kInfinity, kInfinity}, s.hi = {-kInfinity, -kInfinity};
   const auto reach = [&](Vec2 w) {
     for (Vec2 c : insert.core) {

@@ -1,5 +1,6 @@
 #include "removal/sweep/sweep_heights.h"
 
+#include "core/numbers/angles.h"
 #include "core/numbers/rounding.h"
 #include "core/numbers/trig.h"
 #include "core/numbers/units.h"
@@ -44,12 +45,6 @@ ToolPath path_of(const BallArc& arc) {
   path.u = in_space(from.x, from.y), path.v = in_space(-from.y, from.x);
   path.sweep = 2 * mrsim::atan2(c.sin_half, c.cos_half), path.radius = c.radius;
   return path;
-}
-
-double wrapped(double angle) {
-  while (angle < 0) angle += kTwoPi;
-  while (angle >= kTwoPi) angle -= kTwoPi;
-  return angle;
 }
 
 }  // namespace
@@ -242,9 +237,9 @@ double SweepHeights::helix_bottom(const Row& row, double x, double y, double rad
   const double cosine = (from * from + turn * turn - radius * radius) / (2 * from * turn);
   const double half = mrsim::atan2(std::sqrt(std::max(0.0, 1 - cosine * cosine)), cosine);
   const double facing = mrsim::atan2(dot(off, path.v), dot(off, path.u));
-  const double away = wrapped(path.sweep - facing);
+  const double away = wrapped_angle(path.sweep - facing);
   if (std::min(away, kTwoPi - away) <= half) return last;
-  const double end = wrapped(facing + half);
+  const double end = wrapped_angle(facing + half);
   return end <= path.sweep ? path.center.z + end * path.rise.z : kInfinity;
 }
 
