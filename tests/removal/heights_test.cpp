@@ -186,7 +186,7 @@ TEST(Heights, OfPacksAreBoundsOfTheirMoves) {
       const double wide = r(0, 0.3);
       float lower[CandidateList::kPad];
       const float upper = candidate_kernels().segment_heights(
-          list.columns(slice.first), 1, square(center, wide, c.classes[slice.of]), lower);
+          list.columns(slice.first), 1, square(center, wide, c.classes[slice.class_index]), lower);
       for (int k = 0; k < 8; ++k) {
         const double turn = r(0, kTwoPi);
         const double x = center.x + wide * std::cos(turn), y = center.y + wide * std::sin(turn);
@@ -203,7 +203,8 @@ TEST(Heights, OfPacksAreBoundsOfTheirMoves) {
         }
         ASSERT_LE(lower[0], least) << "round " << round;
         below += least < 1e9 ? 1 : 0;
-        if (!(upper < lowest + c.classes[slice.of].heights.top)) continue;  // or above the flutes
+        if (!(upper < lowest + c.classes[slice.class_index].heights.top))
+          continue;  // or above the flutes
         ASSERT_LE(distance, kPathError) << "round " << round;
         ++above;
       }

@@ -122,9 +122,9 @@ TEST(Profile, RadiusBelowAHeightIsTheLargestOfTheOutlineUpToIt) {
 }
 
 TEST(Profile, FlagsTellWhatTheSweepsRelyOn) {
-  EXPECT_TRUE(make_cutter(endmill(6)).is_rounded());
-  EXPECT_TRUE(make_cutter(endmill(6, 0, 9)).is_rounded());
-  EXPECT_FALSE(make_cutter(ballmill(6, 2)).is_rounded());
+  EXPECT_TRUE(make_cutter(endmill(6)).is_end_mill());
+  EXPECT_TRUE(make_cutter(endmill(6, 0, 9)).is_end_mill());
+  EXPECT_FALSE(make_cutter(ballmill(6, 2)).is_end_mill());
   EXPECT_TRUE(make_cutter(ballmill(6)).is_ball_end());
   for (const Tool& tool : tools()) {
     const Profile p = make_cutter(tool);

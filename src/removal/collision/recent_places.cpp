@@ -161,7 +161,7 @@ bool RecentPlaces::cover(const Vec3& a, const Vec3& b, int halvings) {
 bool keeps_to_recent_places(std::span<const Motion> motions, std::size_t at, const Profile& cutter,
                             double stock_top, double touch) {
   const Motion& rapid = motions[at];
-  if (!cutter.is_rounded() || rapid.tool_axis.z != 1) return false;
+  if (!cutter.is_end_mill() || rapid.tool_axis.z != 1) return false;
   RecentPlaces places(cutter, touch);
   for (std::size_t back = 1; back <= std::min(kRecent, at); ++back) {
     const Motion& m = motions[at - back];

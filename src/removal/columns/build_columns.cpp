@@ -132,7 +132,8 @@ void add_outlines(SweepColumns& c) {
   std::vector<std::size_t> first;
   for (const ToolShape& shape : c.shapes) {
     first.push_back(c.outline_edges.size());
-    if (!shape.turning && !shape.cutter.is_rounded()) append_outline(shape.cutter, c.outline_edges);
+    if (!shape.turning && !shape.cutter.is_end_mill())
+      append_outline(shape.cutter, c.outline_edges);
   }
   first.push_back(c.outline_edges.size());
   for (std::size_t k = 0; k < c.shapes.size(); ++k) {

@@ -34,7 +34,7 @@ bool is_upright(const LocalMotion& l) {
 }
 
 void set_upright(ToolPath& path, const Profile& tool) {
-  path.upright = tool.is_rounded();
+  path.upright = tool.is_end_mill();
   path.flanked = !path.upright && has_flank(tool);
   if (path.upright || path.flanked) set_upright_plane(path);
 }
@@ -160,7 +160,7 @@ void SweepBuilder::add_horizontal(SweepRef& ref, const LocalMotion& l, const Pro
     add_path(ref, l, tool);  // balls on lines all have one form
     return;
   }
-  if (!tool.is_rounded()) {
+  if (!tool.is_end_mill()) {
     ProfileRow row;
     row.arc = l.arc;
     row.z = z;
@@ -303,7 +303,7 @@ void SweepBuilder::add_path(SweepRef& ref, LocalMotion l, const Profile& tool) {
     path.speed = std::sqrt(path.radius * path.radius + dot(l.rise, l.rise));
     const SinCos last = sincos(path.sweep);
     path.last = {last.cos, last.sin};
-    path.bored = path.lowest_turn && path.sweep >= kTwoPi && tool.is_rounded();
+    path.bored = path.lowest_turn && path.sweep >= kTwoPi && tool.is_end_mill();
     if (tool.is_rising() && is_upright(l)) set_upright(path, tool);
   } else {
     path.start = l.start;

@@ -23,7 +23,7 @@ ToolColumns tool_columns(const Profile& tool) {
   ToolColumns t;
   t.core = static_cast<float>(tool.core()), t.round = static_cast<float>(tool.round());
   t.height = static_cast<float>(tool.top());
-  t.flat = tool.is_rounded() ? rounded_down(tool.core()) : 0;
+  t.flat = tool.is_end_mill() ? rounded_down(tool.core()) : 0;
   t.rising = tool.is_rising();
   return t;
 }
@@ -157,9 +157,10 @@ void classify(SweepColumns& c, int threads) {
     SweepClass k = found[c.class_of[told == 1 ? 0 : pack.first]];
     const SweepClass::Form form = c.form_of(pack.first);
     k.packs = true;
-    pack.of = number_of({k.group, form, c.refs[pack.first].shape, pack_grade(pack)}, k);
-    found[pack.of].spread = std::max<double>(found[pack.of].spread, pack.spread);
-    found[pack.of].expand_below = std::max<double>(found[pack.of].expand_below, pack.expand_below);
+    pack.class_index = number_of({k.group, form, c.refs[pack.first].shape, pack_grade(pack)}, k);
+    found[pack.class_index].spread = std::max<double>(found[pack.class_index].spread, pack.spread);
+    found[pack.class_index].expand_below =
+        std::max<double>(found[pack.class_index].expand_below, pack.expand_below);
   }
   // Numbered in the order of the keys, so that the classes of a group follow one another.
   std::vector<std::uint32_t> new_index(found.size());
@@ -169,7 +170,7 @@ void classify(SweepColumns& c, int threads) {
   }
   if (sweep_classes <= 1) c.class_of = {};  // the key of the only class is the least
   for (std::uint32_t& of : c.class_of) of = new_index[of];
-  for (SweepPack& pack : c.packs.all()) pack.of = new_index[pack.of];
+  for (SweepPack& pack : c.packs.all()) pack.class_index = new_index[pack.class_index];
   SweepClass turn;
   turn.form = SweepClass::Form::turn;
   if (!c.turns.empty()) c.classes.push_back(turn);

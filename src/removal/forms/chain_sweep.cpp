@@ -67,7 +67,7 @@ EdgeContact ball_contact(const ChainTool& tool, const ChainLine& line, const lan
 ChainTool chain_tool(const Profile& tool) {
   ChainTool c;
   const std::vector<ProfileEdge>& edges = tool.edges();
-  if (!tool.is_convex() || edges.size() > kMostEdges || (tool.is_rounded() && tool.is_rising()) ||
+  if (!tool.is_convex() || edges.size() > kMostEdges || (tool.is_end_mill() && tool.is_rising()) ||
       std::any_of(edges.begin(), edges.end(), is_half_turn))
     return c;
   c.edges = edges.data(), c.count = edges.size();

@@ -7,15 +7,14 @@
 
 namespace mrsim {
 
-/// The whole path for the loops of helix_lanes.inl. Requires: lowest_turn, a tool with
-/// is_rounded().
+/// The whole path for the loops of helix_lanes.inl. Requires: lowest_turn, an end mill.
 HelixRecord helix_record(const Profile& tool, const ToolPath& path);
 
 /// What lane::bore (sweep_lanes.inl) knows of a whole turn. Requires: path.bored.
 LineRecord bore_record(const Profile& tool, const ToolPath& path);
 
-/// The least distance over all positions, up to 1e-12 mm. Requires: lowest_turn, a tool with
-/// is_rounded(). Cost: zero to five sines.
+/// The least distance over all positions, up to 1e-12 mm. Requires: lowest_turn, an end mill.
+/// Cost: zero to five sines.
 PathSample helix_minimum(const Profile& tool, const ToolPath& path, const Vec3& p);
 /// helix_minimum() over one quarter turn, counted from the start.
 PathSample helix_branch_minimum(const Profile& tool, const ToolPath& path, const Vec3& p,

@@ -86,7 +86,7 @@ PathSample piece_distance(const Profile& piece, const ToolPath& path, const Vec3
 }
 
 ProfileSample tool_sample(const Profile& tool, double rho, double z) {
-  if (!tool.is_rounded()) return tool.sample({rho, z});
+  if (!tool.is_end_mill()) return tool.sample({rho, z});
   const bool upper = z >= 0.5 * tool.top();
   const double dr = rho - (upper ? tool.max_radius() : tool.core());
   const double dz = upper ? z - tool.top() : tool.round() - z, way = upper ? 1 : -1;
@@ -103,7 +103,7 @@ ProfileSample tool_sample(const Profile& tool, double rho, double z) {
 }
 
 double tool_distance(const Profile& tool, double rho, double z) {
-  if (!tool.is_rounded()) return tool.distance({rho, z});
+  if (!tool.is_end_mill()) return tool.distance({rho, z});
   return lane::rounded_slab(rho, z, tool.round(), tool.core(), tool.round(), tool.top());
 }
 

@@ -22,13 +22,13 @@ struct ToolPath {
   double radius = 0, speed = 0;  ///< arc: |u|; both: largest |d position / dt|
   bool horizontal = false;       ///< arc in a horizontal plane, or helix about Z
   bool lowest_turn = false;      ///< horizontal and falling, at most one turn, tool rising
-  bool bored = false;            ///< a whole lowest turn, tool with is_rounded()
+  bool bored = false;            ///< a whole lowest turn of an end mill
   Vec2 last{1, 0};               ///< arc: direction of its end from its centre, in (u, v)
 
   bool disc = false;  ///< disc_minimum() answers (disc_sweep.h)
 
-  // Arc in an upright plane, at most one turn, of a tool that reaches up: with is_rounded()
-  // (upright_sweep.h), or with has_flank() (flank_sweep.h).
+  // Arc in an upright plane, at most one turn, of a tool that reaches up: an end mill
+  // (upright_sweep.h), or one with has_flank() (flank_sweep.h).
   bool upright = false, flanked = false;
   Vec2 along;             ///< x of the plane, on the ground; the motion goes from x to z
   Vec2 begin, end;        ///< directions of the ends from the centre, in the plane
@@ -61,7 +61,7 @@ PathSample path_distance(const Profile& tool, const ToolPath& path, const Vec3& 
 
 /// Whether the distance is found stretch by stretch (falling_lanes.inl), without a search.
 inline bool has_stretches(const Profile& tool, const ToolPath& path) {
-  return path.disc || path.upright || (path.lowest_turn && tool.is_rounded());
+  return path.disc || path.upright || (path.lowest_turn && tool.is_end_mill());
 }
 
 /// The distance alone, the same bits: beside the wall of a bore at the cost of a line.
@@ -79,7 +79,7 @@ PathSample piece_distance(const Profile& piece, const ToolPath& path, const Vec3
 /// Distance of a revolved tool at rest from (rho, z), z above its tip.
 ProfileSample tool_sample(const Profile& tool, double rho, double z);
 double tool_distance(const Profile& tool, double rho, double z);
-/// Gradient of one face of a tool with is_rounded(), that face continued beyond its edges.
+/// Gradient of one face of an end mill, that face continued beyond its edges.
 Vec2 slab_face_gradient(const Profile& tool, double rho, double z, std::int32_t patch);
 /// Signed distance to that face: what slab_face_gradient is the gradient of.
 double slab_face_distance(const Profile& tool, double rho, double z, std::int32_t patch);

@@ -9,7 +9,7 @@ namespace mrsim {
 
 /// Whether slant_minimum() holds for the move.
 inline bool is_slant(const Profile& tool, const ToolPath& path) {
-  return !path.arc && tool.is_rounded() && tool.is_rising();
+  return !path.arc && tool.is_end_mill() && tool.is_rising();
 }
 SlantRecord slant_record(const Profile& tool, const ToolPath& path);
 /// The least distance and where it lies, exact but for rounding.

@@ -16,16 +16,16 @@ void set_upright_plane(ToolPath& path);
 /// The quarters alone, after begin, end or sweep has changed.
 void set_quarters(ToolPath& path);
 
-/// Appends the quarters of an arc for the loops of upright_lanes.inl. Requires: path.upright, a
-/// tool that reaches up with is_rounded().
+/// Appends the quarters of an arc for the loops of upright_lanes.inl. Requires: path.upright,
+/// an end mill that reaches up.
 void append_quarters(const Profile& tool, const ToolPath& path, std::vector<UprightRecord>& out);
 
 /// Direction, from the centre in the arc's plane, of the position at which a mill of any `core` and
 /// `round` that reaches up is nearest to p.
 Vec2 upright_place(double core, double round, const ToolPath& path, const Vec3& p);
 
-/// The least distance over all positions, up to 1e-12 mm. Requires: path.upright, a tool that
-/// reaches up with is_rounded(). No sines.
+/// The least distance over all positions, up to 1e-12 mm. Requires: path.upright, an end mill
+/// that reaches up. No sines.
 double upright_value(const Profile& tool, const ToolPath& path, const Vec3& p);
 /// upright_value() with its place.
 PathSample upright_minimum(const Profile& tool, const ToolPath& path, const Vec3& p);

@@ -15,9 +15,9 @@ void CandidateList::reset(std::size_t slots, const Vec3& about) {
   numbers_.resize(stride_ * kCandidateColumns);
 }
 
-std::size_t CandidateList::begin_slice(std::uint32_t of, std::size_t numbers) {
+std::size_t CandidateList::begin_slice(std::uint32_t class_index, std::size_t numbers) {
   const std::size_t end = slices_.empty() ? 0 : slices_.back().first + slices_.back().count;
-  slices_.push_back({of, (end + kPad - 1) / kPad * kPad, 0, numbers});
+  slices_.push_back({class_index, (end + kPad - 1) / kPad * kPad, 0, numbers});
   return slices_.back().first;
 }
 

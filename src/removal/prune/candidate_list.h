@@ -45,7 +45,7 @@ class CandidateList {
  public:
   /// Sweeps or packs of one class in slots [first, first + count); first is a multiple of kPad.
   struct Slice {
-    std::uint32_t of = 0;  ///< index of the class
+    std::uint32_t class_index = 0;  ///< into SweepColumns::classes
     std::size_t first = 0, count = 0;
     std::size_t numbers = kIdColumn;  ///< column of what the list holds: sweeps, or packs
   };
@@ -64,8 +64,8 @@ class CandidateList {
 
   /// Empty, with room for `slots`.
   void reset(std::size_t slots, const Vec3& origin);
-  /// The next slice; its first slot.
-  std::size_t begin_slice(std::uint32_t of, std::size_t numbers = kIdColumn);
+  /// Begins a slice of a class; its first slot. `numbers`: Slice::numbers.
+  std::size_t begin_slice(std::uint32_t class_index, std::size_t numbers = kIdColumn);
   void close_slice(std::size_t count);
   /// Slots that `count` sweeps in `slices` slices need.
   static std::size_t room(std::size_t count, std::size_t slices) { return count + slices * kPad; }

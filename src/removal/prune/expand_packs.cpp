@@ -9,7 +9,7 @@ namespace mrsim {
 namespace {
 
 void copy_slice(const CandidateList& in, const CandidateList::Slice& slice, CandidateList& out) {
-  const std::size_t first = out.begin_slice(slice.of, slice.numbers);
+  const std::size_t first = out.begin_slice(slice.class_index, slice.numbers);
   for (std::size_t i = 0; i < kCandidateColumns; ++i)
     std::copy_n(in.column(i) + slice.first, slice.count, out.column(i) + first);
   out.close_slice(slice.count);
@@ -18,7 +18,7 @@ void copy_slice(const CandidateList& in, const CandidateList::Slice& slice, Cand
 template <typename Wanted>
 void copy_some(const CandidateList& in, const CandidateList::Slice& slice, CandidateList& out,
                Wanted wanted) {
-  const std::size_t first = out.begin_slice(slice.of, slice.numbers);
+  const std::size_t first = out.begin_slice(slice.class_index, slice.numbers);
   std::size_t count = 0;
   for (std::size_t k = 0; k < slice.count; ++k) {
     if (!wanted(k)) continue;
@@ -62,9 +62,9 @@ class PackExpander {
       else if (!region_.expand_packs)
         copy_some(in, slices[i], out,
                   [&](std::size_t k) { return !is_large(in.number(slices[i], k)); });
-      const std::int32_t group = c_.classes[slices[i].of].group;
-      if (i + 1 < slices.size() && c_.classes[slices[i + 1].of].group == group) continue;
-      while (next != expanded_.cend() && c_.classes[next->of].group == group)
+      const std::int32_t group = c_.classes[slices[i].class_index].group;
+      if (i + 1 < slices.size() && c_.classes[slices[i + 1].class_index].group == group) continue;
+      while (next != expanded_.cend() && c_.classes[next->class_index].group == group)
         next = writer.slice(next, expanded_.cend());
     }
     // The chords of the packs lie within the extent, their children within the spread of these.
@@ -78,10 +78,10 @@ class PackExpander {
   }
   bool is_large(std::uint32_t pack) const {
     return region_.expand_packs || region_.radius < c_.packs[pack].expand_below ||
-           !is_measured(c_.classes[c_.packs[pack].of]);
+           !is_measured(c_.classes[c_.packs[pack].class_index]);
   }
   bool may_be_large(const CandidateList::Slice& slice) const {
-    const SweepClass& type = c_.classes[slice.of];
+    const SweepClass& type = c_.classes[slice.class_index];
     return type.packs &&
            (region_.expand_packs || region_.radius < type.expand_below || !is_measured(type));
   }
@@ -101,14 +101,15 @@ class PackExpander {
     bool alike = true;
     const std::uint32_t first = kFirstPack + pack.child;
     c_.packs.for_each_child(number, [&](std::uint32_t child) {
-      alike = alike && !is_large(child) && c_.packs[child].of == c_.packs[first].of;
+      alike =
+          alike && !is_large(child) && c_.packs[child].class_index == c_.packs[first].class_index;
     });
-    if (alike) return expanded_.push_back({c_.packs[first].of, number, pack.first, true});
+    if (alike) return expanded_.push_back({c_.packs[first].class_index, number, pack.first, true});
     c_.packs.for_each_child(number, [&](std::uint32_t child) {
       if (is_large(child))
         append(child);
       else
-        expanded_.push_back({c_.packs[child].of, child, c_.packs[child].first, false});
+        expanded_.push_back({c_.packs[child].class_index, child, c_.packs[child].first, false});
     });
   }
 

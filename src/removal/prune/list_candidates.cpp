@@ -17,13 +17,14 @@ void list_candidates(const SweepTable& table, std::span<const std::uint32_t> ids
   for (std::size_t k = 0; !one && k < sweeps.size(); ++k)
     entries.push_back({c.class_index(sweeps[k]), sweeps[k], sweeps[k]});
   for (const std::uint32_t pack : packs)
-    entries.push_back({c.packs[pack].of, pack, c.packs[pack].first});
+    entries.push_back({c.packs[pack].class_index, pack, c.packs[pack].first});
   sort_by_class(entries, c.classes.size());
   std::size_t slots = ids.size();
   for (std::size_t k = 0; !c.first_segment.empty() && k < sweeps.size(); ++k)
     slots += c.segment_count(sweeps[k]);
   std::size_t slices = 2;
-  for (std::size_t k = 1; k < entries.size(); ++k) slices += entries[k].of != entries[k - 1].of;
+  for (std::size_t k = 1; k < entries.size(); ++k)
+    slices += entries[k].class_index != entries[k - 1].class_index;
   out.reset(CandidateList::room(slots, slices), origin);
   SliceWriter writer(out, c);
   if (one && !sweeps.empty()) {

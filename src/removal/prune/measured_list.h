@@ -44,7 +44,7 @@ class MeasuredList {
 
   const CandidateList& list() const { return in_; }
   const SweepClass& type(std::size_t slice) const {
-    return columns_.classes[in_.slices()[slice].of];
+    return columns_.classes[in_.slices()[slice].class_index];
   }
   CandidateRows rows(std::size_t slice) const {
     return scratch_.rows.at(in_.slices()[slice].first);

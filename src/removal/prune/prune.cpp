@@ -59,7 +59,7 @@ class Keeper {
              measured_.is_bounded(to) == measured_.is_bounded(from))
         ++to;
       if (type(from).form == SweepClass::Form::turn)
-        keep_packs(slices[from].of, out);
+        keep_packs(slices[from].class_index, out);
       else if (measured_.is_bounded(from))
         keep_segments(from, to, out);
       else if (!keep_group(from, to, limit, band, out))
@@ -93,7 +93,7 @@ class Keeper {
   void keep_segments(std::size_t from, std::size_t to, CandidateList& out) {
     for (std::size_t i = from; i < to; ++i) {
       const CandidateList::Slice& slice = in_.slices()[i];
-      const std::size_t first = out.begin_slice(slice.of, slice.numbers);
+      const std::size_t first = out.begin_slice(slice.class_index, slice.numbers);
       const std::size_t kept = kernels_.keep_low(
           measured_.lower(i), slice.count, measured_.height_limit(), in_.columns(slice.first),
           type(i).packs ? kPackColumn + 1 : kPackColumn, out.column(0) + first, out.stride());
@@ -129,7 +129,7 @@ class Keeper {
       const std::size_t columns =
           type(i).packs ? kPackColumn + 1 : kColumns[static_cast<std::size_t>(type(i).form)];
       args.limit = std::nextafter(static_cast<float>(limit + spread_of(type(i))), kFloatInfinity);
-      float* to_slot = out.column(0) + out.begin_slice(slice.of, slice.numbers);
+      float* to_slot = out.column(0) + out.begin_slice(slice.class_index, slice.numbers);
       at_.tool = type(i).tool;
       args.within = args.plan ? top() + within_band() : surely_within(at_, region_, reach_);
       bool reaches = reaches_ || !(is_strip(type(i)) || is_horizontal(type(i)));
@@ -216,7 +216,7 @@ bool has_small_undercuts(const SweepTable& table, const PruneRegion& region,
                          const CandidateList& list) {
   return std::any_of(list.slices().begin(), list.slices().end(),
                      [&](const CandidateList::Slice& slice) {
-                       const SweepClass& type = table.columns().classes[slice.of];
+                       const SweepClass& type = table.columns().classes[slice.class_index];
                        return is_undercutting(type) && slice.count > kFewUndercuts &&
                               region.radius < type.heights.radius / 2;
                      });

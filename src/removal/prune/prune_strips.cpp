@@ -17,9 +17,9 @@ bool is_of_strips(const SweepTable& table, const CandidateList& list) {
   const auto& slices = list.slices();
   return !slices.empty() &&
          std::all_of(slices.begin(), slices.end(), [&](const CandidateList::Slice& slice) {
-           const SweepClass& type = classes[slice.of];
+           const SweepClass& type = classes[slice.class_index];
            return type.form == SweepClass::Form::strip && !type.packs &&
-                  type.group == classes[slices[0].of].group;
+                  type.group == classes[slices[0].class_index].group;
          });
 }
 
@@ -46,7 +46,7 @@ bool prune_strips(const SweepTable& table, const PruneRegion& region, double rea
   const CandidateKernels& kernels = candidate_kernels();
   out.clear();
   RegionArgs at = region_args(region, in.origin);
-  at.tool = columns.classes[in.slices()[0].of].tool;
+  at.tool = columns.classes[in.slices()[0].class_index].tool;
   set_delta(at, near_extent(at, in), region.radius);
   set_margin(at, 0);
   const Beater beater = kernels.strip_beater(in.columns(near), 0, at);

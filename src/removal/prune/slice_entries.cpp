@@ -6,7 +6,7 @@ namespace mrsim {
 namespace {
 
 bool is_less(const SliceEntry& a, const SliceEntry& b) {
-  return a.of != b.of ? a.of < b.of : a.first < b.first;
+  return a.class_index != b.class_index ? a.class_index < b.class_index : a.first < b.first;
 }
 
 }  // namespace
@@ -38,10 +38,10 @@ void sort_by_class(SliceEntries& entries, std::size_t classes) {
   static thread_local SliceEntries sorted;
   static thread_local std::vector<std::size_t> begins;
   begins.assign(classes + 1, 0);
-  for (const SliceEntry& e : entries) ++begins[e.of + 1];
-  for (std::size_t of = 1; of < begins.size(); ++of) begins[of] += begins[of - 1];
+  for (const SliceEntry& e : entries) ++begins[e.class_index + 1];
+  for (std::size_t k = 1; k < begins.size(); ++k) begins[k] += begins[k - 1];
   sorted.resize(entries.size());
-  for (const SliceEntry& e : entries) sorted[begins[e.of]++] = e;
+  for (const SliceEntry& e : entries) sorted[begins[e.class_index]++] = e;
   entries.swap(sorted);
 }
 

@@ -10,7 +10,7 @@ namespace mrsim {
 /// An entry that a list is to hold. Lists ascend by class, and within a class by sweep if they can.
 /// A list that is evaluated at points must ascend by sweep, so it may be sorted again.
 struct SliceEntry {
-  std::uint32_t of = 0;  ///< class
+  std::uint32_t class_index = 0;  ///< into SweepColumns::classes
   std::uint32_t number = 0;
   std::uint32_t first = 0;  ///< sweep
   bool children = false;    ///< those of the pack, not itself

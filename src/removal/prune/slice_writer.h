@@ -25,9 +25,9 @@ class SliceWriter {
   // The slice of all entries of the first one's class; what comes after it.
   SliceEntries::const_iterator slice(SliceEntries::const_iterator at,
                                      SliceEntries::const_iterator end) {
-    const std::uint32_t of = at->of;
-    begin(of);
-    for (; at != end && at->of == of; ++at) {
+    const std::uint32_t class_index = at->class_index;
+    begin(class_index);
+    for (; at != end && at->class_index == class_index; ++at) {
       if (const auto ahead = at + std::min<std::ptrdiff_t>(kEntriesAhead, end - at - 1);
           !ahead->children)
         ask_for(ahead->number);
@@ -36,10 +36,10 @@ class SliceWriter {
     close();
     return at;
   }
-  void begin(std::uint32_t of) {
-    const SweepClass& type = columns_.classes[of];
+  void begin(std::uint32_t class_index) {
+    const SweepClass& type = columns_.classes[class_index];
     form_ = type.form;
-    first_ = slot_ = list_.begin_slice(of, type.packs ? kPackColumn : kIdColumn);
+    first_ = slot_ = list_.begin_slice(class_index, type.packs ? kPackColumn : kIdColumn);
     to_ = list_.column(0);
     const bool segment = form_ == SweepClass::Form::segment;
     list_.closed = list_.closed && form_ != SweepClass::Form::other && !segment;

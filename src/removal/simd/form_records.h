@@ -18,7 +18,7 @@ struct alignas(64) ArcRecord {
   double c[16] = {};
 };
 
-/// A straight move of a tool with is_rounded() that reaches up, from its lower end.
+/// A straight move of an end mill that reaches up, from its lower end.
 struct alignas(32) SlantRecord {
   double x = 0, y = 0, z = 0;  ///< of the lower end; z of the tool's flat core
   double ux = 1, uy = 0;       ///< direction in plan, unit
@@ -33,7 +33,7 @@ struct SlantColumn {
   enum : std::size_t { x, y, z, ux, uy, length, plan, rise, core, round, kCount };
 };
 
-/// The part of an arc within a quarter of its circle, of a tool with is_rounded() that reaches up.
+/// The part of an arc within a quarter of its circle, of an end mill that reaches up.
 /// In the arc's plane x lies on the ground, from the centre towards the quarter, and z up.
 struct alignas(64) UprightRecord {
   double x = 0, y = 0, z = 0;       ///< of the centre
@@ -45,8 +45,7 @@ struct alignas(64) UprightRecord {
   double half = 1;             ///< 1: above the centre, -1: below
 };
 
-/// The lowest turn of a falling helix about Z, or a part of it, of a tool with is_rounded() that
-/// reaches up.
+/// The lowest turn of a falling helix about Z, or a part of it, of an end mill that reaches up.
 struct HelixRecord {
   /// A position by its parameter and the direction from the helix's axis, in (u, v).
   struct End {

@@ -21,12 +21,12 @@ Vec3 revolved(const Vec3& p, double foot_x, double foot_y, Vec2 g) {
 
 // Gradient of the asked face of a tool at rest.
 Vec2 face_gradient(const Profile& tool, double rho, double z, std::int32_t patch) {
-  if (!tool.is_rounded()) return tool.gradient({rho, z}, patch);
+  if (!tool.is_end_mill()) return tool.gradient({rho, z}, patch);
   return slab_face_gradient(tool, rho, z, patch);
 }
 
 double face_distance(const Profile& tool, double rho, double z, std::int32_t patch) {
-  if (!tool.is_rounded()) return tool.face_distance({rho, z}, patch);
+  if (!tool.is_end_mill()) return tool.face_distance({rho, z}, patch);
   return slab_face_distance(tool, rho, z, patch);
 }
 
@@ -135,9 +135,9 @@ double facing_angle(const ToolPath& path, const Vec3& p, double from, double to)
 // nearest to p in space may touch p with its lower edge, so that its wall would be the floor.
 std::optional<FacePlane> path_wall(const SweepColumns& columns, const SweepRef& ref, const Vec3& p,
                                    std::int32_t patch) {
-  constexpr std::int32_t kWall = 1;  // of a tool with is_rounded() without a fillet
+  constexpr std::int32_t kWall = 1;  // of an end mill without a fillet
   const Profile& tool = columns.cutter(ref);
-  if (!tool.is_rounded() || !tool.is_rising() || tool.round() > 0 || patch % kBranchPatch != kWall)
+  if (!tool.is_end_mill() || !tool.is_rising() || tool.round() > 0 || patch % kBranchPatch != kWall)
     return std::nullopt;
   double t;
   if (columns.paths.is_line(ref.row)) {
@@ -294,7 +294,7 @@ std::optional<SweepTable::FlatFloor> flat_floor(const SweepColumns& c, std::size
                         ref.kind != SweepKind::profile))
     return std::nullopt;
   const Profile& tool = c.cutter(ref);
-  if (!tool.is_rounded() || !tool.is_rising()) return std::nullopt;
+  if (!tool.is_end_mill() || !tool.is_rising()) return std::nullopt;
   const HorizontalView v = horizontal_view(c, ref);
   return SweepTable::FlatFloor{v.z, tool.core() - plan_foot(v, p, Half::any).rho};
 }

@@ -105,7 +105,7 @@ void least_of(const SweepColumns& c, std::uint32_t id, PointColumns& points) {
     const ToolPath& path = c.paths.arc(ref.row);
     const Profile& tool = c.cutter(ref);
     if (path.bored) open &= sweep_kernels().bore(bore_record(tool, path), id, points);
-    if (path.lowest_turn && tool.is_rounded())
+    if (path.lowest_turn && tool.is_end_mill())
       return sweep_kernels().helix(helix_record(tool, path), id, open, points);
   }
   const Box3 box = c.bounds_of(ref);

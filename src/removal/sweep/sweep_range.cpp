@@ -78,7 +78,7 @@ std::array<double, 3> heights(const Corners3& t, double z) {
   return {t[0].z - z, t[1].z - z, t[2].z - z};
 }
 
-// The wall, floor or chain of floor, quarter circle and wall of a tool with is_rounded().
+// The wall, floor or chain of floor, quarter circle and wall of an end mill.
 FaceRange slab_range(const Profile& tool, const Section& s) {
   const double core = tool.core(), round = tool.round();
   if (round == 0)
@@ -177,7 +177,7 @@ class RangeOf {
     const std::int32_t face = patch_ & (kBranchPatch - 1);
     const std::array<double, 3> height = heights(local_, z);
     const int side = !ref_.split ? 0 : patch_ >= kBranchPatch ? 1 : -1;
-    if (tool.is_rounded()) {
+    if (tool.is_end_mill()) {
       const std::int32_t wall = tool.round() > 0 ? 0 : 1;
       if (face > wall) return range_of(heights(local_, z + tool.top()));
       if (tool.round() == 0 && face == 0) return negated(range_of(height));
@@ -190,7 +190,7 @@ class RangeOf {
         arc ? arc_envelope(c, local_, tool.round() > 0, side) : line_envelope(c, local_);
     if (!rho.is_known) return {};
     const Section s = section_of(rho, height);
-    return tool.is_rounded() ? slab_range(tool, s) : profile_face_range(tool, s, face);
+    return tool.is_end_mill() ? slab_range(tool, s) : profile_face_range(tool, s, face);
   }
 
   // Beyond an end of its path a convex tool stands still: that is convex, too.

@@ -157,9 +157,9 @@ void Profile::find_slab() {
   const bool quarter = low.is_arc() && low.convex && low.center.y == low.b.y &&
                        low.center.x == low.a.x && low.center.x + low.radius == low.b.x;
   if (n == 2 && disc) {
-    is_rounded_ = true, core_ = max_radius_, round_ = 0;
+    is_end_mill_ = true, core_ = max_radius_, round_ = 0;
   } else if (quarter && (n == 2 ? low.center.x == 0 : disc) && top_ >= 2 * low.radius) {
-    is_rounded_ = true, core_ = low.center.x, round_ = low.radius;
+    is_end_mill_ = true, core_ = low.center.x, round_ = low.radius;
   }
 }
 

@@ -109,13 +109,12 @@ class Profile {
   double bottom() const { return bottom_; }  ///< z of the tip
   double top() const { return top_; }        ///< infinite when open
 
-  /// Mills of one kind: a disc of radius `core` with its centre at z = `round`, thickened by
-  /// `round`, with a straight wall up to the flat or open top. Flat: round = 0; ball: core = 0;
-  /// bull-nose between them.
-  bool is_rounded() const { return is_rounded_; }
+  /// An end mill, flat (round = 0), ball (core = 0) or bull-nose: a disc of radius `core` with its
+  /// centre at z = `round`, thickened by `round`, with a straight wall up to the flat or open top.
+  bool is_end_mill() const { return is_end_mill_; }
   double core() const { return core_; }
   double round() const { return round_; }
-  bool is_ball_end() const { return is_rounded_ && core_ == 0 && open_top_; }
+  bool is_ball_end() const { return is_end_mill_ && core_ == 0 && open_top_; }
 
   /// Cutters with a straight wall that end above, such as slot mills: a disc of radius `core`
   /// thickened by `round` below half the height `top`, and one of `lid_core` and `lid_round`, from
@@ -138,7 +137,7 @@ class Profile {
 
   std::vector<ProfileEdge> edges_;
   std::vector<Corner> corners_;  ///< #edges + 1: corner i is the start of edge i
-  bool open_top_ = false, is_convex_ = true, unimodal_ = true, rising_ = true, is_rounded_ = false;
+  bool open_top_ = false, is_convex_ = true, unimodal_ = true, rising_ = true, is_end_mill_ = false;
   double max_radius_ = 0, widest_ = 0, bottom_ = 0, top_ = 0, core_ = 0, round_ = 0;
   std::optional<Disc> disc_;
   std::shared_ptr<const std::vector<Profile>> pieces_;

@@ -124,7 +124,7 @@ double groove_lengths(const CutList& cuts, double stock_top) {
     if (!is_cut(motion) || motion.tool < 0 || !(motion.tool_axis == Vec3{0, 0, 1})) continue;
     const ToolShape& shape = shapes[static_cast<std::size_t>(motion.tool)];
     const double depth = stock_top - std::min(motion.start.z, motion.end.z);
-    if (shape.turning || shape.cutter.is_rounded() || !(depth > 0)) continue;
+    if (shape.turning || shape.cutter.is_end_mill() || !(depth > 0)) continue;
     const double radius = shape.cutter.max_radius_below(depth);
     if (radius > 0 && radius < kNarrow * shape.radius) sum += length_of(motion) / (2 * radius);
   }
@@ -180,7 +180,7 @@ bool has_winding_helix(const CutList& cuts) {
   std::vector<char> leaves_crests;
   for (const Tool& tool : cuts.tools()) {
     const Profile cutter = make_tool_shape(tool).cutter;
-    leaves_crests.push_back(!cutter.is_rounded() || !cutter.is_rising() || cutter.round() > 0);
+    leaves_crests.push_back(!cutter.is_end_mill() || !cutter.is_rising() || cutter.round() > 0);
   }
   return std::ranges::any_of(cuts.motions(), [&](const Motion& motion) {
     return is_helix(motion) && std::abs(motion.sweep) > 1.5 * kTwoPi && motion.tool >= 0 &&
@@ -219,7 +219,7 @@ bool has_many_upright_arcs(const CutList& cuts) {
 bool has_searched_arc(const CutList& cuts) {
   std::vector<char> is_searched;
   for (const Tool& tool : cuts.tools())
-    is_searched.push_back(!is_turning(tool.type) && !make_tool_shape(tool).cutter.is_rounded());
+    is_searched.push_back(!is_turning(tool.type) && !make_tool_shape(tool).cutter.is_end_mill());
   return std::ranges::any_of(cuts.motions(), [&](const Motion& motion) {
     return is_cut(motion) && (is_helix(motion) || is_upright_arc(motion)) && motion.tool >= 0 &&
            is_searched[static_cast<std::size_t>(motion.tool)];
