@@ -147,9 +147,9 @@ TriMesh weld_facets(const StepFacets& facets) {
   return mesh;
 }
 
-// A file that is no STEP never reaches the module, whose messages for such files say little.
-// The size of the file. Read here and by the module: a pipe would be empty by then.
-std::size_t require_step_header(const std::string& path) {
+// Checks what Open CASCADE says little about, or never ends on, before the module reads the file.
+// That reads it a second time, so a pipe is refused. Returns the size of the file, bytes.
+std::size_t checked_step_size(const std::string& path) {
   std::error_code ignored;
   const auto status = std::filesystem::status(path, ignored);
   if (std::filesystem::is_fifo(status) || std::filesystem::is_character_file(status))
@@ -217,7 +217,7 @@ constexpr std::size_t kSpare = std::size_t(32) << 20;  // what a small file need
 
 // Open CASCADE crashes on some damaged files, or never ends: it reads in a process of its own.
 StepMesh read_solids(const std::string& path, double deflection) {
-  const std::size_t size = require_step_header(path);
+  const std::size_t size = checked_step_size(path);
   static const StepModule module;
   ChildLimits limits;
   limits.what = "reading " + path;

@@ -64,11 +64,11 @@ class DoubtfulSearch {
 
   // Only one owner can decide d in the box: no edge in it has ends with different owners.
   bool is_alone(const Box3& box, std::span<const std::uint32_t> candidates) const {
-    static thread_local Candidates names;
+    static thread_local Candidates sweeps;
     const double room = 0.5 * length(box.hi - box.lo) + kSurfaceBand;
     const bool near_stock = std::abs(field_.sample(0.5 * (box.lo + box.hi), {}).distance) <= room;
-    return !alike_ && field_.expand_packs(box, kSurfaceBand, candidates, names) &&
-           names.size() + near_stock <= 1;
+    return !alike_ && field_.expand_packs(box, kSurfaceBand, candidates, sweeps) &&
+           sweeps.size() + near_stock <= 1;
   }
 
   LatticePoint point(std::int32_t x, std::int32_t y, std::int32_t z) const {

@@ -250,10 +250,10 @@ bool CellOctree::must_split(std::int32_t n) {
                      large ? tolerance_ : std::numeric_limits<double>::infinity()});
 }
 
-// What decides d at the corners, at the centre and on the edges, as candidates by name.
+// What the cell shows; `seen`: the sweeps that decide d at its corners, centre and on its edges.
 CellOctree::Sight CellOctree::look_at(std::int32_t n, const Box3& b, const CellSurface& surface,
                                       Candidates& seen) {
-  static thread_local Candidates names;
+  static thread_local Candidates sweeps;
   OctreeNode& a = nodes_[static_cast<std::size_t>(n)];
   const Vec3 center = 0.5 * (b.lo + b.hi);
   const double radius = 0.5 * length(b.hi - b.lo) + kQuantum;
@@ -275,9 +275,11 @@ CellOctree::Sight CellOctree::look_at(std::int32_t n, const Box3& b, const CellS
   for (const CellSurface::Point& p : surface.all()) add(p.at);
   std::sort(seen.begin(), seen.end());
   seen.erase(std::unique(seen.begin(), seen.end()), seen.end());
-  const bool known = field_.expand_packs(inflated(b, kQuantum), kSurfaceBand, candidates(n), names);
-  sight.owners_seen = known && std::includes(seen.begin(), seen.end(), names.begin(), names.end());
-  sight.is_alone = sight.owners_seen && names.size() + near_stock <= 1;
+  const bool known =
+      field_.expand_packs(inflated(b, kQuantum), kSurfaceBand, candidates(n), sweeps);
+  sight.owners_seen =
+      known && std::includes(seen.begin(), seen.end(), sweeps.begin(), sweeps.end());
+  sight.is_alone = sight.owners_seen && sweeps.size() + near_stock <= 1;
   return sight;
 }
 

@@ -122,7 +122,8 @@ Wrap wrap_surface(const TriMesh& mesh, const StockWrap& options) {
     close_openings(soup, out);
     out.closed = to_mesh(soup);
     const double finest = std::min(alpha, 10 * offset);
-    if (const double count = 4 * surface_area(out.closed) / (finest * finest); count > kMostTriangles)
+    if (const double count = 4 * surface_area(out.closed) / (finest * finest);
+        count > kMostTriangles)
       throw Error(
           "stock-wrap",
           fmt::format("--stock-repair wrap={:g} would take some {:.2g} triangles; {:.2g} mm "

@@ -1,5 +1,5 @@
-// Ball end that reaches up on an arc in an upright plane (G18, G19 and between): all points within
-// R of the curtain above the arc, in closed form.
+// A ball end that reaches up, on an arc in an upright plane (G18, G19 and between), in closed form:
+// all points within R of the *curtain*, the part of that plane that lies on the arc or above it.
 #pragma once
 
 #include "core/numbers/vec.h"
@@ -7,15 +7,15 @@
 
 namespace mrsim {
 
-/// An arc of up to a full turn about the origin of a plane (x along the ground, y up), and what
-/// hangs above it.
+/// An arc of up to a full turn about the origin of a plane (x along the ground, y up), and all of
+/// the plane above the arc.
 struct Curtain {
   double radius = 0, mid_x = 1, mid_y = 0, cos_half = -1, sin_half = 0;
   double left = 0, right = 0;  ///< extent in x
-  Vec2 hems[4];                ///< where upright edges begin: the ends, and the extremes in x
+  Vec2 hems[4];                ///< lower ends of upright edges: ends of the arc, extremes in x
   int hem_count = 0;
 };
-/// The curtain under an arc from angle `from`, counter-clockwise by `turn`, radians.
+/// The curtain of the arc from angle `from`, counter-clockwise by `turn`, radians.
 Curtain make_curtain(double radius, double from, double turn);
 
 /// Whether the arc passes above one of its own ends, where the curtain has a reflex corner.
