@@ -86,12 +86,15 @@ bool writes_vdb(const Job& job) {
   return std::any_of(job.outputs.begin(), job.outputs.end(), is_vdb);
 }
 
-// What reading and checking a stock's file takes at most, by its size: a triangle takes 430 bytes,
-// and 10 of a 3MF file.
+// Bytes that a triangle of a stock takes, measured: in the search for self-intersections.
+constexpr double kTriangleMemory = 430;
+
+// What reading and checking a stock's file takes at most, by its size.
 double stock_file_memory(const std::string& stock) {
+  constexpr double kTriangleInFile = 10;  // bytes, of a 3MF file
   std::error_code none;
   const std::uintmax_t bytes = std::filesystem::file_size(stock, none);
-  return none ? 0 : 43 * double(bytes);
+  return none ? 0 : kTriangleMemory / kTriangleInFile * double(bytes);
 }
 
 // A stock of voxels is read, and one with gaps wrapped, in a copy of this process, made while no
@@ -123,7 +126,6 @@ StockShape load_stock(const std::string& spec, const StockOptions& options,
   if (options.wrap.distance > 0) found.repair = wrap_stock(mesh, options.wrap);
   if (findings != nullptr) *findings = found;
   release_freed_memory();  // what reading and wrapping took: the checks' blocks do not fit into it
-  constexpr double kTriangleMemory = 430;  // bytes, measured: the search for self-intersections
   require_memory(kTriangleMemory * double(mesh.triangles.size()),
                  fmt::format("a stock of {} triangles", mesh.triangles.size()),
                  "a coarser mesh takes less");

@@ -27,7 +27,7 @@ class HelpFormatter : public CLI::Formatter {
     const std::string type = option->get_items_expected_max() > 0 ? option->get_type_name() : "";
     const std::string name =
         fmt::format("  {}{}{}", option->get_name(false, true), type.empty() ? "" : " ", type);
-    return fmt::format("{:<26}{}{}\n", name,
+    return fmt::format("{:<{}}{}{}\n", name, kColumn,
                        name.size() >= kColumn ? "\n" + std::string(kColumn, ' ') : "",
                        wrapped(option->get_description()));
   }

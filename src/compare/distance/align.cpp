@@ -18,6 +18,10 @@ using Matrix6 = Eigen::Matrix<double, 6, 6>;
 
 constexpr double kSettled = 1e-9;  // of the part's reach: a step that moves no digit of the result
 constexpr int kMostSteps = 60;
+constexpr double kTukeyWidth = 4.685;           // standard deviations (Holland and Welsch 1977)
+constexpr double kDeviationsOfMedian = 1.4826;  // a standard deviation by the median of |residuals|
+constexpr double kNarrowest = 1e-5;             // of the part's reach: no width is less
+constexpr double kSlides = 1e-6;  // of the largest eigenvalue: directions of less are left out
 
 // Rodrigues' formula about the axis w / |w| by |w| radians.
 RigidTransform rotation_by(const Vec3& w) {
@@ -64,8 +68,8 @@ std::size_t side_of(const Vec3& n) {
   return n.x < 0 ? 1 : 0;
 }
 
-// Width beyond which a residual counts nothing: 4.685 standard deviations by the median, never so
-// narrow that rounding decides. One for each side: on a plate the large faces fit at once, and
+// Width beyond which a residual counts nothing, by the median, never so narrow that rounding
+// decides. One for each side: on a plate the large faces fit at once, and
 // their median would call its edges outliers.
 std::array<double, 6> tukey_widths(const std::vector<Residual>& all, double floor) {
   std::array<std::vector<double>, 6> sizes;
@@ -76,7 +80,7 @@ std::array<double, 6> tukey_widths(const std::vector<Residual>& all, double floo
     if (sizes[i].empty()) continue;
     const auto middle = sizes[i].begin() + long(sizes[i].size() / 2);
     std::nth_element(sizes[i].begin(), middle, sizes[i].end());
-    out[i] = std::max(4.685 * 1.4826 * *middle, floor);
+    out[i] = std::max(kTukeyWidth * kDeviationsOfMedian * *middle, floor);
   }
   return out;
 }
@@ -88,7 +92,7 @@ struct Step {
 
 // One weighted least-squares step about `pivot`, in lengths of `reach` for the angles.
 Step solve(const std::vector<Residual>& all, const Vec3& pivot, double reach) {
-  const std::array<double, 6> widths = tukey_widths(all, 1e-5 * reach);
+  const std::array<double, 6> widths = tukey_widths(all, kNarrowest * reach);
   Matrix6 a = Matrix6::Zero();
   Vector6 b = Vector6::Zero();
   for (const Residual& r : all) {
@@ -105,7 +109,7 @@ Step solve(const std::vector<Residual>& all, const Vec3& pivot, double reach) {
   Vector6 x = Vector6::Zero();
   for (int i = 0; i < 6; ++i) {
     const double value = eigen.eigenvalues()[i];
-    if (value <= 1e-6 * eigen.eigenvalues()[5]) continue;
+    if (value <= kSlides * eigen.eigenvalues()[5]) continue;
     const Vector6 v = eigen.eigenvectors().col(i);
     x += (v.dot(b) / value) * v;
   }

@@ -14,6 +14,8 @@
 namespace mrsim {
 namespace {
 
+constexpr double kVoxelsOfRadius = 8;  // of the smallest cutter, at least
+
 // Sweeps that can decide d at p: those of its block, or all where there is none.
 Candidates candidates_at(const StockGrid& grid, const Vec3& p) {
   const std::size_t block = grid.index->find(p);
@@ -98,10 +100,12 @@ double round_down_voxel(double x) {
 VoxelChoice default_voxel(const StockShape& shape, double smallest_radius) {
   const Vec3 size = shape.box.hi - shape.box.lo;
   const double longest = std::max({size.x, size.y, size.z});
-  VoxelChoice choice{longest / 400, fmt::format("longest side {:.6g} mm / 400", longest)};
-  if (smallest_radius > 0 && smallest_radius / 8 < choice.voxel)
-    choice = {smallest_radius / 8,
-              fmt::format("smallest cutter radius {:.6g} mm / 8", smallest_radius)};
+  VoxelChoice choice{longest / kVoxelsOfSide,
+                     fmt::format("longest side {:.6g} mm / {:g}", longest, kVoxelsOfSide)};
+  if (smallest_radius > 0 && smallest_radius / kVoxelsOfRadius < choice.voxel)
+    choice = {
+        smallest_radius / kVoxelsOfRadius,
+        fmt::format("smallest cutter radius {:.6g} mm / {:g}", smallest_radius, kVoxelsOfRadius)};
   choice.voxel = round_down_voxel(choice.voxel);
   choice.reason += ", rounded down";
   return choice;

@@ -56,6 +56,9 @@ class Stock {
   std::unique_ptr<StockGrid> grid_;
 };
 
+/// Voxels along the longest side of a stock, when none is given.
+inline constexpr double kVoxelsOfSide = 400;
+
 /// The voxel edge used when none is given, and why ("longest side 100 mm / 400").
 struct VoxelChoice {
   double voxel = 0;

@@ -19,7 +19,8 @@ namespace {
 
 constexpr std::string_view kMagic = "MRSIMVDB";
 constexpr std::uint64_t kVersion = 2;
-constexpr std::size_t kSeal = 16;  // bytes behind OpenVDB's stream
+constexpr std::size_t kSeal = 16;                               // bytes behind OpenVDB's stream
+constexpr std::size_t kRecipeHead = 2 * sizeof(std::uint64_t);  // version and hash, before a recipe
 // OpenVDB's stream: 8 bytes magic, 4 file version, 8 library version, 1 grid offsets, then the
 // identifier, 36 characters, and the metadata of the file.
 constexpr std::int64_t kVdbMagic = 0x56444220;
@@ -153,13 +154,14 @@ Error damaged(const std::string& name) {
 // The recipe's bytes out of what sealed_recipe() made.
 std::string open_recipe(std::string_view text, const std::string& name) {
   const std::optional<std::string> bytes = from_base64(text);
-  if (!bytes || bytes->size() < 16) throw damaged(name);
+  if (!bytes || bytes->size() < kRecipeHead) throw damaged(name);
   const auto version = detail::load<std::uint64_t>(bytes->data());
   if (version != kVersion)
     throw Error("vdb-version", fmt::format("{} has version {}, this mrsim reads version {}", name,
                                            version, kVersion));
-  std::string encoded = bytes->substr(16);
-  if (hash_of(encoded) != detail::load<std::uint64_t>(bytes->data() + 8)) throw damaged(name);
+  std::string encoded = bytes->substr(kRecipeHead);
+  if (hash_of(encoded) != detail::load<std::uint64_t>(bytes->data() + sizeof kVersion))
+    throw damaged(name);
   return encoded;
 }
 

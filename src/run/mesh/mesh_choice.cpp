@@ -147,7 +147,7 @@ double coarser_grid(double voxel) {
 // Cells of this size are within the tolerance on a cylinder or ball of the cutter's radius, and
 // hold no more than half of it.
 double wished_cell(const MeshChoice& choice, double longest) {
-  if (!(choice.radius > 0)) return longest / 400;
+  if (!(choice.radius > 0)) return longest / kVoxelsOfSide;
   return std::min(2 * std::sqrt(choice.radius * choice.tolerance), choice.radius / 2);
 }
 
