@@ -43,7 +43,9 @@ class JobReader {
 
  private:
   [[noreturn]] void fail(const toml::source_position& at, const char* code,
-                         const std::string& what) const;
+                         const std::string& what) const {
+    fail_at(at, text_, name_, code, what);
+  }
   [[noreturn]] void fail_value(const OptionRow& key, const toml::node& node,
                                const std::string& what) const {
     fail(node.source().begin, "job-value", fmt::format("{} {}", key.key, what));
@@ -68,21 +70,6 @@ class JobReader {
   bool allow_outside_;
   std::vector<OptionRow> keys_ = job_keys();
 };
-
-void JobReader::fail(const toml::source_position& at, const char* code,
-                     const std::string& what) const {
-  std::string_view rest = text_;
-  for (std::size_t i = 1; i < at.line && rest.find('\n') != rest.npos; ++i)
-    rest.remove_prefix(rest.find('\n') + 1);
-  rest = rest.substr(0, rest.find('\n'));
-  if (rest.ends_with('\r')) rest.remove_suffix(1);
-  Diagnostic diagnostic;
-  diagnostic.code = code;
-  diagnostic.text = what;
-  diagnostic.place = {name_, static_cast<int>(at.line), static_cast<int>(at.column)};
-  diagnostic.source_line = to_utf8(rest.substr(0, 500));
-  throw PlacedError(diagnostic);
-}
 
 void JobReader::check_keys(const toml::table& root) const {
   std::vector<std::string_view> known;

@@ -3,6 +3,7 @@
 #include "core/process/memory_limit.h"
 #include "core/text/text_io.h"
 #include "setup/spec_text.h"
+#include <mrsim/types.h>
 
 #include <algorithm>
 #include <array>
@@ -80,6 +81,21 @@ toml::table parse_toml(std::string_view text) {
     throw toml::parse_error("it is UTF-16 text: save it as UTF-8", toml::source_position{1, 1});
   require_flat_keys(text);
   return toml::parse(text);
+}
+
+void fail_at(const toml::source_position& at, std::string_view text, const std::string& name,
+             const char* code, const std::string& what) {
+  constexpr std::size_t kShown = 500;  // bytes of a line
+  for (std::size_t line = 1; line < at.line && text.find('\n') != text.npos; ++line)
+    text.remove_prefix(text.find('\n') + 1);
+  text = text.substr(0, text.find('\n'));
+  if (text.ends_with('\r')) text.remove_suffix(1);
+  Diagnostic diagnostic;
+  diagnostic.code = code;
+  diagnostic.text = what;
+  diagnostic.place = {name, static_cast<int>(at.line), static_cast<int>(at.column)};
+  diagnostic.source_line = to_utf8(text.substr(0, kShown));
+  throw PlacedError(diagnostic);
 }
 
 bool is_program_word(std::string_view name) {

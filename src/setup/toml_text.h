@@ -13,6 +13,11 @@ namespace mrsim {
 /// which takes all of the stack. Throws Error "memory" as well (core/process/memory_limit.h).
 toml::table parse_toml(std::string_view text);
 
+/// Throws PlacedError `code` that says `what` of a place in `text`, the content of the file `name`,
+/// and shows the line there.
+[[noreturn]] void fail_at(const toml::source_position& at, std::string_view text,
+                          const std::string& name, const char* code, const std::string& what);
+
 /// Whether a word of a program can be `name`, which is compared with them as it stands ("G54",
 /// "D1", "T4.D1"): an empty one or one in small letters would count for nothing. Behind the first
 /// letter, names of tools have small ones.

@@ -1,7 +1,6 @@
 #include "setup/tools_file.h"
 
 #include "core/numbers/units.h"
-#include "core/text/text_io.h"
 #include "core/words/suggest.h"
 #include "core/words/tool_number.h"
 #include "core/words/tool_types.h"
@@ -31,7 +30,9 @@ class Reader {
 
  private:
   [[noreturn]] void fail(const toml::source_position& at, const char* code,
-                         const std::string& what) const;
+                         const std::string& what) const {
+    fail_at(at, text_, name_, code, what);
+  }
   [[noreturn]] void fail_value(std::string_view key, const toml::node& node,
                                const std::string& what) const {
     fail(node.source().begin, "tools-value", fmt::format("{} {}", key, what));
@@ -44,7 +45,6 @@ class Reader {
            fmt::format("\"{}\" is no word of a program; write it in capitals, like {}", key.str(),
                        example));
   }
-  std::string_view line_at(std::size_t number) const;
 
   double number(std::string_view key, const toml::node& node) const;
   double length(std::string_view key, const toml::node& node, double low) const;
@@ -68,28 +68,6 @@ class Reader {
   double scale_ = 1;  ///< mm per unit of the file
   ToolTable table_;
 };
-
-std::string_view Reader::line_at(std::size_t number) const {
-  std::string_view rest = text_;
-  for (std::size_t i = 1; i < number; ++i) {
-    const std::size_t end = rest.find('\n');
-    if (end == rest.npos) return {};
-    rest.remove_prefix(end + 1);
-  }
-  std::string_view line = rest.substr(0, rest.find('\n'));
-  if (line.ends_with('\r')) line.remove_suffix(1);
-  return line.substr(0, 500);
-}
-
-void Reader::fail(const toml::source_position& at, const char* code,
-                  const std::string& what) const {
-  Diagnostic diagnostic;
-  diagnostic.code = code;
-  diagnostic.text = what;
-  diagnostic.place = {name_, static_cast<int>(at.line), static_cast<int>(at.column)};
-  diagnostic.source_line = to_utf8(line_at(at.line));
-  throw PlacedError(diagnostic);
-}
 
 void Reader::fail_key(const toml::key& key, const std::string& where, const Words& known) const {
   std::string hint = suggestion(key.str(), known);
