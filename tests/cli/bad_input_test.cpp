@@ -18,7 +18,7 @@ class BadInput : public CliTest {
   }
 };
 
-TEST_F(BadInput, Program) {
+TEST_F(BadInput, ProgramThatCannotBeReadOrCutsNothing) {
   expect_failure("missing.MPF --stock block.stl -o part.stl", 1, "no such file");
   expect_failure(". --stock block.stl -o part.stl", 1, "is a directory");
   write("empty.MPF", "");
@@ -50,7 +50,7 @@ TEST_F(BadInput, PipesThatAreReadTwice) {
   EXPECT_TRUE(contains(step.err, "store the model in a file")) << step.err;
 }
 
-TEST_F(BadInput, Environment) {
+TEST_F(BadInput, SimdLevelThatDoesNotExist) {
   const auto run_with = [this](const char* level) {
     ::setenv("MRSIM_SIMD", level, 1);
     const Outcome outcome = run("PRIMER_2F.MPF --stock block.stl --voxel 1 -o part.stl");
@@ -140,7 +140,7 @@ TEST_F(BadInput, NoTemporaryFolder) {
       0);
 }
 
-TEST_F(BadInput, Output) {
+TEST_F(BadInput, OutputThatCannotBeWritten) {
   expect_failure("PRIMER_2F.MPF --stock block.stl -o missing/part.stl", 1, "does not exist");
   std::filesystem::create_symlink("gone/part.stl", folder_ / "link.stl");
   expect_failure("PRIMER_2F.MPF --stock block.stl -o link.stl", 1, "gone does not exist");
@@ -196,7 +196,7 @@ TEST_F(BadInput, OldOutputStaysWhenARunFails) {
   EXPECT_EQ(read("old.stl"), "old");
 }
 
-TEST_F(BadInput, Voxel) {
+TEST_F(BadInput, StepsTooFineForNumbersOrMemory) {
   expect_failure("PRIMER_2F.MPF --stock block.stl --voxel 0 -o part.stl", 2, "--voxel");
   expect_failure("PRIMER_2F.MPF --stock block.stl --voxel -1 -o part.stl", 2, "--voxel");
   expect_failure("PRIMER_2F.MPF --stock block.stl --voxel nan -o part.stl", 2, "--voxel");
@@ -213,7 +213,7 @@ TEST_F(BadInput, Voxel) {
   expect_failure("PRIMER_2F.MPF --stock block.stl --max-memory 1M -o part.stl", 1, "memory");
 }
 
-TEST_F(BadInput, Usage) {
+TEST_F(BadInput, FaultsOfTheCommandLine) {
   expect_failure("PRIMER_2F.MPF --stok block.stl -o part.stl", 2, "did you mean \"--stock\"");
   expect_failure("PRIMER_2F.MPF PRIMER_2S.MPF -o part.stl", 2, "not expected");
   expect_failure("--stock block.stl -o part.stl", 2, "the program is missing");

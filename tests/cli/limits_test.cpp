@@ -52,7 +52,7 @@ TEST_F(Limits, MessagesOfADamagedProgram) {
   EXPECT_TRUE(contains(outcome.err, "more of these")) << outcome.err.substr(0, 2000);
 }
 
-TEST_F(Limits, Comparison) {
+TEST_F(Limits, DensityAndDistanceOfAComparison) {
   const Outcome dense = run("compare block.stl block.stl --density 1e300");
   EXPECT_EQ(dense.code, 2) << dense.err;
   EXPECT_TRUE(contains(dense.err, "[density-too-large]")) << dense.err;

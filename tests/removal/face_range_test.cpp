@@ -208,7 +208,7 @@ TEST(FaceRange, TurnedFaces) {
   }
 }
 
-TEST(FaceRange, Stocks) {
+TEST(FaceRange, FacesOfTubesAndBoxes) {
   StockShape tube;
   tube.kind = StockShape::Kind::tube;
   tube.axis_point = {3, -2, 0};

@@ -58,7 +58,7 @@ TEST(ToolLibrary, OrientationsOfLinuxCnc) {
   }
 }
 
-TEST(ToolLibrary, Camotics) {
+TEST(ToolLibrary, UnitsAndShapesOfCamotics) {
   const ToolLibrary l = parse_library(
       R"({"units":"metric","tools":{"1":{"units":"metric","shape":"cylindrical","length":20,"diameter":3},
       "2":{"units":"imperial","shape":"ballnose","length":1,"diameter":0.25},
@@ -88,7 +88,7 @@ const char* const kFusion = R"({"data":[
   {"type":"dovetail mill","unit":"millimeters","geometry":{"DC":8},"post-process":{"number":5}},
   {"type":"holder"}],"version":2})";
 
-TEST(ToolLibrary, Fusion) {
+TEST(ToolLibrary, MeasuresOfFusionPlainAndZipped) {
   for (const std::string& bytes : {std::string(kFusion), detail::zip({{"tools.json", kFusion}})}) {
     const ToolLibrary l = parse_library(bytes, "lib.tools");
     EXPECT_EQ(l.format, LibraryFormat::fusion);
