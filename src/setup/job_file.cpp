@@ -111,7 +111,7 @@ std::string JobReader::path(const OptionRow& key, const toml::node& node) const 
 
 std::string JobReader::stock(const OptionRow& key, const toml::node& node) const {
   std::string value = text(key, node);
-  for (const std::string_view kind : {"box:", "cylinder:", "tube:"})
+  for (const std::string_view kind : option_words(key))
     if (value.starts_with(kind)) return value;
   return path(key, node);
 }
@@ -143,8 +143,8 @@ std::string JobReader::positive(const OptionRow& key, const toml::node& node) co
 
 std::string JobReader::whole(const OptionRow& key, const toml::node& node) const {
   const auto* value = node.as_integer();
-  if (value == nullptr || value->get() < 1 || value->get() > 256)
-    fail_value(key, node, "must be a whole number from 1 to 256");
+  if (value == nullptr || value->get() < 1 || value->get() > kMostWhole)
+    fail_value(key, node, fmt::format("must be a whole number from 1 to {}", kMostWhole));
   return std::to_string(value->get());
 }
 

@@ -222,6 +222,8 @@ TEST_F(BadInput, FaultsOfTheCommandLine) {
   expect_failure("PRIMER_2F.MPF --dialect sinumeric -o part.stl", 2, "did you mean \"sinumerik\"");
   expect_failure("PRIMER_2F.MPF --machine robot -o part.stl", 2, "mill, lathe");
   expect_failure("PRIMER_2F.MPF --threads 0 -o part.stl", 2, "--threads");
+  expect_failure("compare block.stl block.stl --align box", 2, "did you mean \"bbox\"");
+  expect_failure("compare block.stl block.stl --colors save", 2, "did you mean \"safe\"");
   expect_failure("PRIMER_2F.MPF --start 1,2 -o part.stl", 2, "X,Y,Z");
   expect_failure("PRIMER_2F.MPF --max-memory much -o part.stl", 2, "--max-memory");
   expect_failure("render block.stl", 2, "-o picture.png");

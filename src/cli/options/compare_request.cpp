@@ -6,16 +6,6 @@
 #include <fmt/format.h>
 
 namespace mrsim::cli {
-namespace {
-
-Alignment alignment_value(const std::string& text) {
-  if (text.empty() || text == "none") return Alignment::none;
-  if (text == "bbox") return Alignment::bbox;
-  if (text == "icp") return Alignment::icp;
-  fail_usage(fmt::format("--align is none, bbox or icp, not \"{}\"", text));
-}
-
-}  // namespace
 
 CompareRequest named_request(const TypedOptions& typed) {
   CompareRequest out;
@@ -30,16 +20,13 @@ CompareRequest named_request(const TypedOptions& typed) {
 CompareRequest compare_request(const TypedOptions& typed) {
   CompareRequest out = named_request(typed);
   if (typed.has("--accept")) out.options.accept = parse_acceptance(typed.text("--accept"));
-  out.options.align = alignment_value(typed.text("--align"));
+  typed.read("--align", out.options.align, align_value);
   typed.read("--density", out.options.density, number_value);
   if (typed.has("--density") && !(out.options.density > 0))
     fail_usage(
         fmt::format("--density {} must be above 0, in samples a mm2", typed.text("--density")));
   typed.read("--deflection", out.deflection, positive_value);
-  const std::string& colors = typed.text("--colors");
-  if (!colors.empty() && colors != "standard" && colors != "safe")
-    fail_usage(fmt::format("--colors is standard or safe, not \"{}\"", colors));
-  if (colors == "safe") out.scheme = DeviationScheme::safe;
+  typed.read("--colors", out.scheme, scheme_value);
   return out;
 }
 

@@ -4,9 +4,9 @@
 #include "cli/options/command_lines.h"
 #include "cli/options/typed_options.h"
 #include "core/text/ascii.h"
+#include "core/words/option_table.h"
 
 #include <algorithm>
-#include <array>
 #include <cstdio>
 #include <string_view>
 
@@ -28,8 +28,8 @@ bool any_ends_like(const std::vector<std::string>& paths,
 
 // A stock that is given by its measures, or not at all.
 bool is_measured(const std::string& stock) {
-  constexpr std::array<std::string_view, 3> kForms = {"box:", "cylinder:", "tube:"};
-  return stock.empty() || std::any_of(kForms.begin(), kForms.end(), [&](std::string_view form) {
+  const std::vector<std::string_view> forms = option_words(*find_option("--stock"));
+  return stock.empty() || std::any_of(forms.begin(), forms.end(), [&](std::string_view form) {
            return stock.starts_with(form);
          });
 }

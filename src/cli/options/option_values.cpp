@@ -21,7 +21,6 @@ namespace mrsim::cli {
 namespace {
 
 constexpr double kLargest = 1e6;  // mm
-constexpr int kMostThreads = 256, kMostFrames = 256;
 
 std::vector<std::string> split(const std::string& text) {
   std::vector<std::string> parts;
@@ -80,13 +79,13 @@ std::uint64_t count_value(const std::string& option, const std::string& text) {
 }
 
 int threads_value(const std::string& option, const std::string& text) {
-  if (number_value(option, text) > kMostThreads)
-    fail_usage(fmt::format("{} {} are too many threads: {} at most", option, text, kMostThreads));
-  return whole_value(option, text, 1, kMostThreads);
+  if (number_value(option, text) > kMostWhole)
+    fail_usage(fmt::format("{} {} are too many threads: {} at most", option, text, kMostWhole));
+  return whole_value(option, text, 1, kMostWhole);
 }
 
 int frames_value(const std::string& option, const std::string& text) {
-  return whole_value(option, text, 1, kMostFrames);
+  return whole_value(option, text, 1, kMostWhole);
 }
 
 Vec3 point_value(const std::string& option, const std::string& text) {
@@ -145,6 +144,14 @@ CompRadius comp_value(const std::string& option, const std::string& text) {
 
 ColorBy color_value(const std::string& option, const std::string& text) {
   return choice(option, text, {ColorBy::line, ColorBy::tool, ColorBy::none});
+}
+
+Alignment align_value(const std::string& option, const std::string& text) {
+  return choice(option, text, {Alignment::none, Alignment::bbox, Alignment::icp});
+}
+
+DeviationScheme scheme_value(const std::string& option, const std::string& text) {
+  return choice(option, text, {DeviationScheme::standard, DeviationScheme::safe});
 }
 
 StockWrap wrap_value(const std::string& option, const std::string& text) {

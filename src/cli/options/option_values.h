@@ -1,6 +1,7 @@
 // Values of options: text to numbers, with errors that name the option.
 #pragma once
 
+#include <mrsim/compare.h>
 #include <mrsim/options.h>
 #include <mrsim/types.h>
 
@@ -25,7 +26,7 @@ double positive_value(const std::string& option, const std::string& text);
 int whole_value(const std::string& option, const std::string& text, int low, int high);
 /// A whole number from 1 to 1e15.
 std::uint64_t count_value(const std::string& option, const std::string& text);
-/// 1 to 256.
+/// 1 to kMostWhole (core/words/option_table.h).
 int threads_value(const std::string& option, const std::string& text);
 /// A number of moments.
 int frames_value(const std::string& option, const std::string& text);
@@ -43,6 +44,8 @@ Dialect dialect_value(const std::string& option, const std::string& text);
 MachineKind machine_value(const std::string& option, const std::string& text);
 CompRadius comp_value(const std::string& option, const std::string& text);
 ColorBy color_value(const std::string& option, const std::string& text);
+Alignment align_value(const std::string& option, const std::string& text);
+DeviationScheme scheme_value(const std::string& option, const std::string& text);
 /// "wrap=W" or "wrap=W,G", mm
 StockWrap wrap_value(const std::string& option, const std::string& text);
 UpAxis up_value(const std::string& option, const std::string& text);

@@ -36,9 +36,12 @@ enum class OptionValue : std::uint8_t {
   path_or_off,
   stock,    ///< a path, or a primitive such as "box:..."
   number,   ///< above 0
-  whole,    ///< 1 to 256
+  whole,    ///< 1 to kMostWhole
   numbers,  ///< one number, or several apart by commas
 };
+
+/// The largest OptionValue::whole.
+inline constexpr int kMostWhole = 256;
 
 struct OptionRow {
   std::string_view name;    ///< "--voxel"
