@@ -30,9 +30,7 @@ void check_picture(const Arguments& arguments, const char* input_role) {
   const std::array<NamedPath, 1> picture{{{arguments.outputs[0], "-o"}}};
   std::vector<NamedPath> inputs = arguments.named_inputs;
   inputs.push_back({arguments.input, input_role});
-  check_writable(arguments.outputs[0]);
-  refuse_overwrites(picture, inputs);
-  recover_outputs(arguments.outputs);
+  prepare_outputs(picture, inputs);
 }
 
 // Throws unless the file may be replaced although not all inputs are known: there is none, it is a

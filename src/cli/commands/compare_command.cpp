@@ -7,7 +7,6 @@
 #include "cli/options/idle_options.h"
 #include "cli/options/option_values.h"
 #include "cli/options/typed_options.h"
-#include "core/output/output_place.h"
 #include "core/output/publish.h"
 #include "core/text/text_io.h"
 #include "core/words/suggest.h"
@@ -46,16 +45,9 @@ std::vector<NamedPath> named_files(const CompareRequest& request) {
 // Checks the output files of `mrsim compare` before any work, so that no long comparison is lost to
 // a missing folder.
 void check_places(const CompareRequest& request) {
-  const std::vector<NamedPath> outputs = named_files(request);
-  std::vector<std::string> paths;
-  for (const NamedPath& output : outputs) {
-    check_writable(output.path);
-    paths.push_back(output.path);
-  }
   const std::array<NamedPath, 2> inputs{
       {{request.part, "the part"}, {request.nominal, "the nominal"}}};
-  refuse_overwrites(outputs, inputs);
-  recover_outputs(paths);
+  prepare_outputs(named_files(request), inputs);
 }
 
 TriMesh read_named(const CompareRequest& request, const std::string& path, std::string& note) {

@@ -7,7 +7,6 @@
 #include "cli/options/option_values.h"
 #include "cli/report/findings.h"
 #include "core/numbers/motions.h"
-#include "core/output/output_place.h"
 #include "core/output/publish.h"
 #include "core/process/child_process.h"
 #include "core/process/error.h"
@@ -131,10 +130,7 @@ std::vector<Arguments> earlier_frames(const Arguments& arguments, const JobResul
 // Checks the files of all moments before any work, and returns them.
 std::vector<NamedPath> checked(const Arguments& arguments, const std::vector<std::string>& paths) {
   std::vector<NamedPath> outputs, inputs = arguments.named_inputs;
-  for (const std::string& path : paths) {
-    check_writable(path);
-    outputs.push_back({path, "-o"});
-  }
+  for (const std::string& path : paths) outputs.push_back({path, "-o"});
   const CompareRequest& more = arguments.compare;
   for (const NamedPath& side : {NamedPath{more.report, "--report"},
                                 {more.json, "--json"},
@@ -145,8 +141,7 @@ std::vector<NamedPath> checked(const Arguments& arguments, const std::vector<std
     if (!side.path.empty()) outputs.push_back(side);
   inputs.push_back({arguments.input, "the program"});
   inputs.push_back({arguments.stock, "the stock"});
-  refuse_overwrites(outputs, inputs);
-  recover_outputs(paths);
+  prepare_outputs(outputs, inputs);
   return outputs;
 }
 

@@ -6,7 +6,6 @@
 #include "cli/options/option_values.h"
 #include "cli/options/typed_options.h"
 #include "cli/report/rest_report.h"
-#include "core/output/output_place.h"
 #include "core/output/publish.h"
 #include "core/text/text_io.h"
 #include <mrsim/rest.h>
@@ -31,15 +30,9 @@ std::vector<NamedPath> checked_outputs(const TypedOptions& typed) {
     outputs.push_back({path, "-o"});
   }
   if (typed.has("--json")) outputs.push_back({typed.text("--json"), "--json"});
-  std::vector<std::string> paths;
-  for (const NamedPath& output : outputs) {
-    check_writable(output.path);
-    paths.push_back(output.path);
-  }
   const std::array<NamedPath, 2> inputs{
       {{typed.inputs()[0], "the part"}, {typed.inputs()[1], "the nominal"}}};
-  refuse_overwrites(outputs, inputs);
-  recover_outputs(paths);
+  prepare_outputs(outputs, inputs);
   return outputs;
 }
 

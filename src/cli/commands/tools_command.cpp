@@ -6,7 +6,6 @@
 #include "cli/report/findings.h"
 #include "cli/report/report.h"
 #include "core/numbers/units.h"
-#include "core/output/output_place.h"
 #include "core/output/publish.h"
 #include "core/text/json_text.h"
 #include "core/text/text_io.h"
@@ -56,13 +55,9 @@ void list(const ToolTable& table, bool json) {
 // Checks the pictures to be written before any work.
 void check_places(const TypedOptions& typed) {
   std::vector<NamedPath> pictures;
-  for (const std::string& path : typed.texts("--output")) {
-    check_writable(path);
-    pictures.push_back({path, "-o"});
-  }
+  for (const std::string& path : typed.texts("--output")) pictures.push_back({path, "-o"});
   const NamedPath input{typed.inputs()[0], "the tools"};
-  refuse_overwrites(pictures, {&input, 1});
-  recover_outputs(typed.texts("--output"));
+  prepare_outputs(pictures, {&input, 1});
 }
 
 int show_tools(const TypedOptions& typed) {

@@ -167,10 +167,12 @@ void publish(std::span<DraftFile* const> drafts) {
   Publication(files).run();
 }
 
-void recover_outputs(std::span<const std::string> paths) {
+void prepare_outputs(std::span<const NamedPath> outputs, std::span<const NamedPath> inputs) {
+  for (const NamedPath& output : outputs) check_writable(output.path);
+  refuse_overwrites(outputs, inputs);
   std::set<std::string> folders;
-  for (const std::string& path : paths) {
-    const OutputPlace place = output_place(path);
+  for (const NamedPath& output : outputs) {
+    const OutputPlace place = output_place(output.path);
     if (place.kind == OutputPlace::Kind::file) folders.insert(place.folder);
   }
   if (!folders.empty()) lock_and_recover(folders);

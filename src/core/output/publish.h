@@ -2,8 +2,9 @@
 // program dies.
 #pragma once
 
+#include <mrsim/files.h>
+
 #include <span>
-#include <string>
 
 namespace mrsim {
 
@@ -15,7 +16,8 @@ class DraftFile;
 /// apart. Requires: finish() was called for each.
 void publish(std::span<DraftFile* const> drafts);
 
-/// Undoes or completes what dead runs left in the folders of these outputs.
-void recover_outputs(std::span<const std::string> paths);
+/// Before any work: check_writable() of each output, refuse_overwrites() of all, and then what dead
+/// runs left in their folders is undone or completed.
+void prepare_outputs(std::span<const NamedPath> outputs, std::span<const NamedPath> inputs);
 
 }  // namespace mrsim

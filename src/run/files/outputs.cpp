@@ -1,5 +1,6 @@
 #include "run/files/outputs.h"
 
+#include "core/output/output_place.h"
 #include "core/output/publish.h"
 #include "core/output/scratch_file.h"
 #include "core/text/ascii.h"
@@ -32,18 +33,11 @@ void note_file(const DraftFile& draft, bool hash, std::vector<WrittenFile>& writ
 bool is_vdb(const std::string& path) { return extension_of(path) == kVdb; }
 
 void check_outputs(const Job& job) {
-  for (const std::string& path : job.outputs) {
+  for (const std::string& path : job.outputs)
     if (!is_vdb(path)) mesh_format_of(path);
-    check_writable(path);
-  }
-  for (const SideFile& side : job.side_files) check_writable(side.file.path);
-  const std::vector<NamedPath> outputs = named_outputs(job);
   std::vector<NamedPath> inputs = {{job.program, "the program"}, {job.stock, "the stock"}};
   inputs.insert(inputs.end(), job.inputs.begin(), job.inputs.end());
-  refuse_overwrites(outputs, inputs);
-  std::vector<std::string> paths;
-  for (const NamedPath& output : outputs) paths.push_back(output.path);
-  recover_outputs(paths);
+  prepare_outputs(named_outputs(job), inputs);
 }
 
 void protect_program_files(const Job& job, const std::vector<std::string>& files) {
