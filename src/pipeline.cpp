@@ -16,7 +16,7 @@
 #include "removal/part/stock.h"
 #include "removal/part/stock_file.h"
 #include "removal/part/stock_reach.h"
-#include "removal/stock/stock_shape.h"
+#include "removal/stock/recognise_stock.h"
 #include "run/cuts/cuts.h"
 #include "run/cuts/history.h"
 #include "run/cuts/play.h"

@@ -13,7 +13,7 @@
 #include "mesh/simplify/owner_borders.h"
 #include "mesh/simplify/simplify_apart.h"
 #include "mesh/solid/self_intersection.h"
-#include "mesh/surface/surface.h"
+#include "mesh/surface/dual_surface.h"
 
 #include <algorithm>
 #include <cmath>

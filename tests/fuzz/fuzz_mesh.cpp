@@ -5,7 +5,7 @@
 #include "mesh/solid/check.h"
 #include "mesh/solid/pieces.h"
 #include "mesh/solid/solid_repair.h"
-#include "removal/stock/stock_shape.h"
+#include "removal/stock/recognise_stock.h"
 
 #include <cstdint>
 #include <string_view>

@@ -1,7 +1,7 @@
 // Edges sharper than cells can see: the wedge's end passes between the edges of the grid.
 #include "core/numbers/units.h"
 #include "mesh/mesh_part.h"
-#include "mesh/surface/surface.h"
+#include "mesh/surface/dual_surface.h"
 #include "removal/part/part_field.h"
 #include "support/cgal_mesh.h"
 #include "support/mesh_asserts.h"

@@ -5,7 +5,7 @@
 #include "core/numbers/vec.h"
 #include "mesh/mesh_part.h"
 #include "mesh/solid/check.h"
-#include "mesh/surface/surface.h"
+#include "mesh/surface/dual_surface.h"
 #include "mesh/tiles/uniform.h"
 #include "removal/part/part_field.h"
 #include "support/analytic_field.h"

@@ -4,7 +4,7 @@
 
 #include "mesh/cells/flat_map.h"
 #include "mesh/cells/octree.h"
-#include "mesh/surface/surface.h"
+#include "mesh/surface/dual_surface.h"
 
 #include <cstddef>
 #include <cstdint>

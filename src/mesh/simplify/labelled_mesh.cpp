@@ -2,7 +2,7 @@
 
 #include "mesh/cells/flat_map.h"
 #include "mesh/solid/weld.h"
-#include "mesh/surface/surface.h"
+#include "mesh/surface/dual_surface.h"
 
 namespace mrsim::detail {
 

@@ -6,7 +6,7 @@
 #include "mesh/simplify/labelled_mesh.h"
 #include "mesh/simplify/simplify.h"
 #include "mesh/simplify/triangle_bounds.h"
-#include "mesh/surface/surface.h"
+#include "mesh/surface/dual_surface.h"
 
 #include <cstddef>
 #include <cstdint>

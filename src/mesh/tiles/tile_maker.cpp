@@ -1,7 +1,7 @@
 #include "mesh/tiles/tile_maker.h"
 
 #include "mesh/cells/tile.h"
-#include "mesh/surface/surface.h"
+#include "mesh/surface/dual_surface.h"
 
 #include <algorithm>
 #include <array>

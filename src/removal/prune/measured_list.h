@@ -5,7 +5,7 @@
 #include "core/numbers/rounding.h"
 #include "removal/columns/sweep_columns.h"
 #include "removal/prune/candidate_list.h"
-#include "removal/prune/heights.h"
+#include "removal/prune/height_bounds.h"
 #include "removal/prune/region_args.h"
 #include "removal/sweep/sweep_table.h"
 

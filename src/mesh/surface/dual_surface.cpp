@@ -1,4 +1,4 @@
-#include "mesh/surface/surface.h"
+#include "mesh/surface/dual_surface.h"
 
 #include "mesh/surface/ridge_sharpener.h"
 #include "mesh/surface/tile_loops.h"

@@ -1,4 +1,4 @@
-#include "removal/stock/stock_shape.h"
+#include "removal/stock/recognise_stock.h"
 
 #include "core/numbers/rounding.h"
 #include "core/numbers/units.h"

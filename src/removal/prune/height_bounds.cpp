@@ -1,4 +1,4 @@
-#include "removal/prune/heights.h"
+#include "removal/prune/height_bounds.h"
 
 #include "removal/prune/region_args.h"
 

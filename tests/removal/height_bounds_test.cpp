@@ -1,5 +1,5 @@
 // Bounds of heights: the same on every instruction set, and bounds of dense samples of the sweeps.
-#include "removal/prune/heights.h"
+#include "removal/prune/height_bounds.h"
 
 #include "core/numbers/units.h"
 #include "removal/columns/height_segments.h"
