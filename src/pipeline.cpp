@@ -177,6 +177,20 @@ StockShape choose_stock(const Job& job, JobResult& result) {
   return shape;
 }
 
+// Whether the stock is one around the cuts, for want of another.
+bool assumes_stock(const Job& job, const JobResult& result) {
+  return job.stock.empty() && !result.program.workpiece;
+}
+
+// Sizes of tools that nothing says follow from the stock, and an assumed stock from the tools.
+void settle_tools_and_stock(const Job& job, JobResult& result) {
+  complete_inserts(result.program);
+  const bool assumed = assumes_stock(job, result);
+  if (assumed) complete_cones(result, std::nullopt);
+  result.stock = choose_stock(job, result);
+  if (!assumed) complete_cones(result, result.stock.box.hi.z);
+}
+
 Stock carve_part(const Job& job, const StockShape& shape, const CutList& cuts, MeshChoice& choice) {
   CarvePlan plan = carve_plan(job.carve);
   plan.keep_grid = writes_vdb(job);  // nothing else reads the samples
@@ -285,11 +299,7 @@ void simulate(const Job& job, JobResult& result) {
   if (is_faulty(result, job.strict)) return;
   require_cuts(job, result);
 
-  complete_inserts(result.program);
-  const bool assumes = job.stock.empty() && !result.program.workpiece;
-  if (assumes) complete_cones(result, std::nullopt);
-  result.stock = choose_stock(job, result);
-  if (!assumes) complete_cones(result, result.stock.box.hi.z);
+  settle_tools_and_stock(job, result);
   if (!job.until.empty()) end_program(job, result);
   warn_of_threads(result);
   result.cycle = cycle_time(result.program, job.machine);
@@ -302,7 +312,7 @@ void simulate(const Job& job, JobResult& result) {
   result.active_voxels = stock.active_voxels();
   clock.done("carve");
   result.history = make_history(job, result, stock, cuts);
-  if (job.until.empty()) warn_of_idle_tools(result, job.stock.empty() && !result.program.workpiece);
+  if (job.until.empty()) warn_of_idle_tools(result, assumes_stock(job, result));
   clock.done("history");
   if (job.play) {
     result.play = make_play(job, result, stock, cuts);
