@@ -106,7 +106,8 @@ std::string JobReader::path(const OptionRow& key, const toml::node& node) const 
          fmt::format("{} \"{}\" leads out of the job's folder: give an absolute path, or "
                      "--allow-outside on the command line",
                      key.key, value.string()));
-  return folder.empty() || value == "-" ? value.string() : whole.string();
+  // What was checked: "link/../a.stl" is a.stl, wherever the link leads.
+  return value == "-" ? value.string() : whole.string();
 }
 
 std::string JobReader::stock(const OptionRow& key, const toml::node& node) const {

@@ -65,18 +65,39 @@ double mean_turn(double r0, double r1, double speed, double limit) {
   return share / limit + (1 - share) * (2 * kPi / (1000 * speed)) * 0.5 * (split + high);
 }
 
+// The same between two places across the axis: a facing cut may go on beyond it, where the radius
+// grows again.
+double mean_turn_across(double x0, double x1, double speed, double limit) {
+  const double r0 = std::fabs(x0), r1 = std::fabs(x1);
+  if (!(x0 * x1 < 0)) return mean_turn(r0, r1, speed, limit);
+  return (r0 * mean_turn(r0, 0, speed, limit) + r1 * mean_turn(0, r1, speed, limit)) / (r0 + r1);
+}
+
+// The same along an arc, by chords of a third of a degree or less: 3e-6 of its radius.
+double mean_turn_of_arc(const Motion& m, double limit) {
+  constexpr double kChord = 2 * kPi / 1080;
+  const Vec3 radial = m.start - m.center, side = cross(m.axis, radial);
+  const int chords = std::max(1, static_cast<int>(std::ceil(std::fabs(m.sweep) / kChord)));
+  double sum = 0, x0 = m.start.x;
+  for (int k = 1; k <= chords; ++k) {
+    const double share = double(k) / chords;
+    const SinCos turn = sincos(share * m.sweep);
+    const double x =
+        m.center.x + turn.cos * radial.x + turn.sin * side.x + share * m.rise * m.axis.x;
+    sum += mean_turn_across(x0, x, m.speed, limit);
+    x0 = x;
+  }
+  return sum / chords;
+}
+
 // Seconds of a move of `length` mm under constant surface speed at a feed of `per_turn` mm: dt = 60
-// ds / (per_turn n(r)). A facing cut may go on beyond the axis, where the radius grows again.
+// ds / (per_turn n(r)).
 double surface_speed_seconds(const Motion& m, double length, double per_turn,
                              const MachineData& machine) {
   const double limit = fastest_spindle(m, machine);
-  const double x0 = m.start.x, x1 = m.end.x, r0 = std::fabs(x0), r1 = std::fabs(x1);
-  double turn = 0;
-  if (x0 * x1 < 0)
-    turn =
-        (r0 * mean_turn(r0, 0, m.speed, limit) + r1 * mean_turn(0, r1, m.speed, limit)) / (r0 + r1);
-  else
-    turn = mean_turn(r0, r1, m.speed, limit);
+  const double turn = m.kind == MotionKind::arc
+                          ? mean_turn_of_arc(m, limit)
+                          : mean_turn_across(m.start.x, m.end.x, m.speed, limit);
   return kSecondsPerMinute / per_turn * length * turn;
 }
 

@@ -71,6 +71,14 @@ TEST_F(JobRun, LeadsOutOfItsFolderOnlyWhereThatIsAllowed) {
   }
   EXPECT_EQ(run("jobs/link.toml --allow-outside").code, 0);
   EXPECT_TRUE(exists("linked.ply"));
+  // The file that was checked is the one that is written, from the job's own folder as well.
+  const std::filesystem::path above = folder_ / "jobs/link/../above.ply";
+  write("here.toml",
+        "program = \"PRIMER_2F.MPF\"\nstock = \"block.stl\"\nvoxel = 2\n"
+        "outputs = \"jobs/link/../above.ply\"\n");
+  EXPECT_EQ(run("here.toml").code, 0);
+  EXPECT_TRUE(exists("jobs/above.ply"));
+  EXPECT_FALSE(std::filesystem::remove(above));
   const std::string place = (folder_ / "far.ply").string();
   write("jobs/far.toml",
         "program = \"PRIMER_2F.MPF\"\nstock = \"block.stl\"\nvoxel = 2\noutputs = \"" + place +

@@ -136,6 +136,26 @@ TEST(CycleTime, FacingBeyondTheCentre) {
               1e-6);
 }
 
+// A ball of 60 mm turned from its pole, and a groove's round bottom, whose ends lie at one radius.
+TEST(CycleTime, ArcsAtConstantSurfaceSpeed) {
+  MachineData fast = machine();
+  fast.acceleration = {1e12, 1e12, 1e12};
+  Motion m = testing::arc({0, 0, 0}, {0, 0, -30}, {0, 1, 0}, std::numbers::pi / 2);
+  m.feed = 0.2, m.feed_unit = FeedUnit::mm_per_rev, m.constant_surface_speed = true, m.speed = 200;
+  const double slow = 2 * std::numbers::pi * 60 / (1000 * 200 * 0.2);  // s for each mm^2 of r ds
+  for (const double limit : {1e9, 3000.0}) {
+    m.speed_limit = fast.max_spindle = limit;
+    const double capped = std::asin(1000 * 200 / (2 * std::numbers::pi * limit) / 30);
+    const double exact = slow * 900 * std::cos(capped) + 30 * capped / (0.2 * limit / 60);
+    EXPECT_NEAR(cycle_time(program_of({m}), fast).cutting, exact, 1e-5 * exact) << limit;
+  }
+  Motion groove = testing::arc({25, 0, 3}, {25, 0, 0}, {0, 1, 0}, -std::numbers::pi);
+  groove.feed = 0.2, groove.feed_unit = FeedUnit::mm_per_rev, groove.speed = 200;
+  groove.constant_surface_speed = true, groove.speed_limit = fast.max_spindle = 1e9;
+  const double exact = slow * (25 * 3 * std::numbers::pi - 2 * 9);
+  EXPECT_NEAR(cycle_time(program_of({groove}), fast).cutting, exact, 1e-5 * exact);
+}
+
 // G50 S, LIMS: the slower of machine and program counts.
 TEST(CycleTime, ProgramsLimitTheSpindle) {
   Motion m = line({40, 0, 0}, {0, 0, 0}, 0.2);
