@@ -216,6 +216,41 @@ TEST_F(ShapeOfCuts, PassesEndAtTheWallsOfThoseBefore) {
 }
 
 // The tip of a V tool passes the middle of no column.
+// The side of a round stock ends a column as the cutter's edge does: round the outside of a bar,
+// and of the bore of a tube.
+TEST_F(ShapeOfCuts, RoundStocksEndBetweenColumns) {
+  const std::string head = "G17 G90 G71\nT1 M6\nS5000 M3\n";
+  write("bar.MPF", head + "G0 X40 Y0 Z-5\nG1 X34 F600\nG3 I-34\nM30\n");
+  write("bore.MPF", head + "G0 X0 Y0 Z-5\nG1 X16 F600\nG3 I-16\nM30\n");
+  const auto front = [](double path, double at) {  // of the cutter, from across the feed
+    return std::asin((at * at - path * path - 25) / (10 * path)) * 180 / 3.14159265;
+  };
+  expect_shapes("bar.MPF --machine mill --stock cylinder:60,-20,0 --tool 1=endmill:d=10 ",
+                {{6, 5, 1, front(34, 30) + 90}});
+  expect_shapes("bore.MPF --machine mill --stock tube:60,40,-20,0 --tool 1=endmill:d=10 ",
+                {{6, 5, 1, 90 - front(16, 20)}});
+}
+
+// Finishing passes thinner than a column: a wall is met to less than a 2000th of one.
+TEST_F(ShapeOfCuts, ThinPassesHaveTheirVolume) {
+  for (const double thick : {0.02, 0.1, 0.3}) {
+    write("thin.MPF", "G17 G90 G71\nT1 M6\nS5000 M3\nG0 X-20 Y" + std::to_string(thick - 5) +
+                          " Z-4\nG1 X120 F600\nM30\n");
+    ASSERT_EQ(run("thin.MPF --machine mill --stock box:0,0,-20,100,60,0 --tool 1=endmill:d=10 "
+                  "--voxel 0.25 -q --history h.json")
+                  .code,
+              0);
+    EXPECT_NEAR(history()["rows"].back()["removed"], 400 * thick, 4e-3 * 100 * thick) << thick;
+  }
+  write("ring.MPF", "G17 G90 G71\nT1 M6\nS5000 M3\nG0 X40 Y0 Z-5\nG1 X34.8 F600\nG3 I-34.8\nM30\n");
+  ASSERT_EQ(run("ring.MPF --machine mill --stock cylinder:60,-20,0 --tool 1=endmill:d=10 "
+                "--voxel 0.2 -q --history h.json")
+                .code,
+            0);
+  const double ring = 3.14159265 * (900 - 29.8 * 29.8) * 5;
+  EXPECT_NEAR(history()["rows"].back()["removed"], ring, 1e-3 * ring);
+}
+
 TEST_F(ShapeOfCuts, GroovesAreAsDeepAsTheirTip) {
   write("v.MPF", "G17 G90 G71\nT1 M6\nS5000 M3\nG0 X-10 Y30 Z-0.3\nG1 X110 F600\nM30\n");
   expect_shapes(

@@ -66,10 +66,10 @@ double CutFrame::across(const Vec3& p) const {
   return length(plan) - radius_;
 }
 
-double CutFrame::half_across(const Vec3& p, const Vec2& side) const {
-  Vec3 to = side_;
-  if (is_arc_) to = normalized(Vec3{p.x - origin_.x, p.y - origin_.y, 0});
-  return 0.5 * (std::abs(to.x) * side.x + std::abs(to.y) * side.y);
+Vec2 CutFrame::direction_across(const Vec3& p) const {
+  if (!is_arc_) return {side_.x, side_.y};
+  const Vec3 to = normalized(Vec3{p.x - origin_.x, p.y - origin_.y, 0});
+  return {to.x, to.y};
 }
 
 // On an arc the front of the cutter at the angle a from the feed has the distance
@@ -78,6 +78,33 @@ double CutFrame::angle(double across, double r) const {
   if (kind_ != Kind::arc || !(radius_ > r)) return arcsine(across / r);
   const double from = radius_ + across;
   return arcsine((from * from - radius_ * radius_ - r * r) / (2 * radius_ * r));
+}
+
+PlanBand band_within(const Vec2& across, const Vec2& half, const Vec2& out, double d) {
+  PlanBand band{std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity()};
+  const auto take = [&](double v) {
+    band.left = std::min(band.left, v), band.right = std::max(band.right, v);
+  };
+  const Vec2 corners[] = {
+      {-half.x, -half.y}, {half.x, -half.y}, {half.x, half.y}, {-half.x, half.y}};
+  for (std::size_t k = 0; k < 4; ++k) {
+    const Vec2 a = corners[k], b = corners[(k + 1) % 4];
+    const double beyond = dot(out, a) + d, beyond_next = dot(out, b) + d;
+    if (beyond <= 0) take(dot(across, a));
+    if (beyond * beyond_next < 0)
+      take(dot(across, a) + beyond / (beyond - beyond_next) * dot(across, b - a));
+  }
+  return band;
+}
+
+// The rectangle's corners lie at +-p +-q along `out`: a trapezoid's share.
+double share_within(const Vec2& half, const Vec2& out, double d) {
+  const double x = std::abs(out.x) * half.x, y = std::abs(out.y) * half.y;
+  const double p = std::max(x, y), q = std::min(x, y);
+  if (std::abs(d) <= p - q) return 0.5 - d / (2 * p);
+  const double corner = std::max(p + q - std::abs(d), 0.0);
+  const double cut = corner > 0 ? corner * corner / (8 * p * q) : 0;
+  return d < 0 ? 1 - cut : cut;
 }
 
 CutExtent turned_about_axis(const CutExtent& half) {

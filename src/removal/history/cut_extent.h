@@ -2,6 +2,7 @@
 // and the arc of the cutter that is in material (docs/history.md, Depth and width).
 #pragma once
 
+#include "core/numbers/vec.h"
 #include "removal/tool/profile.h"
 #include <mrsim/history.h>
 #include <mrsim/types.h>
@@ -29,8 +30,8 @@ class CutFrame {
   /// mm to the left of the path in plan; from the axis of an arc, outwards, but of one that stands
   /// upright (G18, G19) along its axis; of a plunge along X.
   double across(const Vec3& p) const;
-  /// Half the size, across the feed, of a square in plan with these sides about p.
-  double half_across(const Vec3& p, const Vec2& side) const;
+  /// The direction in plan in which `across` grows at p.
+  Vec2 direction_across(const Vec3& p) const;
   /// The distance across the feed to which the cutter reaches.
   double reach() const { return reach_; }
   /// The angle about the axis of a cutter of radius r, from the feed, of a place that lies so far
@@ -44,6 +45,17 @@ class CutFrame {
   Vec3 origin_, side_{0, 1, 0}, axis_{0, 0, 1}, turns_about_{0, 0, 1};
   double radius_ = 0, reach_ = std::numeric_limits<double>::infinity();
 };
+
+/// A stretch across the feed, mm.
+struct PlanBand {
+  double left = 0, right = 0;
+};
+
+/// Along the unit vector `across` the part of a rectangle about the origin with these half sides
+/// that a straight side leaves: dot(out, u) + d <= 0. Requires: it leaves some of it.
+PlanBand band_within(const Vec2& across, const Vec2& half, const Vec2& out, double d);
+/// The share of the rectangle that it leaves.
+double share_within(const Vec2& half, const Vec2& out, double d);
 
 /// What one motion removes, in its own directions.
 struct CutExtent {

@@ -22,7 +22,7 @@ constexpr std::size_t kWorthRun = 3;   // sweeps that are worth a bound of all
 constexpr std::size_t kFewSweeps = 6;  // whose walls are worth finer columns
 // Where walls are met by lines: in a file the squares are smaller and the lists shorter.
 constexpr std::size_t kMostOnLines = 24;
-constexpr WallLines::Fineness kSummaryLines{4, 1.0 / 128}, kFileLines{1, 1.0 / 16};
+constexpr WallLines::Fineness kSummaryLines{4, 1.0 / 128}, kFileLines{1, 1.0 / 256};
 
 template <class Visit>
 void for_each_bit(std::uint32_t bits, const Visit& visit) {
@@ -341,27 +341,45 @@ void HeightWalker::cut_part(const Square& part, const List& list, std::size_t ti
     });
 }
 
-// The cutter's own edge lies between the last column that it removes and the next one.
 void HeightWalker::extend(std::uint32_t index, const Square& square, double bottom, double top) {
   const CutFrame& frame = frames_[std::size_t(field_.sweeps().motion(sweeps_[index]))];
   // Over all of the column: the tip of a V tool seldom passes its middle.
   const double r = 0.5 * length(square.side);
   const double lowest = heights_.bounds(index, square.center.x, square.center.y, r, bottom).lower;
   const Vec3 p{square.center.x, square.center.y, std::max(std::min(lowest, bottom), low_)};
-  const double at = frame.across(p), half = frame.half_across(p, square.side);
-  const double edge = frame.reach();
-  extents_[index].add({frame.along(p), frame.along({p.x, p.y, top}),
-                       at - 2 * half < -edge ? -edge : at - half,
-                       at + 2 * half > edge ? edge : at + half,
+  const PlanBand band = band_across(frame, square, p);
+  extents_[index].add({frame.along(p), frame.along({p.x, p.y, top}), band.left, band.right,
                        square.side.x * square.side.y * stock_share(square)});
 }
 
-// The share of a column that the stock fills, by the distance of its centre from the stock's sides.
+// The cutter's own edge lies between the last column that it removes and the next one. At the side
+// of a round stock the column ends with the stock.
+PlanBand HeightWalker::band_across(const CutFrame& frame, const Square& square,
+                                   const Vec3& p) const {
+  constexpr double kClipped = 1 - 1e-9;
+  const double at = frame.across(p), edge = frame.reach();
+  const Vec2 across = frame.direction_across(p), half = 0.5 * square.side;
+  const double whole = std::abs(across.x) * half.x + std::abs(across.y) * half.y;
+  PlanBand out{at - 2 * whole < -edge ? -edge : at - whole,
+               at + 2 * whole > edge ? edge : at + whole};
+  const StockSolid& solid = field_.solid();
+  if (solid.is_box()) return out;
+  const double d = solid.plan_distance(p.x, p.y);
+  if (d < -length(half)) return out;
+  const PlanBand stock = band_within(across, half, solid.plan_normal(p.x, p.y), d);
+  if (stock.left > -kClipped * whole) out.left = at + stock.left;
+  if (stock.right < kClipped * whole) out.right = at + stock.right;
+  return out;
+}
+
+// The share of a column that the stock fills, its side taken as a plane.
 double HeightWalker::stock_share(const Square& square) const {
-  if (field_.solid().is_box()) return 1;
-  const double d = field_.solid().plan_distance(square.center.x, square.center.y);
-  const double side = std::sqrt(square.side.x * square.side.y);
-  return std::clamp(0.5 - d / side, 0.0, 1.0);
+  const StockSolid& solid = field_.solid();
+  if (solid.is_box()) return 1;
+  const Vec2 half = 0.5 * square.side;
+  const double d = solid.plan_distance(square.center.x, square.center.y), r = length(half);
+  if (d <= -r || d >= r) return d < 0 ? 1 : 0;
+  return share_within(half, solid.plan_normal(square.center.x, square.center.y), d);
 }
 
 }  // namespace mrsim

@@ -96,6 +96,7 @@ class HeightWalker {
   void step(const Square& column, std::uint32_t index, double bottom, double low);
   void begin(const HeightGrid& grid, std::size_t tile, std::span<const std::uint32_t> sweeps);
   void extend(std::uint32_t index, const Square& square, double bottom, double top);
+  PlanBand band_across(const CutFrame& frame, const Square& square, const Vec3& p) const;
   double stock_share(const Square& square) const;
 
   const PartField& field_;

@@ -90,6 +90,13 @@ double StockSolid::plan_distance(double x, double y) const {
   return std::max(dx, dy);
 }
 
+Vec2 StockSolid::plan_normal(double x, double y) const {
+  const Vec3 p{x, y, 0};
+  const bool is_wall = plan_distance(x, y) == patch_distance(p, kRoundWall);
+  const Vec3 normal = gradient(p, is_wall ? kRoundWall : kRoundBore);
+  return {normal.x, normal.y};
+}
+
 StockSolid::Sample StockSolid::sample(const Vec3& p) const {
   if (shape_.kind == StockShape::Kind::mesh) return sample_mesh(p);
   return shape_.kind == StockShape::Kind::box ? sample_box(p) : sample_round(p);

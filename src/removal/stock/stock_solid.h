@@ -3,6 +3,7 @@
 #pragma once
 
 #include "core/numbers/triangle_tree.h"
+#include "core/numbers/vec.h"
 #include "removal/field/field.h"
 #include <mrsim/types.h>
 
@@ -42,6 +43,9 @@ class StockSolid {
   bool is_upright() const { return shape_.kind != StockShape::Kind::mesh; }
   /// Signed distance in plan from the sides. Requires: is_upright().
   double plan_distance(double x, double y) const;
+  /// Unit outward normal of the side that plan_distance() counts from. Requires: a cylinder or
+  /// tube.
+  Vec2 plan_normal(double x, double y) const;
   /// The largest signed distance from a box's six planes: distance() inside, no more than that
   /// outside, and it changes by no more than any coordinate. Requires: is_box().
   double plane_distance(const Vec3& p) const;
