@@ -7,6 +7,7 @@
 #include "core/process/heap.h"
 #include "core/process/memory_limit.h"
 #include "core/process/parallel.h"
+#include "interp/interpreter.h"
 #include "mesh/draw/render.h"
 #include "mesh/mesh_part.h"
 #include "mesh/solid/check.h"
@@ -249,11 +250,14 @@ void require_cuts(const Job& job, const JobResult& result) {
 
 void end_program(const Job& job, JobResult& result) {
   Program& program = result.program;
-  const std::size_t all = program.motions.size(), kept = motions_until(program, job.until);
+  const Moment moment = moment_until(
+      program, job.until, [&](MotionSink& sink) { interpret(job.program, job.interp, sink); });
+  const std::size_t all = program.motions.size(), kept = moment.motions;
   const bool is_part = kept < program.motions.size() / 2;
   program.motions.resize(kept);
   if (is_part) program.motions.shrink_to_fit();  // plans of memory count those that are kept
-  std::erase_if(program.events, [&](const Event& event) { return event.before > kept; });
+  program.events.resize(moment.events);
+  if (moment.dwell > 0) program.events.back().seconds = moment.dwell;
   count_motions(result);
   report(result, Severity::note, "until",
          fmt::format("--until {}: the program ends after {} of {} motions", job.until, kept, all));

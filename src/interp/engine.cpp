@@ -70,6 +70,7 @@ void Engine::run() {
       break;
     }
     const std::size_t made = out_.made();
+    out_.mark();
     execute();
     reader_.count_motions(out_.made() - made);
   }

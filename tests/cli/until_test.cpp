@@ -73,6 +73,35 @@ TEST_F(Until, LinesOfOneFileHoldAllThatTheyCall) {
   EXPECT_NEAR(removed(whole, " --until 14"), 3 * hole + slot - 180, 0.01);  // within the call
 }
 
+// Lines that move nothing end the program where the control has done them: behind a loop, that is
+// behind all of its passes. A line that is no block is one of those before the next block.
+TEST_F(Until, LinesWithoutMovesEndTheProgramWhereTheyAreDone) {
+  const std::string head = "G21 G90 G17\nT1 M6\nS1000 M3\n#1=0\nG0 X-10 Y5 Z-2\n";
+  const std::string loop =
+      "WHILE [#1 LT 3] DO1\nG1 Y[5+#1*10] F1000\nX60\n#1=#1+1\nG0 X-10\nEND1\n";
+  const std::string rest =
+      " --dialect fanuc --machine mill --stock box:0,0,-20,50,40,0 --tool 1=endmill:d=6 -q --json ";
+  write("main.nc", head + loop + "(NEXT)\nM5\nG4 P2000\nG4 P3000\n\nG1 X0 F500\nM30\n");
+  const auto expect = [&](int line, double removed, double dwell) {
+    const Outcome outcome = run("main.nc" + rest + "out.json --until " + std::to_string(line));
+    ASSERT_EQ(outcome.code, 0) << outcome.err;
+    const std::string json = read("out.json");
+    EXPECT_NEAR(number_after(json, "\"removed\":"), removed, 0.01) << line;
+    EXPECT_NEAR(number_after(json, "\"dwell_seconds\":"), dwell, 1e-9) << line;
+  };
+  for (const int line : {8, 9, 10, 11}) expect(line, 600, 0);  // done for the first time
+  for (const int line : {12, 13}) expect(line, 1800, 0);
+  expect(14, 1800, 2);
+  expect(16, 1800, 5);
+  expect(18, 1800, 5);
+  // With cutter compensation moves come later than their blocks.
+  write("main.nc", head + "G41 D1 G1 X0 F500\nX60\n#1=1\nY60\nG40 X70\nM30\n");
+  EXPECT_EQ(run("main.nc" + rest + "out.json --until 8").code, 0);
+  const double before = number_after(read("out.json"), "\"removed\":");
+  EXPECT_EQ(run("main.nc" + rest + "out.json --until 7").code, 0);
+  EXPECT_EQ(before, number_after(read("out.json"), "\"removed\":"));
+}
+
 TEST_F(Until, MomentsThatAreNoneAreWrongUsage) {
   for (const char* moment : {"0", "'#'", "-3", "7a", ":7", "OTHER:7", "'#8'", "13", "''"})
     expect_failure(std::string("PRIMER_2F.MPF --stock block.stl -o part.stl --until ") + moment, 2,

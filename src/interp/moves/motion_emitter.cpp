@@ -56,9 +56,17 @@ void MotionEmitter::event(Event event) {
   event.line = block_.line_number;
   event.call = block_.call;
   if (idle_) return sink_.event(event);
-  if (!events_.empty() && events_.back().moves == held_moves_ && joins(event, events_.back().event))
+  if (!events_.empty() && events_.back().moves == held_moves_ && events_.back().mark == 0 &&
+      joins(event, events_.back().event))
     return;
   events_.push_back({held_moves_, std::move(event)});
+}
+
+void MotionEmitter::mark() {
+  const int number = captured_ ? 0 : sink_.mark_before(block_.file, block_.line_number);
+  if (number == 0) return;
+  if (idle_) return sink_.mark(number);
+  events_.push_back({held_moves_, {}, number});
 }
 
 void MotionEmitter::change_tool() {
@@ -86,7 +94,10 @@ void MotionEmitter::send(const Motion& motion, unsigned checked_axes) {
 void MotionEmitter::give_events(std::size_t order) {
   std::size_t given = 0;
   for (; given < events_.size() && events_[given].moves < order; ++given)
-    sink_.event(events_[given].event);
+    if (const HeldEvent& held = events_[given]; held.mark != 0)
+      sink_.mark(held.mark);
+    else
+      sink_.event(held.event);
   events_.erase(events_.begin(), events_.begin() + static_cast<std::ptrdiff_t>(given));
 }
 

@@ -24,6 +24,8 @@ class MotionEmitter : public ControlPart {
   /// Emits an event behind the motions so far, with place and tool of the block. While the contour
   /// of a cycle is read, there are no events.
   void event(Event event);
+  /// Before a block: hands the sink's mark on behind what was held back.
+  void mark();
   /// The tool stays for `seconds`; nothing happens where they are not above 0.
   void dwell(double seconds);
   /// Emits the event of another tool in the spindle, once for each change.
@@ -72,10 +74,11 @@ class MotionEmitter : public ControlPart {
   double farthest_cut_ = 0, slowest_turn_ = std::numeric_limits<double>::infinity();
   std::size_t made_ = 0;
   CornerStage captured_corners_;
-  /// An event behind the first `moves` of the moves that were held back.
+  /// An event or a mark behind the first `moves` of the moves that were held back.
   struct HeldEvent {
     std::size_t moves = 0;
     Event event;
+    int mark = 0;
   };
   std::vector<HeldEvent> events_;
   std::size_t held_moves_ = 0;

@@ -16,6 +16,13 @@ class MotionSink {
   /// The control does something after the motions so far. The receiver fills Event::before if it
   /// counts motions.
   virtual void event(const Event& event) { (void)event; }
+  /// Asked before each block is carried out: a number above 0 comes back by mark(), behind the
+  /// motions and events of the blocks before it. `file`: index into Program::files.
+  virtual int mark_before(int file, int line) {
+    (void)file, (void)line;
+    return 0;
+  }
+  virtual void mark(int number) { (void)number; }
   virtual void diagnostic(const Diagnostic& diagnostic) = 0;
   /// A variable got a value (InterpOptions::trace_variables): its name as written, and the value.
   virtual void assignment(const SourcePlace& place, const std::string& name,

@@ -8,6 +8,7 @@
 #include <filesystem>
 #include <optional>
 #include <string_view>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -68,47 +69,80 @@ int file_named(const Program& program, const std::string& name) {
       Error::Kind::usage);
 }
 
-// The last line of `file`, at or before `line`, at which a motion stands or from which it was
-// called; 0 = none. A subprogram may stand in the file of its call, and a hole of a cycle stands at
-// the cycle's line, called from that of its place.
-int line_in(const Program& program, const Motion& motion, int file, std::size_t line) {
-  int last = 0;
-  const auto count = [&](int at_file, int at) {
-    if (at_file == file && static_cast<std::size_t>(at) <= line) last = std::max(last, at);
+// Whether a motion or event stands at a line, or was called from it. A subprogram may stand in the
+// file of its call, and a hole of a cycle stands at the cycle's line, called from that of its
+// place.
+template <class Step>
+bool is_of_line(const Program& program, const Step& step, int file, std::size_t line) {
+  const auto is_it = [&](int at_file, int at) {
+    return at_file == file && static_cast<std::size_t>(at) == line;
   };
-  count(motion.file, motion.line);
-  for (int call = motion.call; call >= 0;) {
+  if (is_it(step.file, step.line)) return true;
+  for (int call = step.call; call >= 0;) {
     const CallSite& site = program.calls[static_cast<std::size_t>(call)];
-    count(site.file, site.line);
+    if (is_it(site.file, site.line)) return true;
     call = site.outer;
   }
-  return last;
+  return false;
 }
 
-std::size_t motions_until_line(const Program& program, int file, std::size_t line) {
-  const std::vector<Motion>& motions = program.motions;
-  int last = 0;  // the last line at or before `line` that moves
-  for (const Motion& motion : motions) last = std::max(last, line_in(program, motion, file, line));
-  if (last == 0) return 0;
-  // Whether `last` makes or calls a motion: lines before it no longer count.
-  const auto is_of_last = [&](const Motion& motion) {
-    return line_in(program, motion, file, static_cast<std::size_t>(last)) == last;
-  };
-  std::size_t i = 0;
-  while (!is_of_last(motions[i])) ++i;
-  while (i < motions.size() && is_of_last(motions[i])) ++i;
-  return i;
+// Behind so many motions, with the events behind the last of them that are of a line.
+Moment behind_motions(const Program& program, std::size_t motions, int file, std::size_t line) {
+  const std::vector<Event>& events = program.events;
+  std::size_t count = 0;
+  while (count < events.size() &&
+         (events[count].before < motions ||
+          (events[count].before == motions && is_of_line(program, events[count], file, line))))
+    ++count;
+  return {motions, count};
 }
+
+// Finds when the control has done a line that moves nothing. Only the control knows: a loop may
+// have brought it back before it came there.
+class LineWatch : public MotionSink {
+ public:
+  LineWatch(int file, std::size_t line) : file_(file), line_(line) {}
+
+  void motion(const Motion&) override { ++now_.motions, now_.dwell = 0, last_.reset(); }
+  void event(const Event& event) override {
+    if (!last_ || !joins(event, *last_)) last_ = event, ++now_.events;
+    now_.dwell = last_->seconds;
+  }
+  int mark_before(int file, int line) override {
+    const bool was_there = std::exchange(is_there_, false);
+    if (was_there && std::exchange(wants_behind_, false)) return kBehind;
+    const auto at = static_cast<std::size_t>(line);
+    is_there_ = file == file_ && at == line_;
+    return file == file_ && at > line_ && std::exchange(wants_beyond_, false) ? kBeyond : 0;
+  }
+  void mark(int number) override { (number == kBehind ? behind_ : beyond_) = now_; }
+  void diagnostic(const Diagnostic&) override {}
+
+  /// At the end of the program, too, where it comes to no other block.
+  Moment moment() const { return behind_ ? *behind_ : !is_there_ && beyond_ ? *beyond_ : now_; }
+
+ private:
+  // Behind the block of the line; where it has none, before the first one further down.
+  static constexpr int kBehind = 1, kBeyond = 2;
+  int file_;
+  std::size_t line_;
+  bool is_there_ = false, wants_behind_ = true, wants_beyond_ = true;
+  Moment now_;
+  std::optional<Event> last_;
+  std::optional<Moment> behind_, beyond_;
+};
 
 }  // namespace
 
-std::size_t motions_until(const Program& program, const std::string& until) {
+Moment moment_until(const Program& program, const std::string& until,
+                    const std::function<void(MotionSink&)>& read_again) {
   if (until.starts_with('#')) {
     const std::optional<std::size_t> motion = whole_number(std::string_view(until).substr(1));
     if (!motion) fail_invalid(until);
     if (*motion > program.motions.size())
       fail_beyond(until, fmt::format("{} motions", program.motions.size()));
-    return *motion;
+    const Motion& last = program.motions[*motion - 1];
+    return behind_motions(program, *motion, last.file, static_cast<std::size_t>(last.line));
   }
   const std::size_t colon = until.rfind(':');
   const std::optional<std::size_t> line =
@@ -116,7 +150,18 @@ std::size_t motions_until(const Program& program, const std::string& until) {
   if (!line || colon == 0) fail_invalid(until);
   const int file = colon == until.npos ? 0 : file_named(program, until.substr(0, colon));
   require_line(program, until, file, *line);
-  return motions_until_line(program, file, *line);
+  const auto is_there = [&](const Motion& motion) {
+    return is_of_line(program, motion, file, *line);
+  };
+  const auto first = std::find_if(program.motions.begin(), program.motions.end(), is_there);
+  if (first != program.motions.end()) {
+    const auto end = std::find_if_not(first, program.motions.end(), is_there);
+    return behind_motions(program, static_cast<std::size_t>(end - program.motions.begin()), file,
+                          *line);
+  }
+  LineWatch watch(file, *line);
+  read_again(watch);
+  return watch.moment();
 }
 
 }  // namespace mrsim
