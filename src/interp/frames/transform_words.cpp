@@ -165,7 +165,9 @@ bool TransformWords::center_of_mach(Vec3& center, const Word& word) {
   return true;
 }
 
-// In G91, and beside I of Mach, the angle is added to that of the rotation in force.
+// In G91, and beside I of Mach, the angle is added to that of the rotation in force. A point passes
+// the mirror and the scale before it is turned. Under G51.1 and G51 the centre passes them, too,
+// and a mirror image turns the other way round.
 void TransformWords::turn_about(double angle, int axis, const Vec3& center, bool adds,
                                 const Word& word) {
   if (adds && frames_.rotation_angle != 0) {
@@ -174,7 +176,10 @@ void TransformWords::turn_about(double angle, int axis, const Vec3& center, bool
               "G68");
   }
   frames_.rotation_angle = angle;
-  frames_.rotation = about(rotation_frame(axis, angle), center);
+  const Frame inner = compose(frames_.scaling, frames_.mirror);
+  const Basis b = basis();
+  const bool reversed = dot(cross(turn(inner, b.u), turn(inner, b.v)), b.w) < 0;
+  frames_.rotation = about(rotation_frame(axis, reversed ? -angle : angle), apply(inner, center));
 }
 
 // G51 P for all axes or I J K for each. Without a decimal point a factor counts thousandths from 10
@@ -206,7 +211,7 @@ bool TransformWords::scale_axes(const Word& word, const Vec3& center) {
     if (const Word* each = take("IJK"[i])) component(factors, i) = factor(*each);
   if (factors.x == 0 || factors.y == 0 || factors.z == 0)
     return error("value-range", "a scale factor must not be 0", word);
-  frames_.scaling = about(scale_frame(factors), center);
+  frames_.scaling = about(scale_frame(factors), apply(frames_.mirror, center));
   return true;
 }
 
