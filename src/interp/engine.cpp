@@ -212,6 +212,7 @@ bool Engine::interpret_block() {
   events_.before_motion();
   oneshots_.settle_tip();
   if (block.pause) moves_.dwell(DwellTime(control_).of_cycle(*block.pause));
+  frames_.transforms().end();
   if (block.oneshot && !oneshots_.run()) return false;
   if (!dwells) {
     if (block.frame_code && !frames_.run()) return false;

@@ -346,5 +346,22 @@ TEST(Frames, G10NeedsTheNumberOfWhatItSets) {
             "value-missing");
 }
 
+// The manual's own example ends with G69 G90 X-5. Y-5.: G69 and G50 leave the axes to the move.
+TEST(Frames, RotationAndScaleEndBesideOtherWords) {
+  const auto path = [](const std::string& text) {
+    return path_text(read_text(text, at_origin(Dialect::fanuc)));
+  };
+  const std::string turned = "G68 X0 Y0 R90.\nG1 X5. Y0 F9\n";
+  EXPECT_EQ(path(turned + "G69 X1. Y2.\n"), "l0,5,0 l1,2,0");
+  EXPECT_EQ(path(turned + "G69 G0 X1. Y2.\n"), "l0,5,0 r1,2,0");
+  EXPECT_EQ(path(turned + "G91 G69 Z1.\n"), "l0,5,0 l0,5,1");
+  EXPECT_EQ(path(turned + "G69 G92 X0 Y0\nX1. Y1.\n"), "l0,5,0 l1,6,0");
+  EXPECT_EQ(path("G51 X0 Y0 P2.\n" + turned + "G69 G50\nX1. Y1.\n"), "l0,10,0 l1,1,0");
+  EXPECT_EQ(path("G51 X0 Y0 P2.\n" + turned + "G50 G69 G90 X1. Y1.\n"), "l0,10,0 l1,1,0");
+  EXPECT_EQ(path("G51.1 X0\n" + turned + "G69 G50.1 X0\nX1. Y1.\n"), "l0,5,0 l1,1,0");
+  EXPECT_EQ(path("G52 X10.\n" + turned + "G69 G52 X0 Y0\nX1. Y1.\n"), "l10,5,0 l1,1,0");
+  EXPECT_EQ(path("G52 X9. Z0 G68 Y0 R90.\nG1 X5. Y0 F9\n"), "l5,0,0 | frame-own-block");
+}
+
 }  // namespace
 }  // namespace mrsim

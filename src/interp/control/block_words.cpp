@@ -14,6 +14,7 @@ void BlockWords::begin() {
   turn_cycle = 0;
   path_mode.reset();
   suppress_frames = comp_selected = comp_moved = length_changed = false;
+  ends_rotation = ends_scaling = false;
   tool_change = stop_after = return_after = loops = home_guessed = false;
 }
 

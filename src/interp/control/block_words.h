@@ -67,6 +67,7 @@ class BlockWords : public Block {
                                    static_cast<std::size_t>(std::min(word.length, 40))));
   }
 
+  bool changes_frames() const { return frame_code || ends_rotation || ends_scaling; }
   /// Whether an N word stands behind `word`: it is an argument ("G25 N50"), not the block's number.
   bool number_behind(const Word& word) const { return number_after(word).has_value(); }
   /// The number of that N word, at most 999 999.
@@ -89,6 +90,8 @@ class BlockWords : public Block {
   Code motion{};                        ///< motion of this block alone, else Code::unknown
   Code oneshot_code{};                  ///< counts when `oneshot` is set
   Code frame_op{};                      ///< counts when `frame_code` is set
+  bool ends_rotation = false;           ///< G69, beside which other words may stand
+  bool ends_scaling = false;            ///< G50 of FANUC's mills, as G69
   bool suppress_frames = false;
   int turn_cycle = 0;               ///< G70 to G76 of a lathe; 0 = none
   const Word* comp_word = nullptr;  ///< G40 G41 G42

@@ -12,10 +12,7 @@ namespace mrsim {
 bool TransformWords::run(const Word& word) {
   Vec3 values = position_.programmed;
   unsigned named = 0;
-  const bool cancels = block_.frame_op == Code::rotation_off ||
-                       block_.frame_op == Code::scaling_off ||
-                       block_.frame_op == Code::local_turned_off;
-  if (!cancels) arguments(values, named, true);
+  if (block_.frame_op != Code::local_turned_off) arguments(values, named, true);
   switch (block_.frame_op) {
     case Code::rotation_on: {
       if (word.value != 68) return untilted_plane(values, named, word);
@@ -30,15 +27,8 @@ bool TransformWords::run(const Word& word) {
       turn_about(angle_value(*r), kNormalOfPlane[modal_.plane], values, adds, word);
       break;
     }
-    case Code::rotation_off:
-      frames_.rotation = Frame{};
-      frames_.rotation_angle = 0;
-      break;
     case Code::scaling_on:
       if (!scale_axes(word, values)) return false;
-      break;
-    case Code::scaling_off:
-      frames_.scaling = Frame{};
       break;
     case Code::local_shift:
       shift_locally(values, named, word);
@@ -65,6 +55,17 @@ bool TransformWords::run(const Word& word) {
   }
   rebuild();
   return true;
+}
+
+void TransformWords::end() {
+  if (!block_.ends_rotation && !block_.ends_scaling) return;
+  save();
+  if (block_.ends_rotation) {
+    frames_.rotation = Frame{};
+    frames_.rotation_angle = 0;
+  }
+  if (block_.ends_scaling) frames_.scaling = Frame{};
+  rebuild();
 }
 
 // G68.2 without a tilt: its X Y Z are the zero, its angles turn about Z.

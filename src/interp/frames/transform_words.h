@@ -13,6 +13,8 @@ class TransformWords : public FrameChain {
   /// The block's frame word on a control of FANUC's kind: G68 R, G51 P or I J K, G51.1, G52, G11
   /// P. False: an error was reported.
   bool run(const Word& word);
+  /// G69 and G50 of the block, which leave its axes to other words.
+  void end();
   /// Fagor's mirror images (G11 to G13 about the zero, one beside the other; G10 ends them), scale
   /// (G72 S) and rotation (G73). False: an error was reported.
   bool fagor(Code code, const Word& word);

@@ -55,7 +55,7 @@ bool CompensationWords::allows_block() {
   if (block_.suppress_frames) return refused("G53");
   if (oneshot == Code::reference || oneshot == Code::reference_second)
     return refused("a way to a reference point");
-  const bool shifts = block_.frame_code || oneshot == Code::set_position ||
+  const bool shifts = block_.changes_frames() || oneshot == Code::set_position ||
                       oneshot == Code::position_reset || oneshot == Code::position_suspend ||
                       oneshot == Code::position_resume;
   return !(shifts || work_selected()) || refused("another zero");

@@ -310,7 +310,19 @@ bool ModalWords::apply_modal_code(const Word& word, const CodeEntry& entry) {
     case Code::position_jump:
     case Code::decoder_length:
       return for_oneshot(word, entry.code);
+    case Code::rotation_off:
+      block_.ends_rotation = true;
+      return true;
+    case Code::scaling_off:
+      block_.ends_scaling = true;
+      return true;
     default:
+      if (block_.frame_code && !is(Dialect::sinumerik))
+        return error("frame-own-block",
+                     fmt::format("{} beside {}: both would use the axes of the block; write them "
+                                 "into blocks of their own",
+                                 text_of(word), text_of(*block_.frame_code)),
+                     word);
       block_.frame_code = &word;
       block_.frame_op = entry.code;
       return true;
