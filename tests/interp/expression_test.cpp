@@ -294,7 +294,9 @@ TEST(Expression, FaultsHaveTheirPlace) {
   for (const Row& row : {Row{"#1+1", "variable-unset", 0, "--set '#1=1'"},
                          {"#500", "variable-unset", 0, "--set '#500=1'"},
                          {"#50", "variable-number", 0, "#33"},
-                         {"5/0", "expression", 1, "alarm 112"}})
+                         {"5/0", "expression", 1, "alarm 112"},
+                         {"[1 EQ 1 OR 2 EQ 2]", "expression", 13, "brackets"},
+                         {"[1 GT 0 AND 2 LT 3]", "expression", 14, "brackets"}})
     check(fanuc_rules(), fanuc, row);
   Variables sinumerik = sinumerik_variables();
   for (const Row& row : {Row{"R7", "variable-unset", 0, "--set R7=1"},

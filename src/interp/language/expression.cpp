@@ -86,7 +86,7 @@ bool Evaluator::binary(int least_level, Value& out) {
     }
     const std::size_t place = p_;
     const bool comparison = row->op >= Operator::equal && row->op <= Operator::greater_equal;
-    if (comparison && compared && spelled(Spelling::names))
+    if (comparison && compared && rules_.compares_once)
       return fail("expression",
                   "two comparisons in a row: comparisons bind least, so write brackets about each",
                   place, place + length);

@@ -158,7 +158,7 @@ const ExpressionRules& fanuc_rules() {
     rules.operators = kFanucOperators;
     rules.functions = kFanucFunctions;
     rules.abbreviated = rules.vacant_is_zero = rules.plain_names = rules.comments = true;
-    rules.full_turn = rules.arc_sine_full = true;
+    rules.full_turn = rules.arc_sine_full = rules.compares_once = true;
     rules.zero_divide_alarm = " (alarm 112)";
     rules.range_alarm = " (alarm 119)";
     return rules;
@@ -175,6 +175,7 @@ const ExpressionRules& sinumerik_rules() {
     rules.functions = kSinumerikFunctions;
     rules.spelling = Spelling::names;
     rules.glued_blanks = false;
+    rules.compares_once = true;
     rules.equal_relative = 1e-12;
     rules.zero_divide_alarm = rules.range_alarm = " (alarm 14051)";
     return rules;

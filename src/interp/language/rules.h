@@ -116,6 +116,7 @@ struct ExpressionRules {
   bool radians = false;         ///< angles of functions; else degrees
   bool full_turn = false;       ///< the arc tangent of two arguments is 0 to 360
   bool arc_sine_full = false;   ///< ASIN is 270 to 90, written as 0 to 360
+  bool compares_once = false;   ///< two comparisons without brackets are a fault
   double equal_within = 0;      ///< absolute tolerance of = and its opposite
   double equal_relative = 0;    ///< relative tolerance of =, too
   std::string_view zero_divide_alarm, range_alarm;
