@@ -38,8 +38,11 @@ std::string codesys_section(std::string_view line) {
     while (i < line.size() && is_digit(line[i])) ++i;
     if (i > 1) line = trimmed(line.substr(i));
   }
-  if (upper_case(line.substr(0, 11)) != "SUBPROGRAM ") return {};
-  return upper_case(name_at(trimmed(line.substr(11))));
+  constexpr std::string_view kWord = "SUBPROGRAM";
+  if (upper_case(line.substr(0, kWord.size())) != kWord) return {};
+  const std::string_view rest = line.substr(kWord.size());
+  if (rest.empty() || (rest[0] != ' ' && rest[0] != '\t')) return {};
+  return upper_case(name_at(trimmed(rest)));
 }
 
 // "_N_POCKET_SPF" of SINUMERIK's file system is POCKET.

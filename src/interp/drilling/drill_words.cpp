@@ -77,7 +77,7 @@ bool DrillWords::read_words(const Basis& b) {
     const Word* relative = take("UVW"[i]);
     if (relative) cycle.bottom = {axis_value(i, *relative, true), true, true};
   }
-  if (const Word* p = take('P')) cycle.dwells = true, cycle.dwell = dwell_.of_cycle(*p);
+  if (block_.unused(letter('P'))) cycle.dwells = true, cycle.dwell = dwell_.of_cycle(*take('P'));
   const int g = cycle.number;
   if ((g == 74 || g == 84) && !is(Dialect::ngc) && !read_tap()) return false;
   if (is(Dialect::ngc) && !cycle.dwells && (g == 82 || g == 86 || g == 89))

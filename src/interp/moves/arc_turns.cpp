@@ -30,7 +30,7 @@ bool ArcTurns::add_p_turns(SolvedArc& arc) {
                     text_of(*l)),
         *l);
   if (is(Dialect::iso) && !add_pitch_turns(arc)) return false;
-  const Word* word = take('P');
+  const Word* word = block_.unused(letter('P')) ? take('P') : nullptr;  // not that of G54.1
   if (!word) return true;
   const bool beside = is(Dialect::fanuc) && std::abs(arc.sweep) < kTwoPi - kTurnRounding;
   const double least = beside ? 0 : 1;

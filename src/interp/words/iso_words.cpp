@@ -42,6 +42,12 @@ bool IsoWords::has_any(std::string_view letters) {
   return false;
 }
 
+bool IsoWords::has_motion() const {
+  return std::any_of(block_.words.begin(), block_.words.end(), [](const Word& word) {
+    return word.address == letter('G') && word.value >= 0 && word.value <= 3;
+  });
+}
+
 bool IsoWords::rewrite() {
   bool ok = true;
   for (std::size_t i = 0; i < block_.words.size();) {
@@ -147,11 +153,10 @@ bool IsoWords::rewrite_word(std::size_t at, bool& gone) {
   const int code = word.value >= 0 && word.value < 100 ? static_cast<int>(word.value) : -1;
   if (code < 0 || word.value != code) return true;
   const bool bare = block_.words.size() == 1;
-  const bool spline = has_any("IJPQ");
   switch (code) {
-    case 5:  // rounded and square corners
+    case 5:  // rounded and square corners; with P, or I J of its own, a word of another control
     case 7:
-      gone = !spline;
+      gone = !has_any("P") && (has_motion() || !has_any("IJ"));
       return true;
     case 6:
       gone = true;

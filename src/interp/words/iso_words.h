@@ -30,6 +30,7 @@ class IsoWords : public ControlPart {
   bool absolute_center(const Word& word);
   Word* in_block(char c);
   bool has_any(std::string_view letters);
+  bool has_motion() const;
 };
 
 }  // namespace mrsim

@@ -10,7 +10,8 @@ namespace mrsim {
 
 std::optional<bool> MakerWords::read(const Word& word, Code code) {
   if (is_pocket_of_gsk(word)) return refuse_pocket(word);
-  if ((code == Code::polar_on || code == Code::polar_off) && peek('H')) return okuma_offset(word);
+  const bool polar = code == Code::polar_on || code == Code::polar_off;
+  if (polar && peek('H') && !has_length_word()) return okuma_offset(word);
   if (code == Code::suppress_frames && modal_.okuma) {
     modal_.length = Code::length_off;
     block_.length_changed = true;
@@ -84,6 +85,13 @@ bool MakerWords::is_cycle_of_system_c(const Word& word) const {
 bool MakerWords::has_m6() const {
   return std::any_of(block_.words.begin(), block_.words.end(),
                      [](const Word& w) { return w.address == letter('M') && w.value == 6; });
+}
+
+// Whether H of the block is that of G43, G44 or G49.
+bool MakerWords::has_length_word() const {
+  return std::any_of(block_.words.begin(), block_.words.end(), [](const Word& w) {
+    return w.address == letter('G') && (w.value == 43 || w.value == 44 || w.value == 49);
+  });
 }
 
 // Whether places of 0 (X0 Y0) stand beside the G word, and nothing else.

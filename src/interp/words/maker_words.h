@@ -30,6 +30,7 @@ class MakerWords : public ControlPart {
   bool is_pocket_of_gsk(const Word& word) const;
   bool refuse_pocket(const Word& word);
   bool has_m6() const;
+  bool has_length_word() const;
   bool stands_for_level(const Word& word) const;
 
   FrameWords& frame_words_;

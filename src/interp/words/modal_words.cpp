@@ -125,9 +125,14 @@ bool ModalWords::hole_pattern(const Word& word, Code code) {
   return for_oneshot(word, code);
 }
 
-bool ModalWords::ignore_words() {
+// G22 has places of its own. Axes and F beside G103 and G187 (Haas), and axes beside G131 (Okuma),
+// are those of a move.
+bool ModalWords::ignore_words(const Word& word) {
+  const std::string_view left = word.value == 103 || word.value == 187 ? "GMNTSXYZIJKRUVWABCF"
+                                : word.value == 131                    ? "GMNTSXYZ"
+                                                                       : "GM";
   for (const Word& other : block_.words)
-    if (other.address != letter('G') && other.address != letter('M')) take(other.address);
+    if (left.find(static_cast<char>(other.address)) == std::string_view::npos) take(other.address);
   return true;
 }
 
@@ -192,7 +197,7 @@ bool ModalWords::apply_code(const Word& word, const CodeEntry& entry) {
     case Code::path_stops_once:
       return path_modes_.select(word, entry.code);
     case Code::ignored_words:
-      return ignore_words();
+      return ignore_words(word);
     case Code::high_speed:
       return path_modes_.look_ahead(word);
     case Code::drill_cycle:
@@ -221,6 +226,12 @@ bool ModalWords::apply_code(const Word& word, const CodeEntry& entry) {
 }
 
 bool ModalWords::for_oneshot(const Word& word, Code code) {
+  if (block_.oneshot && block_.oneshot_code != code)
+    return error("group-twice",
+                 fmt::format("{} beside {}: a block carries out only one of them; write them into "
+                             "blocks of their own",
+                             text_of(word), text_of(*block_.oneshot)),
+                 word);
   block_.oneshot = &word;
   block_.oneshot_code = code;
   return true;

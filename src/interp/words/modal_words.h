@@ -35,7 +35,7 @@ class ModalWords : public ControlPart {
   bool for_one_block(const Word& word, Code code);
   bool refuse_unknown(const Word& word);
   bool hole_pattern(const Word& word, Code code);
-  bool ignore_words();
+  bool ignore_words(const Word& word);
   bool select_motion(const Word& word, Code code);
   bool end_cycle(const Word& word, Code code);
   void select_cycle(const Word& word, int number);

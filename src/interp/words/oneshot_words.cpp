@@ -51,6 +51,13 @@ bool OneShotWords::dwell() {
     for (const char c : {'X', 'Y', 'Z'})
       if (const Word* axis = peek(c))
         return error("call-not-alone", "G4 stands alone in its block, without axes", *axis);
+  } else if (const Word* time = peek('P') ? peek('P') : peek('K')) {
+    for (const char c : {'X', 'U'})
+      if (const Word* axis = peek(c))
+        return error("call-not-alone",
+                     fmt::format("{} beside {} of G4: a block with G4 does not move",
+                                 text_of(*axis), text_of(*time)),
+                     *axis);
   }
   moves_.dwell(dwell_.of_block());
   return true;
