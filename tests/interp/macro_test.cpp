@@ -352,6 +352,17 @@ TEST(Macro, WordsUnderG66Point1ThatMayBeArguments) {
         << word;
 }
 
+// Haas: N50 [#1 LT 10] M99 P10 goes on at a block where the condition holds.
+TEST(Macro, ReturnsOnAConditionOfHaas) {
+  const std::string sub = "M30\nO7\n[#1 GT 2] M99\nX[#1*10]\nM99\n";
+  EXPECT_EQ(run(Dialect::fanuc, "G1 F100 X1\nG65 P7 A2\nG65 P7 A3\nX4\n" + sub),
+            "1,0,0 20,0,0 4,0,0 ");
+  EXPECT_EQ(run(Dialect::fanuc,
+                "#1=0\nN10 #1=#1+1\nG1 F100 X#1\nN50 [#1 LT 3] (AGAIN) M99 P10\nY9\nM30\n"),
+            "1,0,0 2,0,0 3,0,0 3,9,0 ");
+  EXPECT_EQ(run(Dialect::fanuc, "#1=0\n[#1 LT 3] M98 P7\nM30\n"), "not-supported");
+}
+
 TEST(Macro, CallsThatBeginAtABlock) {
   const std::string sub = "\nX9\nM30\nO7\nX1\nN20 X2\nX3\nM99\nO8\nN30 X4\nM99\n";
   for (const char* const call : {"M98 P7 Q20", "M98 P7 H20", "#1=20\nM98 P7 Q#1"})

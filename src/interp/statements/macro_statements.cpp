@@ -32,6 +32,14 @@ bool is_branch(const std::string& name) {
   return name == "ELSEIF" || name == "ELSE" || name == "ENDIF";
 }
 
+// "[#1 LT 10] M99 P5" of Haas: M99 where the condition holds.
+bool is_return_on_condition(std::string_view line, std::size_t p) {
+  const std::size_t close = line.substr(p, 1) == "[" ? closing_bracket(line, p) : line.npos;
+  if (close == line.npos) return false;
+  const std::string word = upper_case(line.substr(behind_comments(line, close + 1), 4));
+  return word.starts_with("M99") && (word.size() == 3 || !is_digit(word[3]));
+}
+
 bool abbreviates(const std::string& name, std::string_view whole) {
   return name.size() >= 2 && whole.starts_with(name);
 }
@@ -43,7 +51,7 @@ MacroStatements::MacroStatements(Control& control, BlockReader& reader)
 
 bool MacroStatements::starts_statement(std::string_view line, std::size_t p) {
   const std::string name = letters_of(line, p);
-  if (name.size() < 2) return false;
+  if (name.size() < 2) return is_return_on_condition(line, p);
   for (const std::string_view whole : {"GOTO", "WHILE", "END"})
     if (abbreviates(name, whole)) return true;
   for (const std::string_view output : kOutputs)
@@ -60,6 +68,11 @@ std::size_t MacroStatements::end_of_block(std::size_t p) const {
 bool MacroStatements::statement(std::size_t from) {
   std::size_t p = from;
   const std::string name = letters(p);
+  if (bool holds = false; name.empty()) {  // M99 on a condition
+    if (!condition(p, holds)) return false;
+    reader_.set_position(holds ? behind_comments(block_.line, p) : end_of_block(p));
+    return true;
+  }
   if (name == "IF") return if_statement(from, p);
   if (name == "ELSEIF" && std::exchange(arriving_, false)) return if_statement(from, p);
   if (is_branch(name)) return branch(from, std::nullopt);
@@ -71,12 +84,9 @@ bool MacroStatements::statement(std::size_t from) {
     if (entry) reader_.set_position(entry->behind);
     return entry != nullptr;
   }
-  if (name == kSetNames) {  // SETVN 500[DEPTH]
-    reader_.set_position(end_of_block(p));
-    return true;
-  }
-  note_once("output-ignored", fmt::format("{} writes to a device: it is not read", name),
-            place_word(from, p), "output");
+  if (name != kSetNames)  // SETVN 500[DEPTH]
+    note_once("output-ignored", fmt::format("{} writes to a device: it is not read", name),
+              place_word(from, p), "output");
   reader_.set_position(end_of_block(p));
   return true;
 }

@@ -88,7 +88,8 @@ WordReader::Step WordReader::step(Block& block) {
     return Step::end_of_block;
   } else if (c == ';') {
     read_comment(block, '\0');
-  } else if (c == '(' && dialect_ == Dialect::iso && statement(block, p_)) {
+  } else if (((c == '(' && dialect_ == Dialect::iso) || (c == '[' && dialect_ == Dialect::fanuc)) &&
+             statement(block, p_)) {
     return block.statement == Block::kNoStatement ? Step::more : Step::end_of_block;
   } else if (c == '(' && dialect_ != Dialect::sinumerik) {
     read_comment(block, ')');
