@@ -302,5 +302,29 @@ TEST(TurnCycles, AContourMayGoBackAboveAllOfIt) {
   EXPECT_EQ(codes(run("N3 G0 Z2.\n", "X42.\nZ-30.\nX30. Z-40.\n")), "not-supported") << "below";
 }
 
+// FANUC allows no point in P and Q of its cycles, so that a computed value counts thousandths
+// there.
+TEST(TurnCycles, ComputedValuesCountLeastIncrements) {
+  const auto lathe = [](const std::string& text) {
+    return path_text(read_text(text, at_origin(Dialect::fanuc, MachineKind::lathe)));
+  };
+  const std::string values = "#1=1.5\n#2=.5\n#3=1500\n#4=500\n";
+  const std::string thread = values + "G0 X32. Z5.\nG76 P010060 Q100 R.05\nG76 X27. Z-20. ";
+  const std::string said = lathe(thread + "P1500 Q500 F2.\n");
+  EXPECT_EQ(lathe(thread + "P[#1*1000] Q[#2*1000] F2.\n"), said);
+  EXPECT_EQ(lathe(thread + "P#3 Q#4 F2.\n"), said);
+  EXPECT_EQ(lathe(thread + "P#1 Q#2 F2.\n"), said) << "lengths, on controls that allow a point";
+  EXPECT_EQ(lathe(thread + "K#1 D#4 F2. A60\n"), lathe(thread + "K1.5 D500 F2. A60\n"));
+  const std::string groove = values + "G0 X52. Z-20.\nG75 R.5\nG75 X40. Z-23. F.1 ";
+  EXPECT_EQ(lathe(groove + "P#3 Q#3\n"), lathe(groove + "P1500 Q1500\n"));
+  const std::string rough = "\nN1 G0 X40.\nN2 G1 Z-10. F.1\n", start = values + "G0 X52. Z2.\n";
+  EXPECT_EQ(lathe(start + "G71 P1 Q2 U.4 W.1 D#3" + rough),
+            lathe(start + "G71 P1 Q2 U.4 W.1 D1500" + rough));
+  EXPECT_EQ(lathe(start + "G71 U#1 R#2\nG71 P1 Q2 U#2 W.1" + rough),
+            lathe(start + "G71 U1.5 R.5\nG71 P1 Q2 U.5 W.1" + rough));
+  EXPECT_EQ(lathe(values + "G0 X0 Z2.\nG83 Z-9. Q#3 F.1\n"),
+            lathe("G0 X0 Z2.\nG83 Z-9. Q1500 F.1\n"));
+}
+
 }  // namespace
 }  // namespace mrsim

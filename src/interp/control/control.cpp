@@ -113,6 +113,14 @@ bool ControlPart::angle_of_slope(const Word& angle) {
   return true;
 }
 
+void ControlPart::note_increments(const Word& word) {
+  note_once("number-without-point",
+            is_computed(word)
+                ? fmt::format("{} = {:g} counts least increments", text_of(word), word.value)
+                : fmt::format("{} without a decimal point counts least increments", text_of(word)),
+            word, std::string("increments ") + static_cast<char>(word.address));
+}
+
 double ControlPart::length_unit(const Word& word) const {
   const double unit = modal_.inch ? 25.4 : 1.0;
   if (!options_.least_increments || word.point || !is(Dialect::fanuc)) return unit;

@@ -124,6 +124,12 @@ class ControlPart {
   }
   /// The axes of basis() in the stock's coordinates, of length 1; left-handed under a mirror.
   Basis stock_basis() const;
+  /// FANUC: whether a variable or an expression gives the word its value.
+  bool is_computed(const Word& word) const {
+    return text_of(word).find_first_of("#[") != std::string::npos;
+  }
+  /// Tells that a value without a decimal point, or a computed one, counts least increments.
+  void note_increments(const Word& word);
   /// How many mm a length of 1 in `word` is.
   double length_unit(const Word& word) const;
   /// The angle of the word, degrees.

@@ -14,18 +14,18 @@ constexpr double kLongPeck = 50;  // from here on a number is thousandths: Q5000
 
 }  // namespace
 
-// FANUC ignores the sign of Q. Without a point a long Q counts least increments.
+// FANUC ignores the sign of Q. Without a point a long Q counts least increments, and so does a long
+// one that is computed: no stroke is that deep.
 bool PeckWords::read(const Word& q) {
   if (q.value <= 0 && is(Dialect::ngc))
     return error("value-range", "Q, the depth of a stroke, must be above 0", q);
   modal_.drill.peck = std::abs(q.value) * length_unit(q);
   modal_.drill.first = 0;
   if (!read_haas_depth()) return false;
-  if (q.point || std::abs(q.value) < kLongPeck || !is(Dialect::fanuc) || options_.least_increments)
-    return true;
+  const bool length = !is_computed(q) && (q.point || options_.least_increments);
+  if (length || std::abs(q.value) < kLongPeck || !is(Dialect::fanuc)) return true;
   modal_.drill.peck *= modal_.least_increment();
-  note_once("number-without-point",
-            fmt::format("{} without a decimal point counts least increments", text_of(q)), q, "Q");
+  note_increments(q);
   return true;
 }
 
@@ -35,8 +35,7 @@ bool PeckWords::read_haas_depth() {
   const Word* k = peek('K');
   if (modal_.drill.number != 73 || !is(Dialect::fanuc) || !k || !k->point) return true;
   take('K');
-  const bool computed = text_of(*k).find_first_of("#[") != std::string::npos;
-  if (computed && modal_.incremental && k->value > 1 && k->value == std::floor(k->value))
+  if (is_computed(*k) && modal_.incremental && k->value > 1 && k->value == std::floor(k->value))
     return error(
         "value-range",
         fmt::format("{} beside G73 and Q can be read as {:g} holes (FANUC), or as the depth "

@@ -189,7 +189,7 @@ void TransformWords::turn_about(double angle, int axis, const Vec3& center, bool
 bool TransformWords::scale_axes(const Word& word, const Vec3& center) {
   Vec3 factors{1, 1, 1};
   const auto factor = [&](const Word& w) {
-    const bool computed = text_of(w).find_first_of("#[") != std::string::npos;
+    const bool computed = is_computed(w);
     const bool counts = (computed || !w.point) && std::abs(w.value) >= 10;
     if (!computed && !w.point && !counts && w.value != 1)
       reporter_.once(Severity::warning, "number-without-point",

@@ -75,16 +75,18 @@ bool ContourCycles::counts_thousandths(std::string_view letters, double least) {
   for (const char c : letters) {
     const Word* word = peek(c);
     if (!word || word->point || std::abs(word->value) < least) continue;
-    note_once("number-without-point",
-              fmt::format("{} without a decimal point counts least increments", text_of(*word)),
-              *word, "D");
+    note_increments(*word);
     return true;
   }
   return false;
 }
 
-double ContourCycles::cycle_unit(const Word& word) const {
-  const bool least = modal_.turn_settings.thousandths && !word.point;
+// A computed value tells by its size alone what it counts: D[#1*1000].
+double ContourCycles::cycle_unit(const Word& word) {
+  const double long_value = block_.turn_cycle == 73 ? kLongShift : kLongDepth;
+  const bool computed = is_computed(word) && std::abs(word.value) >= long_value;
+  if (computed) note_increments(word);
+  const bool least = computed || (modal_.turn_settings.thousandths && !word.point);
   return length_unit(word) * (!least ? 1 : modal_.least_increment());
 }
 

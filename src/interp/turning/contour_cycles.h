@@ -46,7 +46,7 @@ class ContourCycles : public ControlPart {
   bool read_repeats(const Word& word);
   bool old_words(bool given, Vec3& semi_finish);
   bool counts_thousandths(std::string_view letters, double least);
-  double cycle_unit(const Word& word) const;
+  double cycle_unit(const Word& word);
   void finish();
   void begin_contour();
   void end_contour();

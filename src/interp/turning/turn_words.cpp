@@ -14,6 +14,7 @@ namespace mrsim {
 namespace {
 
 constexpr double kLongThread = 50;  // from here on a height is thousandths: K920
+constexpr double kLeastCount = 10;  // from here on a computed value is: P[#1*1000]
 
 double sign_of(double v) { return v < 0 ? -1 : 1; }
 
@@ -39,6 +40,15 @@ bool TurnWords::wants_block() const {
 // P and Q of the cycles, and R beside them, count least increments where they have no point.
 double TurnWords::least(const Word& word) const {
   return word.value * (word.point ? scale() : scale() * modal_.least_increment());
+}
+
+// A computed P or Q (P#1, P[#1*1000]) counts them, too, as FANUC allows no point there. Below 10
+// nobody means thousandths: it is a length, as controls have it that allow one.
+double TurnWords::count(const Word& word) {
+  if (!is_computed(word)) return least(word);
+  if (std::abs(word.value) < kLeastCount) return word.value * scale();
+  note_increments(word);
+  return word.value * scale() * modal_.least_increment();
 }
 
 void TurnWords::go(double x, double z, MotionKind kind, double lead) {
@@ -121,8 +131,8 @@ bool TurnWords::pecks() {
   Target to;
   if (!axes_.target(to, from)) return false;
   double along_x = 0, along_z = 0;
-  if (const Word* p = take('P')) along_x = std::abs(least(*p));
-  if (const Word* q = take('Q')) along_z = std::abs(least(*q));
+  if (const Word* p = take('P')) along_x = std::abs(count(*p));
+  if (const Word* q = take('Q')) along_z = std::abs(count(*q));
   if (const Word* i = take('I')) along_x = std::abs(i->value * length_unit(*i));
   if (const Word* k = take('K')) along_z = std::abs(k->value * length_unit(*k));
   double relief = r ? r->value * length_unit(*r) : 0;
@@ -179,7 +189,7 @@ bool TurnWords::thread_settings() {
     set.chamfer = digits / 100 % 100 * 0.1;
     set.angle = digits % 100;
   }
-  if (const Word* q = take('Q')) set.least_depth = std::abs(least(*q));
+  if (const Word* q = take('Q')) set.least_depth = std::abs(count(*q));
   if (const Word* r = take('R')) set.finish = std::abs(least(*r));
   return true;
 }
@@ -198,8 +208,8 @@ bool TurnWords::thread() {
     if (!one_line_thread(t)) return false;
   } else {
     const TurnSettings& set = modal_.turn_settings;
-    if (const Word* p = take('P')) t.height = std::abs(least(*p));
-    if (const Word* q = take('Q')) t.first = std::abs(least(*q));
+    if (const Word* p = take('P')) t.height = std::abs(count(*p));
+    if (const Word* q = take('Q')) t.first = std::abs(count(*q));
     if (const Word* r = take('R')) t.taper = least(*r);
     t.least = set.least_depth;
     t.finish = set.finish;
@@ -217,7 +227,7 @@ bool TurnWords::thread() {
 // angle, P the kind of infeed.
 bool TurnWords::one_line_thread(Thread& t) {
   t.height = std::abs(long_or_least(*take('K')));
-  if (const Word* d = take('D')) t.first = std::abs(least(*d));
+  if (const Word* d = take('D')) t.first = std::abs(count(*d));
   if (const Word* i = take('I')) t.taper = long_or_least(*i);
   if (const Word* a = take('A')) t.slope = tangent(a->value / 2);
   if (const Word* p = take('P')) {
@@ -231,12 +241,10 @@ bool TurnWords::one_line_thread(Thread& t) {
 
 // "K920": no thread is that high, so the number counts least increments, as D300 beside it does.
 double TurnWords::long_or_least(const Word& word) {
-  if (word.point || std::abs(word.value) < kLongThread || options_.least_increments)
-    return word.value * length_unit(word);
-  note_once("number-without-point",
-            fmt::format("{} without a decimal point counts least increments", text_of(word)), word,
-            "K");
-  return least(word);
+  const bool length = !is_computed(word) && (word.point || options_.least_increments);
+  if (length || std::abs(word.value) < kLongThread) return word.value * length_unit(word);
+  note_increments(word);
+  return word.value * scale() * modal_.least_increment();
 }
 
 // Depths below the crest: first * sqrt(n), each pass at least `least` deeper than the one before,

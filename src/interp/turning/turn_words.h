@@ -60,6 +60,7 @@ class TurnWords : public ControlPart {
   bool axis_end(Target& to);
   double long_or_least(const Word& word);
   double least(const Word& word) const;
+  double count(const Word& word);
   void go(double x, double z, MotionKind kind, double lead = 0);
   const Word& where() const;
 

@@ -48,7 +48,7 @@ double DwellTime::of_cycle(const Word& word) {
 // P is milliseconds on FANUC, seconds on Haas with a decimal point, and seconds on LinuxCNC, its
 // kin and CODESYS.
 double DwellTime::of_p(const Word& word) {
-  const bool computed = text_of(word).find_first_of("#[") != std::string::npos;
+  const bool computed = is_computed(word);
   if (is(Dialect::ngc) || is(Dialect::codesys))
     return word.value <= kSuspicious || !is(Dialect::ngc)
                ? word.value
