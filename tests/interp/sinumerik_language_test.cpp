@@ -323,5 +323,21 @@ TEST(SinumerikLanguage, FilesNamedAsInArchives) {
   }
 }
 
+// $P_GG[n] is the code of group n that is in force, counted as G[n]=m counts.
+TEST(SinumerikLanguage, ModalCodesInForce) {
+  const auto path = [](const std::string& text) {
+    return path_text(read_text(text, at_origin(Dialect::sinumerik)));
+  };
+  EXPECT_EQ(path("G91 G18\nR1=$P_GG[14] R2=$P_GG[6] R3=$P_GG[1]\n"
+                 "G90 G17 G1 X=R1 Y=R2 Z=R3 F9\n"),
+            "l2,2,2");
+  EXPECT_EQ(path("G91\nR1=$P_GG[14]\nG90 G1 X5 F9\nG[14]=R1\nX1\n"), "l5,0,0 l6,0,0");
+  EXPECT_EQ(path("G451 DIAMON\nR1=$P_GG[18] R2=$P_GG[29]\nDIAMOF G1 X=R1 Y=R2 F9\n"), "l2,2,0");
+  EXPECT_EQ(path("$P_UIFR[5]=CTRANS(X,10)\nG505\nR1=$P_UIFRNUM R2=$P_GG[8]\n"
+                 "G500 G1 X=R1 Y=R2 F9\n"),
+            "l5,6,0");
+  EXPECT_EQ(path("R1=$P_GG[13]\nG1 X5 F9\n"), "l5,0,0 | variable-unset");
+}
+
 }  // namespace
 }  // namespace mrsim

@@ -236,6 +236,35 @@ bool SinumerikVariables::write(std::string_view name, std::span<const Value> ind
   return false;
 }
 
+// The settable frame in force: G500 is 0, G54 to G57 are 1 to 4, G505 to G599 are 5 to 99.
+double SinumerikVariables::settable_frame() const {
+  const double number = work_number();
+  return number >= 505 ? number - 500 : number >= 54 && number <= 57 ? number - 53 : 0;
+}
+
+// $P_GG[n] says which code of group n is in force, counted from 1, as G[n] = m chooses it.
+bool SinumerikVariables::modal_code(std::span<const Value> indices, double& out) const {
+  if (indices.size() != 1 || !indices[0].is_number()) return false;
+  const double group = indices[0].number;
+  if (group == 1 && (modal_.motion == Code::line || motion_number(modal_.motion) != 1))
+    out = motion_number(modal_.motion) + 1;  // G0 to G3
+  else if (group == 6)
+    out = modal_.plane + 1;
+  else if (group == 7)
+    out = comp_number(modal_.comp) - 39;
+  else if (group == 8)
+    out = settable_frame() + 1;
+  else if (group == 14)
+    out = modal_.incremental ? 2 : 1;
+  else if (group == 18)
+    out = modal_.corner == Code::corner_arc ? 1 : 2;
+  else if (group == 29)
+    out = modal_.diameter == Code::diameter_off ? 1 : modal_.diameter == Code::diameter_on ? 2 : 3;
+  else
+    return false;
+  return out <= 99 && (group != 1 || out <= 4);
+}
+
 bool SinumerikVariables::read(std::string_view name, std::span<const Value> indices, Value& out,
                               std::string& why) const {
   const std::string key = upper_case(name);
@@ -249,8 +278,10 @@ bool SinumerikVariables::read(std::string_view name, std::span<const Value> indi
   } else if (key == "$PI") {
     value = 3.14159265358979323846;
     known = true;
+  } else if (key == "$P_GG") {
+    known = modal_code(indices, value);
   } else if (key == "$P_UIFRNUM") {
-    value = std::max(0.0, work_number() - 53);
+    value = settable_frame();
     known = true;
   } else if (key == "$P_F" || key == "$P_S") {
     value = key == "$P_F" ? modal_.feed / feed_scale() : modal_.speed;

@@ -25,6 +25,8 @@ class SinumerikVariables : public StateValues {
   bool tool_value(std::string_view name, std::span<const Value> indices, double& out) const;
   bool kept_value(std::string_view key, std::span<const Value> indices, double& out) const;
   bool axis_value_of(std::string_view name, int axis, double& out) const;
+  double settable_frame() const;
+  bool modal_code(std::span<const Value> indices, double& out) const;
   bool frame_value(std::string_view name, std::span<const Value> indices, Value& out) const;
   bool write_tool(std::string_view key, std::span<const Value> indices, const Value& value);
   bool write_program_frame(std::span<const Value> indices, const Value& value);
