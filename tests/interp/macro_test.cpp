@@ -363,6 +363,15 @@ TEST(Macro, ReturnsOnAConditionOfHaas) {
   EXPECT_EQ(run(Dialect::fanuc, "#1=0\n[#1 LT 3] M98 P7\nM30\n"), "not-supported");
 }
 
+// G65 H02 P#101 Q#101 R1 adds on old controls. It called the program whose number #101 holds.
+TEST(Macro, MacroAOfOldControlsIsNamed) {
+  const std::string sub = "M30\nO8\nX#11\nM99\n";
+  EXPECT_EQ(run(Dialect::fanuc, "#101=8\nG1 F100 X1\nG65 H02 P#101 Q#101 R1\n" + sub),
+            "1,0,0 not-supported");
+  EXPECT_EQ(run(Dialect::fanuc, "G1 F100 X1\nG65 P8 H5\n" + sub), "1,0,0 5,0,0 ");
+  EXPECT_EQ(run(Dialect::fanuc, "G1 F100 X1\nG65 H5. P8\n" + sub), "1,0,0 5,0,0 ");
+}
+
 TEST(Macro, CallsThatBeginAtABlock) {
   const std::string sub = "\nX9\nM30\nO7\nX1\nN20 X2\nX3\nM99\nO8\nN30 X4\nM99\n";
   for (const char* const call : {"M98 P7 Q20", "M98 P7 H20", "#1=20\nM98 P7 Q#1"})

@@ -1,6 +1,7 @@
 #include "interp/statements/macro_statements.h"
 
 #include "interp/language/flow_scan.h"
+#include "interp/statements/macro_words.h"
 #include "interp/text/characters.h"
 
 #include <algorithm>
@@ -15,18 +16,6 @@ namespace {
 constexpr std::string_view kOutputs[] = {"POPEN", "PCLOS", "DPRNT", "BPRNT"};
 constexpr std::string_view kSetNames = "SETVN";  // sets names for the display
 constexpr std::size_t kMostMacroLevels = 4;
-
-// Whether the macro is a probe's by the number of its maker: Renishaw 98xx, Haas 9023 and 999x.
-bool is_probing(long number) {
-  return (number >= 9800 && number <= 9899) || number == 9023 || (number >= 9994 && number <= 9996);
-}
-
-// The local variable of a letter in argument list I; 0: the letter is no argument.
-int local_of(char c) {
-  static constexpr std::array<int, 26> kLocals = {1, 2, 3, 7,  8,  9,  0,  11, 4,  5,  6,  0,  13,
-                                                  0, 0, 0, 17, 18, 19, 20, 21, 22, 23, 24, 25, 26};
-  return c >= 'A' && c <= 'Z' ? kLocals[static_cast<std::size_t>(c - 'A')] : 0;
-}
 
 bool is_branch(const std::string& name) {
   return name == "ELSEIF" || name == "ELSE" || name == "ENDIF";
@@ -197,7 +186,7 @@ bool MacroStatements::collect(const Word* code, Arguments& out) {
     const auto c = static_cast<char>(word.address);
     const bool head = c == 'N' && (code || &word == &block_.words.front());
     if (&word == code || (code && (c == 'P' || c == 'L')) || c == 'O' || head) continue;
-    int local = local_of(c);
+    int local = local_of_letter(c);
     if (c >= 'I' && c <= 'K') {
       if (triples == 0 || c <= last) ++triples;
       last = c;
@@ -262,7 +251,7 @@ bool MacroStatements::call_macro(const SubprogramName& program, long repeats,
 
 // The macro of a probe is not available. It cuts nothing, and only the machine knows where it ends.
 bool MacroStatements::probing(long number, const Word& code) {
-  if (!is_probing(number) || reader_.has_subprogram({number, {}})) return false;
+  if (!is_probing_macro(number) || reader_.has_subprogram({number, {}})) return false;
   position_.known = lathe() ? 2 : 0;
   note_once("probe",
             fmt::format("O{} is a macro of a probe: it is not run, and the axes' position is "
@@ -278,6 +267,12 @@ bool MacroStatements::call_program(const SubprogramName& name, long repeats, con
 
 // G65 P9010 L2 A1 B2 calls a macro. G66 and G66.1 call it later.
 bool MacroStatements::macro_call(const Word& code) {
+  if (is_macro_a(block_.words, code))
+    return error("not-supported",
+                 fmt::format("{} H (a calculation or a jump of macro A, of old controls) is not "
+                             "supported: write it as #101=#102+5 or IF [#101 EQ #102] GOTO 10",
+                             text_of(code)),
+                 code);
   const Word* p = nullptr;
   const Word* l = nullptr;
   for (const Word& word : block_.words) {

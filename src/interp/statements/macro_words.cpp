@@ -1,0 +1,25 @@
+#include "interp/statements/macro_words.h"
+
+#include "interp/text/block.h"
+
+#include <array>
+
+namespace mrsim {
+
+int local_of_letter(char c) {
+  static constexpr std::array<int, 26> kLocals = {1, 2, 3, 7,  8,  9,  0,  11, 4,  5,  6,  0,  13,
+                                                  0, 0, 0, 17, 18, 19, 20, 21, 22, 23, 24, 25, 26};
+  return c >= 'A' && c <= 'Z' ? kLocals[static_cast<std::size_t>(c - 'A')] : 0;
+}
+
+bool is_probing_macro(long number) {
+  return (number >= 9800 && number <= 9899) || number == 9023 || (number >= 9994 && number <= 9996);
+}
+
+bool is_macro_a(const std::vector<Word>& words, const Word& code) {
+  const Word* const next = &code + 1;
+  return code.value == 65 && next < words.data() + words.size() && next->address == letter('H') &&
+         !next->point;
+}
+
+}  // namespace mrsim

@@ -1,0 +1,21 @@
+// What the words beside G65 and G66 mean: local variables of letters, macros of probes, and the H
+// of old controls. Private to src/interp.
+#pragma once
+
+#include <vector>
+
+namespace mrsim {
+
+struct Word;
+
+/// The local variable of a letter in argument list I; 0: the letter is no argument.
+int local_of_letter(char c);
+
+/// Whether the macro is a probe's by the number of its maker: Renishaw 98xx, Haas 9023 and 999x.
+bool is_probing_macro(long number);
+
+/// Whether H stands right behind G65 and has no point, as in macro A of old controls: "G65 H02
+/// P#101 Q#102 R5" adds, and calls no program. In macro B P stands there.
+bool is_macro_a(const std::vector<Word>& words, const Word& code);
+
+}  // namespace mrsim
