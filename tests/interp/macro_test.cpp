@@ -360,6 +360,8 @@ TEST(Macro, ReturnsOnAConditionOfHaas) {
   EXPECT_EQ(run(Dialect::fanuc,
                 "#1=0\nN10 #1=#1+1\nG1 F100 X#1\nN50 [#1 LT 3] (AGAIN) M99 P10\nY9\nM30\n"),
             "1,0,0 2,0,0 3,0,0 3,9,0 ");
+  EXPECT_EQ(run(Dialect::fanuc, "G1 F100 X1\nM98 P7\nM30\nO7\nX[1+1] M99\nX9\nM99\n"),
+            "1,0,0 2,0,0 ");
   EXPECT_EQ(run(Dialect::fanuc, "#1=0\n[#1 LT 3] M98 P7\nM30\n"), "not-supported");
 }
 

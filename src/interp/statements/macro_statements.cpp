@@ -40,7 +40,7 @@ MacroStatements::MacroStatements(Control& control, BlockReader& reader)
 
 bool MacroStatements::starts_statement(std::string_view line, std::size_t p) {
   const std::string name = letters_of(line, p);
-  if (name.size() < 2) return is_return_on_condition(line, p);
+  if (name.size() < 2) return name.empty() && is_return_on_condition(line, p);
   for (const std::string_view whole : {"GOTO", "WHILE", "END"})
     if (abbreviates(name, whole)) return true;
   for (const std::string_view output : kOutputs)
