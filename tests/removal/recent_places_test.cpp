@@ -2,13 +2,13 @@
 // on the rapid.
 #include "removal/collision/recent_places.h"
 
+#include "collision_support.h"
 #include "core/numbers/trig.h"
 #include "core/numbers/units.h"
 #include "core/numbers/vec.h"
 #include "removal/collision/collision_movers.h"
 #include "removal/sweep/sweep_table.h"
 #include "removal/tool/tool.h"
-#include "support/path_builder.h"
 #include "support/random.h"
 #include "support/tools.h"
 
@@ -21,12 +21,9 @@
 namespace mrsim {
 namespace {
 
-constexpr double kAllowed = 0.01;
+using testing::Moves;
 
-class Moves : public testing::PathBuilder<Moves> {
- public:
-  using PathBuilder::PathBuilder;
-};
+constexpr double kAllowed = 0.01;
 
 bool keeps(const std::vector<Motion>& motions, const Tool& tool) {
   return keeps_to_recent_places(motions, motions.size() - 1, make_tool_shape(tool).cutter, 0,
