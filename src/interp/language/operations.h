@@ -1,5 +1,5 @@
 // Applies one operator or one function to values. Angles are in degrees.
-// Guarantees the same bits on every machine (core/trig, core/exponential).
+// Guarantees the same bits on every machine (core/numbers/trig.h, core/numbers/exponential.h).
 #pragma once
 
 #include "interp/language/rules.h"

@@ -1,5 +1,7 @@
 #include "interp/moves/undescribed_tool.h"
 
+#include "core/numbers/motions.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -14,7 +16,7 @@ constexpr double kSamePlace = 1e-6;
 }  // namespace
 
 UndescribedTool::Kind UndescribedTool::told_by(const Motion& motion, double face) {
-  const bool feeds = motion.kind != MotionKind::rapid && !motion.assumed_start;
+  const bool feeds = is_cut(motion);
   const bool drill = drills(motion, feeds), bar = bores(motion, feeds);
   const bool blade = plunges(motion, feeds, face);
   rapid_ = motion.kind == MotionKind::rapid;

@@ -110,7 +110,6 @@ class Statements : public ControlPart, public LanguageReader {
  private:
   std::vector<std::pair<int, int>> jumped_over_;  ///< lines between which nothing has run yet
   std::deque<std::string> texts_;                 ///< texts to which words of the block point
-  std::size_t texts_line_ = 0;
 };
 
 }  // namespace mrsim
