@@ -94,6 +94,12 @@ TEST_F(Until, LinesWithoutMovesEndTheProgramWhereTheyAreDone) {
   expect(14, 1800, 2);
   expect(16, 1800, 5);
   expect(18, 1800, 5);
+  // What a line calls belongs to it.
+  write("main.nc", head + "G1 X60 F500\nM98 P100 L3\nG4 P100\nM5\nM30\n" +
+                       "O100\nG4 P500\nM8\nG4 P250\nM99\n");
+  expect(7, 600, 2.25);
+  expect(8, 600, 2.35);
+  expect(12, 600, 0.5);
   // With cutter compensation moves come later than their blocks.
   write("main.nc", head + "G41 D1 G1 X0 F500\nX60\n#1=1\nY60\nG40 X70\nM30\n");
   EXPECT_EQ(run("main.nc" + rest + "out.json --until 8").code, 0);

@@ -63,7 +63,8 @@ void MotionEmitter::event(Event event) {
 }
 
 void MotionEmitter::mark() {
-  const int number = captured_ ? 0 : sink_.mark_before(block_.file, block_.line_number);
+  const int number =
+      captured_ ? 0 : sink_.mark_before(block_.file, block_.line_number, block_.call);
   if (number == 0) return;
   if (idle_) return sink_.mark(number);
   events_.push_back({held_moves_, {}, number});

@@ -17,9 +17,10 @@ class MotionSink {
   /// counts motions.
   virtual void event(const Event& event) { (void)event; }
   /// Asked before each block is carried out: a number above 0 comes back by mark(), behind the
-  /// motions and events of the blocks before it. `file`: index into Program::files.
-  virtual int mark_before(int file, int line) {
-    (void)file, (void)line;
+  /// motions and events of the blocks before it. `file` and `call`: indices into Program::files and
+  /// Program::calls.
+  virtual int mark_before(int file, int line, int call) {
+    (void)file, (void)line, (void)call;
     return 0;
   }
   virtual void mark(int number) { (void)number; }

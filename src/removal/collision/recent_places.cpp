@@ -84,12 +84,14 @@ class RecentPlaces {
   std::vector<Sector> sectors_;
 };
 
+Box3 box_of(const Motion& m) { return {min(m.start, m.end), max(m.start, m.end)}; }
+
 void RecentPlaces::add_cut(const Motion& cut, const Motion& rapid) {
   const double bend = cut.kind == MotionKind::arc ? 2 * cut.radius : 0;
+  const Box3 along = box_of(cut), way = box_of(rapid);
   const auto apart = [&](int axis) {
-    const auto [low, high] = std::minmax(component(cut.start, axis), component(cut.end, axis));
-    const auto [from, to] = std::minmax(component(rapid.start, axis), component(rapid.end, axis));
-    return std::max(from - high, low - to) > farthest_ + bend;
+    return std::max(component(way.lo, axis) - component(along.hi, axis),
+                    component(along.lo, axis) - component(way.hi, axis)) > farthest_ + bend;
   };
   if (!apart(0) && !apart(1)) cuts_.push_back(&cut);
 }

@@ -69,21 +69,22 @@ int file_named(const Program& program, const std::string& name) {
       Error::Kind::usage);
 }
 
+bool is_called_from(const Program& program, int call, int file, std::size_t line) {
+  while (call >= 0) {
+    const CallSite& site = program.calls[static_cast<std::size_t>(call)];
+    if (site.file == file && static_cast<std::size_t>(site.line) == line) return true;
+    call = site.outer;
+  }
+  return false;
+}
+
 // Whether a motion or event stands at a line, or was called from it. A subprogram may stand in the
 // file of its call, and a hole of a cycle stands at the cycle's line, called from that of its
 // place.
 template <class Step>
 bool is_of_line(const Program& program, const Step& step, int file, std::size_t line) {
-  const auto is_it = [&](int at_file, int at) {
-    return at_file == file && static_cast<std::size_t>(at) == line;
-  };
-  if (is_it(step.file, step.line)) return true;
-  for (int call = step.call; call >= 0;) {
-    const CallSite& site = program.calls[static_cast<std::size_t>(call)];
-    if (is_it(site.file, site.line)) return true;
-    call = site.outer;
-  }
-  return false;
+  return (step.file == file && static_cast<std::size_t>(step.line) == line) ||
+         is_called_from(program, step.call, file, line);
 }
 
 // Behind so many motions, with the events behind the last of them that are of a line.
@@ -103,12 +104,14 @@ class LineWatch : public MotionSink {
  public:
   LineWatch(int file, std::size_t line) : file_(file), line_(line) {}
 
+  void begin(const Program& program) override { program_ = &program; }
   void motion(const Motion&) override { ++now_.motions, now_.dwell = 0, last_.reset(); }
   void event(const Event& event) override {
     if (!last_ || !joins(event, *last_)) last_ = event, ++now_.events;
     now_.dwell = last_->seconds;
   }
-  int mark_before(int file, int line) override {
+  int mark_before(int file, int line, int call) override {
+    if (is_there_ && is_called_from(*program_, call, file_, line_)) return 0;
     const bool was_there = std::exchange(is_there_, false);
     if (was_there && std::exchange(wants_behind_, false)) return kBehind;
     const auto at = static_cast<std::size_t>(line);
@@ -122,10 +125,12 @@ class LineWatch : public MotionSink {
   Moment moment() const { return behind_ ? *behind_ : !is_there_ && beyond_ ? *beyond_ : now_; }
 
  private:
-  // Behind the block of the line; where it has none, before the first one further down.
+  // Behind the block of the line and all that it calls; where it has none, before the first one
+  // further down.
   static constexpr int kBehind = 1, kBeyond = 2;
   int file_;
   std::size_t line_;
+  const Program* program_ = nullptr;
   bool is_there_ = false, wants_behind_ = true, wants_beyond_ = true;
   Moment now_;
   std::optional<Event> last_;
