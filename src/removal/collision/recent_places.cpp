@@ -22,9 +22,9 @@
 namespace mrsim {
 namespace {
 
-constexpr std::size_t kRecent = 256;  ///< motions back
-constexpr int kMostHalvings = 8;      ///< of a rapid
-constexpr double kAngleError = 1e-9;  ///< rad
+constexpr std::size_t kMotionsBack = 256;  ///< motions back
+constexpr int kMostHalvings = 8;           ///< of a rapid
+constexpr double kAngleError = 1e-9;       ///< rad
 
 // Directions in plan within `half` of `middle`, rad; all of them from pi on.
 struct Sector {
@@ -165,7 +165,7 @@ bool keeps_to_recent_places(std::span<const Motion> motions, std::size_t at, con
   const Motion& rapid = motions[at];
   if (!cutter.is_end_mill() || rapid.tool_axis.z != 1) return false;
   RecentPlaces places(cutter, touch);
-  for (std::size_t back = 1; back <= std::min(kRecent, at); ++back) {
+  for (std::size_t back = 1; back <= std::min(kMotionsBack, at); ++back) {
     const Motion& m = motions[at - back];
     if (m.tool != rapid.tool || !(m.tool_axis == rapid.tool_axis)) break;
     if (!is_cut(m) || !moves(m)) continue;
