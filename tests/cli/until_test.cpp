@@ -100,6 +100,11 @@ TEST_F(Until, LinesWithoutMovesEndTheProgramWhereTheyAreDone) {
   expect(7, 600, 2.25);
   expect(8, 600, 2.35);
   expect(12, 600, 0.5);
+  // An empty line behind a call comes after the subprogram, which stands further down.
+  write("main.nc",
+        head + "G1 X60 F500\nM98 P100\n\nM5\nG1 Y20\nM30\n" + "O100\nG0 X-10 Y15\n\nG1 X60\nM99\n");
+  expect(8, 1200, 0);
+  expect(14, 600, 0);
   // With cutter compensation moves come later than their blocks.
   write("main.nc", head + "G41 D1 G1 X0 F500\nX60\n#1=1\nY60\nG40 X70\nM30\n");
   EXPECT_EQ(run("main.nc" + rest + "out.json --until 8").code, 0);

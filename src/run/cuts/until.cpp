@@ -116,7 +116,9 @@ class LineWatch : public MotionSink {
     if (was_there && std::exchange(wants_behind_, false)) return kBehind;
     const auto at = static_cast<std::size_t>(line);
     is_there_ = file == file_ && at == line_;
-    return file == file_ && at > line_ && std::exchange(wants_beyond_, false) ? kBeyond : 0;
+    if (file == file_ && at <= line_ && at >= nearest_) nearest_ = at, call_ = call;
+    const bool is_beyond = file == file_ && at > line_ && call == call_;
+    return is_beyond && std::exchange(wants_beyond_, false) ? kBeyond : 0;
   }
   void mark(int number) override { (number == kBehind ? behind_ : beyond_) = now_; }
   void diagnostic(const Diagnostic&) override {}
@@ -126,11 +128,13 @@ class LineWatch : public MotionSink {
 
  private:
   // Behind the block of the line and all that it calls; where it has none, before the first one
-  // further down.
+  // further down in the same subprogram, that of the nearest block above.
   static constexpr int kBehind = 1, kBeyond = 2;
   int file_;
   std::size_t line_;
   const Program* program_ = nullptr;
+  std::size_t nearest_ = 0;
+  int call_ = -1;  // of the nearest block
   bool is_there_ = false, wants_behind_ = true, wants_beyond_ = true;
   Moment now_;
   std::optional<Event> last_;
