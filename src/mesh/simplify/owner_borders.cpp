@@ -162,15 +162,12 @@ class BorderCutter {
     std::array<std::optional<Vec3>, 3> at;
   };
 
-  // The edges of a triangle: what is left of one that is cut at its longest edge first is less
-  // thin.
+  // The edges of a triangle: a cut at the longest one leaves the least thin pieces.
   std::array<std::uint32_t, 3> longest_first(std::uint32_t t) const {
     std::array<std::uint32_t, 3> order{0, 1, 2};
     std::array<double, 3> size{};
-    for (std::uint32_t k = 0; k < 3; ++k) {
-      const std::uint32_t h = 3 * t + k;
-      size[k] = distance(cut_.position(cut_.from(h)), cut_.position(cut_.to(h)));
-    }
+    for (const std::uint32_t k : order)
+      size[k] = distance(cut_.position(cut_.from(3 * t + k)), cut_.position(cut_.to(3 * t + k)));
     std::stable_sort(order.begin(), order.end(),
                      [&](std::uint32_t a, std::uint32_t b) { return size[a] > size[b]; });
     return order;
