@@ -37,9 +37,10 @@ using detail::StepTimer;
 constexpr double kBorderShare = 1.0 / 8;  ///< of the voxel, for borders between owners
 constexpr int kCrowdedRounds = 3;         ///< of splitting cells with two pieces of surface
 constexpr double kSecondsPerByte = 3e-8;  ///< of one core: time and memory both grow with the cells
-constexpr std::size_t kMostRounds = 24;   ///< of splitting, where a grid may take its place
+constexpr std::size_t kMostRounds = 64;   ///< of splitting, where a grid may take its place
 constexpr std::size_t kCarefulRounds = 4;  ///< of splitting, by one step each
 constexpr int kLateSteps = 3;              ///< of splitting in one round after those
+constexpr double kMostDrawn = 0.4;         ///< share of loops up to which only these are drawn anew
 constexpr std::size_t kDrawnRounds = 8;    ///< in which more detail may take the place of splitting
 
 class AdaptiveMesher {
@@ -93,9 +94,10 @@ class AdaptiveMesher {
       find_topology();
     detail::require_cells(budget_.nodes_after_first(0, tree_.size()), budget_.most());
     make_triangles();
-    while (split_failed()) {
+    while (mend_failed() || !is_whole_) {
       if (options_.most_nodes > 0 && report_.passes >= kMostRounds)
         throw Error("mesh-unresolved", "cells were split too many times");
+      is_whole_ = draws_all();
       find_topology();
       make_triangles();
     }
@@ -121,25 +123,47 @@ class AdaptiveMesher {
     return out;
   }
 
+  // Leaves that were made, or are to be drawn more finely, since triangles were measured last.
+  std::vector<char> changed_cells() const {
+    std::vector<char> changed(tree_.size());
+    for (const std::int32_t c : redrawn_) changed[static_cast<std::size_t>(c)] = 1;
+    std::fill(changed.begin() + static_cast<std::ptrdiff_t>(measured_nodes_), changed.end(), 1);
+    return changed;
+  }
+
+  // While little changes, only the surface about it is drawn and measured; when nothing fails there
+  // any more, all of it once again.
+  bool draws_all() const {
+    if (redrawn_.empty() && measured_nodes_ == tree_.size()) return true;
+    std::vector<char> drawn = changed_cells();
+    for (int rings = 0; rings < 2; ++rings) tree_.add_neighbours(drawn);
+    std::size_t crossed = 0;
+    for (std::size_t n = 0; n < drawn.size(); ++n)
+      crossed += drawn[n] && tree_.node(static_cast<std::int32_t>(n)).signs_differ;
+    return static_cast<double>(crossed) > kMostDrawn * static_cast<double>(most_loops_);
+  }
+
   // Splits cells until the crossings on every face can be joined, then joins them.
   void find_topology() {
-    detail::CrossedGrid grid = detail::split_badly_crossed(tree_);
+    detail::CrossedGrid grid = is_whole_ ? detail::split_badly_crossed(tree_)
+                                         : detail::split_badly_crossed(tree_, changed_cells());
     timer_.step("tree");
     detail::require_room(detail::kSurfaceMemory * static_cast<double>(tree_.undrawn()));
     tree_.mark_drawn();
+    budget_.add_round(is_whole_ ? tree_.size()
+                                : static_cast<std::size_t>(
+                                      std::count(grid.complete.begin(), grid.complete.end(), 1)));
     surface_->find_loops(std::move(grid));
     ++report_.passes;
-    budget_.add_round(tree_.size());
     timer_.step("loops");
   }
 
   // Makes triangles; cells with several pieces of surface whose triangles meet are split.
   void make_triangles() {
     for (;;) {
-      const std::size_t loops = surface_->loops().size();
-      const double more = static_cast<double>(loops) - static_cast<double>(drawn_loops_);
-      detail::require_room(detail::kLoopMemory * std::max(more, 0.0));
-      drawn_loops_ = loops;
+      const std::size_t loops = std::max(surface_->loops().size(), most_loops_);
+      detail::require_room(detail::kLoopMemory * static_cast<double>(loops - most_loops_));
+      most_loops_ = loops;
       surface_->make_triangles();
       timer_.step("surface");
       const std::vector<std::int32_t> bad = crossed_cells();
@@ -209,11 +233,12 @@ class AdaptiveMesher {
     return found;
   }
 
-  // Splits cells whose triangles are not within the tolerance. False when none is left that can be
-  // split.
-  bool split_failed() {
+  // Splits cells whose triangles are not within the tolerance, or has places drawn more finely.
+  // False when all triangles that are drawn are good, or no cell is left that can be split.
+  bool mend_failed() {
     require_room(detail::kCertifyMemory);
     const FailedTriangles found = find_failures_that_fit();
+    measured_nodes_ = tree_.size();
     const std::size_t refined = refine(found);
     std::vector<std::int32_t> cells;
     report_.unresolved = 0;
@@ -237,9 +262,12 @@ class AdaptiveMesher {
   std::size_t refine(const FailedTriangles& found) {
     const BaseMesh& base = surface_->mesh();
     std::size_t refined = 0;
+    redrawn_.clear();
     for (std::size_t t = 0; t < found.hashes.size(); ++t)
       if (found.wanted[t] != Detail::flat) {
-        surface_->refine(detail::at(surface_->crossings(), base.crossings[t]), found.wanted[t]);
+        const detail::Crossing& crossing = detail::at(surface_->crossings(), base.crossings[t]);
+        surface_->refine(crossing, found.wanted[t]);
+        redrawn_.insert(redrawn_.end(), crossing.edge.cells, crossing.edge.cells + 4);
         ++refined;
       } else if (found.guilty[t].empty()) {
         passed_.insert(found.hashes[t], 0);
@@ -291,7 +319,10 @@ class AdaptiveMesher {
   MeshReport& report_;
   StepTimer timer_;
   CellOctree tree_;
-  std::size_t drawn_loops_ = 0;         ///< of the surface whose triangles were made last
+  std::size_t most_loops_ = 0;          ///< of all surfaces whose triangles were made
+  bool is_whole_ = true;                ///< the surface is drawn everywhere
+  std::size_t measured_nodes_ = 0;      ///< when triangles were measured last
+  std::vector<std::int32_t> redrawn_;   ///< cells, about what is drawn more finely since
   bool few_failed_ = true;              ///< cells in the round before
   std::optional<DualSurface> surface_;  ///< until its triangles are final
   detail::FlatMap passed_;              ///< by hashes of triangles within the tolerance

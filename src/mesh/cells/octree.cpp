@@ -1,15 +1,12 @@
 #include "mesh/cells/octree.h"
 
 #include "core/process/parallel.h"
-#include "mesh/cells/doubtful_edges.h"
 #include "mesh/cells/mesh_memory.h"
-#include "mesh/cells/octree_edges.h"
 #include "mesh/points/vertex.h"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <tuple>
 
 namespace mrsim::detail {
 namespace {
@@ -289,112 +286,6 @@ bool CellOctree::in_range(const LatticePoint& p, const std::int32_t (&range)[2])
     if (i < range[0] || i >= range[1]) return false;
   }
   return true;
-}
-
-std::vector<MinimalEdge> CellOctree::crossing_edges() const {
-  std::vector<MinimalEdge> out;
-  EdgeWalk(*this, nullptr, nullptr, out).cell(0);
-  if (is_whole()) return out;
-  std::sort(out.begin(), out.end(), [](const MinimalEdge& a, const MinimalEdge& b) {
-    return std::tie(a.start.x, a.start.y, a.start.z, a.axis) <
-           std::tie(b.start.x, b.start.y, b.start.z, b.axis);
-  });
-  return out;
-}
-
-std::vector<CellFace> CellOctree::faces(std::span<const MinimalEdge> edges) const {
-  FlatMap ids(3 * edges.size());  // by the smaller of the two cells and its side
-  std::vector<CellFace> out;
-  for (std::size_t k = 0; k < edges.size(); ++k)
-    for (int quadrant = 0; quadrant < 4; ++quadrant) {
-      CellFace face = face_of(edges[k], quadrant);
-      if (face.low == face.high) continue;
-      const std::int32_t owner = size_of(face.high) < size_of(face.low) ? face.high : face.low;
-      const std::uint64_t key = static_cast<std::uint64_t>(owner) * 6 +
-                                static_cast<std::uint64_t>(2 * face.axis + (owner == face.low));
-      const auto [index, is_new] = ids.insert(key, static_cast<std::int32_t>(out.size()));
-      if (is_new) {
-        face.low_complete = is_complete(face.low);
-        face.high_complete = is_complete(face.high);
-        out.push_back(face);
-      }
-      out[static_cast<std::size_t>(index)].add(static_cast<std::int32_t>(k), quadrant);
-    }
-  if (is_whole()) return out;
-  const auto plane = [&](const CellFace& face) {
-    const int axis = face.axis;
-    return component(node(face.high).origin, axis);
-  };
-  std::stable_sort(out.begin(), out.end(), [&](const CellFace& a, const CellFace& b) {
-    return a.axis != b.axis ? a.axis < b.axis : plane(a) < plane(b);
-  });
-  return out;
-}
-
-std::pair<double, double> CellOctree::offsets(const MinimalEdge& e) const {
-  constexpr double kWhenAsked = std::numeric_limits<double>::quiet_NaN();
-  if (common_list(e.smallest_cell()) != nullptr) return {kWhenAsked, kWhenAsked};
-  return {sample(e.low).distance + kInsideTolerance, sample(e.high).distance + kInsideTolerance};
-}
-
-EdgeEnds CellOctree::ends(const MinimalEdge& e) const {
-  return {lattice().position(e.start),
-          lattice().coordinate(e.axis, component(e.start, e.axis) + e.length)};
-}
-
-std::vector<MinimalEdge> CellOctree::doubtful_edges() const {
-  std::vector<MinimalEdge> out;
-  EdgeWalk walk(*this, nullptr, nullptr, out);
-  walk.doubtful();
-  walk.cell(0);
-  add_doubtful_inside(out);
-  return out;
-}
-
-// Looks within cells larger than a voxel, where more than one owner can decide d.
-void CellOctree::add_doubtful_inside(std::vector<MinimalEdge>& out) const {
-  const std::int32_t voxel = lattice().per_voxel();
-  std::vector<std::int32_t> large;
-  for (std::size_t n = 0; n < size(); ++n)
-    if (const OctreeNode& a = nodes_[n]; a.child < 0 && a.region == ExactField::Region::mixed &&
-                                         a.size > voxel && !a.plain &&
-                                         !shows_box(static_cast<std::int32_t>(n)))
-      large.push_back(static_cast<std::int32_t>(n));
-  std::vector<std::vector<VoxelEdge>> inside(large.size());
-  parallel_for(
-      large.size(), threads_,
-      [&](std::size_t k) {
-        const OctreeNode& a = node(large[k]);
-        inside[k] = doubtful_inside(field_, lattice(), candidates(large[k]), a.origin,
-                                    a.size / voxel, !a.signs_differ);
-      },
-      16);
-  for (std::size_t k = 0; k < large.size(); ++k)
-    for (const VoxelEdge& edge : inside[k]) {
-      MinimalEdge& e = out.emplace_back();
-      std::fill_n(e.cells, 4, large[k]);
-      e.start = edge.start;
-      e.axis = edge.axis;
-      e.length = voxel;
-    }
-}
-
-std::vector<MinimalEdge> CellOctree::crossing_edges_near(std::span<const std::int32_t> leaves,
-                                                         std::vector<char>& nearby) const {
-  std::vector<char> marked(size(), 0);
-  const auto mark = [&](std::int32_t n) {
-    for (; n >= 0 && !marked[static_cast<std::size_t>(n)]; n = node(n).parent)
-      marked[static_cast<std::size_t>(n)] = 1;
-  };
-  for (const std::int32_t n : leaves) mark(n);
-  nearby.assign(size(), 0);
-  std::vector<MinimalEdge> out;
-  EdgeWalk(*this, &marked, &nearby, out).cell(0);
-  for (std::size_t n = 0; n < nearby.size(); ++n)
-    if (nearby[n]) mark(static_cast<std::int32_t>(n));
-  out.clear();
-  EdgeWalk(*this, &marked, nullptr, out).cell(0);
-  return out;
 }
 
 }  // namespace mrsim::detail

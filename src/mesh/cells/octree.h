@@ -86,15 +86,16 @@ class CellOctree final : public SurfaceCells {
   /// All edges that no smaller cell divides and whose ends lie on different sides of the surface,
   /// in the order of the tree; of a part: in the order of their places.
   std::vector<MinimalEdge> crossing_edges() const;
+  /// Those about the leaves that are set.
+  std::vector<MinimalEdge> crossing_edges_about(const std::vector<char>& leaves) const;
+  /// Sets the leaves, too, that share an edge with one that is set. `leaves`: by cell.
+  void add_neighbours(std::vector<char>& leaves) const;
   /// The faces about these edges, each with its crossings, in the order of the edges; of a part:
-  /// by axis and plane.
-  std::vector<CellFace> faces(std::span<const MinimalEdge> edges) const;
+  /// by axis and plane. `complete`: the cells whose edges are all there; empty: as is_complete().
+  std::vector<CellFace> faces(std::span<const MinimalEdge> edges,
+                              const std::vector<char>& complete = {}) const;
   std::pair<double, double> offsets(const MinimalEdge& edge) const override;
   EdgeEnds ends(const MinimalEdge& edge) const override;
-  /// crossing_edges() about the given leaves and those that share an edge with them; `nearby` is
-  /// set for all of these.
-  std::vector<MinimalEdge> crossing_edges_near(std::span<const std::int32_t> leaves,
-                                               std::vector<char>& nearby) const;
   /// Edges up to a voxel long whose ends lie on the same side, have different owners, and are near
   /// enough to the surface for it to pass twice between them; in cells above a voxel, those of
   /// doubtful_inside() (doubtful_edges.h).
@@ -121,6 +122,7 @@ class CellOctree final : public SurfaceCells {
   Sight look_at(std::int32_t node, const Box3& box, const CellSurface& surface, Candidates& seen);
   void add_children(std::int32_t node, std::vector<std::int32_t>& out);
   void add_doubtful_inside(std::vector<MinimalEdge>& out) const;
+  std::vector<char> with_parents(std::vector<char> leaves) const;
 
   const ExactField& field_;
   OctreePart part_;

@@ -8,6 +8,7 @@
 namespace mrsim::detail {
 
 void DualSurface::find_loops(CrossedGrid grid) {
+  graph_.complete = std::move(grid.complete);
   crossings_.find(grid.edges);
   LoopFinder(graph_).find(std::move(grid.faces));
 }

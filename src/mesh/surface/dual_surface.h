@@ -23,7 +23,8 @@ class DualSurface {
   DualSurface(const DualSurface&) = delete;
   DualSurface& operator=(const DualSurface&) = delete;
 
-  /// Finds crossings, segments and loops. Requires: the crossings on every face can be joined.
+  /// Finds crossings, segments and loops. Requires: the crossings on every face can be joined. Of a
+  /// part of the grid (CrossedGrid::complete), triangles are made about the edges that it owns.
   void find_loops(CrossedGrid grid);
   /// find_loops() of a tile, where segments between crossings of one face of the part, which need
   /// no vertex, are left out.

@@ -55,17 +55,13 @@ Joining joining(const SurfaceCells& cells, const CellFace& face, const EdgeOf& e
                                                                                  : Joining::none;
 }
 
-// Cells about faces whose crossings can not be joined; only faces with a cell that is `nearby`
-// count (null: all).
-std::vector<std::int32_t> badly_crossed(const SurfaceCells& cells, const CrossedGrid& grid,
-                                        const std::vector<char>* nearby) {
+// Cells about faces whose crossings can not be joined.
+std::vector<std::int32_t> badly_crossed(const SurfaceCells& cells, const CrossedGrid& grid) {
   const auto edge_of = [&](std::int32_t k) -> const MinimalEdge& { return at(grid.edges, k); };
   std::vector<std::int32_t> bad;
-  for (const CellFace& face : grid.faces) {
-    if (nearby && !at(*nearby, face.low) && !at(*nearby, face.high)) continue;
+  for (const CellFace& face : grid.faces)
     if (face.has_all_edges() && joining(cells, face, edge_of) == Joining::none)
       bad.insert(bad.end(), {face.low, face.high});
-  }
   return bad;
 }
 
@@ -76,19 +72,44 @@ CrossedGrid crossed_grid(const CellOctree& tree) {
   return grid;
 }
 
+// With all edges of the leaves and of those that share an edge with them.
+CrossedGrid grid_about(const CellOctree& tree, std::vector<char> leaves) {
+  CrossedGrid grid;
+  tree.add_neighbours(leaves);
+  grid.edges = tree.crossing_edges_about(leaves);
+  grid.faces = tree.faces(grid.edges, leaves);
+  grid.complete = std::move(leaves);
+  return grid;
+}
+
+// Returns whether it has split any.
+bool split_bad(CellOctree& tree, CrossedGrid grid) {
+  const std::size_t before = tree.size();
+  while (tree.split(badly_crossed(tree, grid)) > 0) {
+    std::vector<char> leaves(tree.size());
+    for (const std::int32_t n : tree.new_leaves()) leaves[static_cast<std::size_t>(n)] = 1;
+    grid = grid_about(tree, std::move(leaves));
+  }
+  return tree.size() > before;
+}
+
 }  // namespace
 
 CrossedGrid split_badly_crossed(CellOctree& tree) {
   CrossedGrid grid = crossed_grid(tree);
-  std::size_t count = tree.split(badly_crossed(tree, grid, nullptr));
-  if (count == 0) return grid;
-  while (count > 0) {
-    std::vector<char> nearby;
-    grid.edges = tree.crossing_edges_near(tree.new_leaves(), nearby);
-    grid.faces = tree.faces(grid.edges);
-    count = tree.split(badly_crossed(tree, grid, &nearby));
-  }
-  return crossed_grid(tree);
+  return split_bad(tree, grid) ? crossed_grid(tree) : grid;
+}
+
+CrossedGrid split_badly_crossed(CellOctree& tree, std::vector<char> changed) {
+  const std::size_t before = tree.size();
+  split_bad(tree, grid_about(tree, changed));
+  changed.resize(tree.size());
+  std::fill(changed.begin() + static_cast<std::ptrdiff_t>(before), changed.end(), 1);
+  tree.add_neighbours(changed);
+  CrossedGrid grid = grid_about(tree, changed);
+  for (MinimalEdge& e : grid.edges)
+    e.owned = std::any_of(e.cells, e.cells + 4, [&](std::int32_t n) { return at(changed, n); });
+  return grid;
 }
 
 void LoopFinder::find(std::vector<CellFace> faces) {
@@ -171,7 +192,7 @@ void LoopFinder::pair_four(std::int32_t f) {
 }
 
 Loop& LoopFinder::new_loop(std::int32_t cell) {
-  if (++loops_in_cell_[static_cast<std::size_t>(cell)] == 2 && cells_.is_complete(cell))
+  if (++loops_in_cell_[static_cast<std::size_t>(cell)] == 2 && is_complete(cell))
     crowded_.push_back(cell);
   Loop& loop = loops_.emplace_back();
   loop.cell = cell;

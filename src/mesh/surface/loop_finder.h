@@ -9,15 +9,21 @@
 
 namespace mrsim::detail {
 
-/// The edges that the surface crosses, and the faces about them.
+/// The edges that the surface crosses, and the faces about them. `complete`: by cell, whether all
+/// of its edges are there; empty: of all cells.
 struct CrossedGrid {
   std::vector<MinimalEdge> edges;
   std::vector<CellFace> faces;
+  std::vector<char> complete;
 };
 
 /// Splits cells about faces on whose sides the crossings can not be joined in one way: more than
 /// two (four, in cells up to a voxel), or two on one side; until there are none.
 CrossedGrid split_badly_crossed(CellOctree& tree);
+/// The same where only the leaves of `changed` (by cell) have changed since it was done. The grid
+/// is the part about these leaves and those made from them: as much as their surface, with that of
+/// the leaves that share an edge with them, needs. Costs what that part takes.
+CrossedGrid split_badly_crossed(CellOctree& tree, std::vector<char> changed);
 
 class LoopFinder : public SurfaceStep {
  public:

@@ -15,7 +15,7 @@ std::vector<SurfacePoint> RidgeSharpener::find_tips() const {
       tips.size(), options_.threads,
       [&](std::size_t k) {
         const Loop& loop = loops_[k];
-        if (tips[k].count > 0 || loop.point.count >= 3) return;
+        if (tips[k].count > 0 || loop.point.count >= 3 || !is_complete(loop.cell)) return;
         static thread_local std::vector<FieldSample> faces;
         faces.clear();
         for (const std::int32_t c : crossings_of(loop))

@@ -88,6 +88,7 @@ struct SurfaceGraph {
   const ExactField& field;
   const SurfaceCells& cells;
   SurfaceOptions options;
+  std::vector<char> complete;  ///< see CrossedGrid::complete
   std::vector<Crossing> crossings;
   std::vector<CellFace> faces;
   std::vector<Segment> segments;
@@ -110,6 +111,7 @@ class SurfaceStep {
       : field_(graph.field),
         cells_(graph.cells),
         options_(graph.options),
+        complete_(graph.complete),
         crossings_(graph.crossings),
         faces_(graph.faces),
         segments_(graph.segments),
@@ -124,6 +126,9 @@ class SurfaceStep {
   Probe probe(std::int32_t cell) const {
     return {field_, cells_.candidates(cell), options_.shallow};
   }
+  bool is_complete(std::int32_t cell) const {
+    return cells_.is_complete(cell) && (complete_.empty() || at(complete_, cell) != 0);
+  }
   std::int32_t face_cell(const CellFace& face) const { return smaller_cell(cells_, face); }
   Box3 face_box(const CellFace& face) const;
   std::span<const std::int32_t> crossings_of(const Loop& loop) const {
@@ -136,6 +141,7 @@ class SurfaceStep {
   const ExactField& field_;
   const SurfaceCells& cells_;
   const SurfaceOptions& options_;
+  const std::vector<char>& complete_;
   std::vector<Crossing>& crossings_;
   std::vector<CellFace>& faces_;
   std::vector<Segment>& segments_;

@@ -96,7 +96,7 @@ void VertexPlacer::place_loops() {
   outside_.assign(options_.sharpen ? loops_.size() : 0, {});
   for (std::size_t k = 0; k < loops_.size(); ++k) {
     Loop& loop = loops_[k];
-    if (loop.point.count > 0 || !cells_.is_complete(loop.cell)) continue;
+    if (loop.point.count > 0 || !is_complete(loop.cell)) continue;
     if (options_.remember) {
       keys[k] = key_of(loop);
       if (const KnownPoints::Result* known = known_loops_.find(keys[k])) {
