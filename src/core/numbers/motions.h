@@ -18,4 +18,10 @@ inline bool is_upright_line(const Motion& m) {
   return m.kind != MotionKind::arc && m.start.x == m.end.x && m.start.y == m.end.y;
 }
 
+/// Whether the motion keeps its height, on a horizontal line or arc of a tool along Z.
+inline bool is_level(const Motion& m) {
+  const bool is_flat = m.kind != MotionKind::arc || (m.rise == 0 && m.axis == m.tool_axis);
+  return is_flat && m.tool_axis == Vec3{0, 0, 1} && m.start.z == m.end.z;
+}
+
 }  // namespace mrsim

@@ -49,8 +49,8 @@ constexpr double kMostGrooveCells = 4e6;
 constexpr double kNarrow = 0.5, kGrooveNodes = 40;
 // Average number of creasing sweeps in a block above which no tolerance is tried: cells would be
 // halved too often. Unless they are few in all blocks together, as on a large sheet whose blocks
-// are large, and no pointed tool has left grooves.
-constexpr double kMostCreasing = 9, kFewCreasing = 1e5;
+// are large, and no pointed tool has left grooves; more of them where most cuts are level.
+constexpr double kMostCreasing = 9, kFewCreasing = 1e5, kFewLevelCreasing = 3e5;
 // Sweeps in all blocks together above which no tolerance is tried: kMostSweeps where a block has
 // more than kFewSweeps on average, kMostSearched where points of helices are searched, which costs
 // ten times as much.
@@ -61,13 +61,14 @@ constexpr double kPlainSweeps = 1.5;
 // Cells of the wished size, and creasing sweeps in a block, up to which another octree is worth its
 // time where the first one has too many nodes: above them it mostly has as well.
 constexpr double kMostRetried = 1.2e5, kMostRetriedCreasing = 6;
-// Share of the cuts above which helices, or upright arcs, are many.
-constexpr double kManyOfCuts = 0.25;
+// Share of the cuts above which helices, or upright arcs, are many, and level cuts are most.
+constexpr double kManyOfCuts = 0.25, kMostOfCuts = 0.8;
 // Nodes of the octree, made in some five seconds of two cores, after which the grid takes its
 // place. Those about the crests of a winding helix, or cut by flat mills on upright arcs, take
 // three times as long.
-constexpr std::size_t kMostNodes = 250'000, kMostPlainNodes = 450'000, kMostHelixNodes = 200'000,
-                      kMostWindingNodes = 80'000, kMostSearchedNodes = 60'000;
+constexpr std::size_t kMostNodes = 250'000, kMostLevelNodes = 350'000, kMostPlainNodes = 450'000,
+                      kMostHelixNodes = 200'000, kMostWindingNodes = 80'000,
+                      kMostSearchedNodes = 60'000;
 
 double longest_side(const Box3& box) {
   const Vec3 size = box.hi - box.lo;
@@ -168,9 +169,19 @@ double sweeps_met(const detail::SurfaceSurvey& survey) {
 bool may_suit_tolerance(const detail::SurfaceSurvey& survey, const MeshChoice& choice) {
   if (choice.searches_arc && sweeps_met(survey) > kMostSearched) return false;
   if (survey.sweeps > kFewSweeps && sweeps_met(survey) > kMostSweeps) return false;
+  const double few = choice.is_level ? kFewLevelCreasing : kFewCreasing;
   return survey.creasing <= kMostCreasing ||
          (choice.groove_lengths == 0 &&
-          static_cast<double>(survey.blocks) * survey.creasing <= kFewCreasing);
+          static_cast<double>(survey.blocks) * survey.creasing <= few);
+}
+
+// Whether most of the cuts keep their height, by tools that leave no narrow grooves: walls are
+// upright then, and floors level.
+bool is_mostly_level(const CutList& cuts) {
+  const auto cut = std::ranges::count_if(cuts.motions(), is_cut);
+  const auto level = std::ranges::count_if(
+      cuts.motions(), [](const Motion& m) { return is_cut(m) && is_level(m); });
+  return static_cast<double>(level) > kMostOfCuts * static_cast<double>(cut);
 }
 
 bool is_helix(const Motion& motion) { return motion.kind == MotionKind::arc && motion.rise != 0; }
@@ -306,6 +317,7 @@ MeshChoice choose_mesh(const Job& job, const StockShape& stock, const CutList& c
   choice.fits_voxel = true;
   choice.radius = smallest_radius(cuts, stock.box.hi.z);
   choice.groove_lengths = groove_lengths(cuts, stock.box.hi.z);
+  choice.is_level = choice.groove_lengths == 0 && is_mostly_level(cuts);
   choice.searches_arc = has_searched_arc(cuts);
   choice.has_many_helices = has_many_helices(cuts);
   choice.has_winding_helix = has_winding_helix(cuts);
@@ -357,7 +369,7 @@ void fit_mesh(const ExactField& field, int threads, MeshChoice& choice) {
   else if (choice.has_many_helices)
     choice.most_nodes = kMostHelixNodes;
   else if (!is_plain(survey))
-    choice.most_nodes = kMostNodes;
+    choice.most_nodes = choice.is_level ? kMostLevelNodes : kMostNodes;
   choice.fallback_cells = survey.crossed_cells(choice.fallback_voxel);
 }
 
