@@ -232,5 +232,30 @@ TEST(OwnerBorders, OfBandsNarrowerThanCellsTakeFewCuts) {
   EXPECT_LT(report.triangles_before, 100'000u);  // there were 189 000
 }
 
+// A contour of short moves in five passes: a triangle over two of its faces has a neighbour that is
+// cut where two passes meet, and its piece lies over the other one of the faces.
+TEST(OwnerBorders, KeepPiecesOfChordsWithinTheTolerance) {
+  constexpr int kSides = 60, kPasses = 5;
+  const auto rounded = [](double x) { return std::round(1000 * x) / 1000; };
+  std::vector<Vec3> places;
+  for (int k = 0; k < kPasses * (kSides + 1); ++k) {
+    const double turn = kTwoPi * (k % (kSides + 1)) / kSides;
+    const double r = 28.26835 * (1 + 0.2 * sincos(3 * turn + 31).sin + 0.1 * sincos(7 * turn).cos);
+    const auto [sin, cos] = sincos(turn);
+    places.push_back({rounded(699.23445 + r * cos), rounded(752.73065 + r * sin),
+                      -5.06 * (1 + k / (kSides + 1))});
+  }
+  StockShape sheet;
+  sheet.box = {{0, 0, -25}, {800, 1200, 0}};
+  const Tool tool = endmill(8);
+  const PartField field{StockSolid(sheet), SweepTable(path(places), std::span(&tool, 1))};
+  MeshPlan plan;
+  plan.tolerance = 0.204;
+  MeshReport report;
+  mesh_part(field, 2.5, plan, &report);
+  EXPECT_EQ(report.unresolved, 0u);
+  EXPECT_LE(report.bound, plan.tolerance);  // it was 0.443
+}
+
 }  // namespace
 }  // namespace mrsim

@@ -8,6 +8,7 @@
 #include "removal/field/field.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -16,6 +17,11 @@ namespace mrsim::detail {
 
 /// mm: how near d = 0 the surface -kInsideTolerance is looked for.
 inline constexpr double kSurfaceBand = 4 * kInsideTolerance;
+
+/// mm: what rounding may take a point of a plane of the part off it.
+inline double surface_band(const Vec3& p) {
+  return kSurfaceBand + coordinate_step(std::max({std::abs(p.x), std::abs(p.y), std::abs(p.z)}));
+}
 
 /// The box for which lists of candidates are made, for cells of `cell` mm in `box`: points of the
 /// surface are searched for a little beyond a cell.

@@ -124,4 +124,19 @@ std::vector<std::int32_t> guilty_cells(const ExactField& field, const CellOctree
   return cells;
 }
 
+std::optional<FieldSample> nearer_face(const ExactField& field, const CellOctree& tree,
+                                       const LabelledMesh& mesh, std::size_t t) {
+  const auto& x = mesh.triangles[t];
+  const Vec3 middle = (1.0 / 3) * (mesh.vertices[x[0]] + mesh.vertices[x[1]] + mesh.vertices[x[2]]);
+  const auto farthest = [&](const FieldSample& face) {
+    double most = 0;
+    for (const std::uint32_t v : x)
+      most = std::max(most, std::abs(field.patch_distance(mesh.vertices[v], face)));
+    return most;
+  };
+  const FieldSample beside = field.sample(middle, tree.candidates(tree.locate(middle)));
+  if (farthest(beside) < farthest(mesh.faces[mesh.labels[t]])) return beside;
+  return {};
+}
+
 }  // namespace mrsim::detail

@@ -10,6 +10,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 namespace mrsim::detail {
@@ -53,5 +54,10 @@ class MeshCertifier {
 std::vector<std::int32_t> guilty_cells(const ExactField& field, const CellOctree& tree,
                                        const DualSurface& surface, const LabelledMesh& mesh,
                                        std::size_t t, bool ahead);
+
+/// The face that decides at the middle of a triangle, where its corners are nearer to that one than
+/// to the face of its label.
+std::optional<FieldSample> nearer_face(const ExactField& field, const CellOctree& tree,
+                                       const LabelledMesh& mesh, std::size_t t);
 
 }  // namespace mrsim::detail

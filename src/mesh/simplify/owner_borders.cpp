@@ -3,6 +3,7 @@
 #include "core/process/parallel.h"
 #include "mesh/simplify/apart_queue.h"
 #include "mesh/simplify/cut_mesh.h"
+#include "mesh/simplify/mesh_certifier.h"
 #include "mesh/solid/self_intersection.h"
 
 #include <algorithm>
@@ -65,10 +66,6 @@ class BorderCutter {
     if (std::abs(s.distance) > surface_band(p)) return {};
     return s;
   }
-  // mm: what rounding may take a point of a plane off it.
-  static double surface_band(const Vec3& p) {
-    return kSurfaceBand + coordinate_step(std::max({std::abs(p.x), std::abs(p.y), std::abs(p.z)}));
-  }
 
   // Triangles that lie on a plane of the part, as far as seven points show; those that more than
   // one owner shares are queued, those of one other owner get its label.
@@ -129,8 +126,10 @@ class BorderCutter {
     std::int32_t cell = 0;
     return face_at(cut_.middle(t), cell);
   }
-  void relabel(std::uint32_t t) {
-    if (const auto face = face_of(t)) cut_.mesh.labels[t] = label_of(*face);
+  // A chord over faces that join nearly smoothly may leave a piece over another one of them.
+  void relabel_chord(std::uint32_t t) {
+    if (const auto face = nearer_face(field_, tree_, cut_.mesh, t))
+      cut_.mesh.labels[t] = label_of(*face);
   }
   void relabel(const std::vector<std::uint32_t>& triangles) {
     std::vector<std::optional<FieldSample>> faces(triangles.size());
@@ -209,6 +208,8 @@ class BorderCutter {
       if (!cut_.cut_edge(h, snap(*at))) continue;
       for (const std::uint32_t old : {t, o / 3}) plane_.push_back(plane_[old]);
       const auto last = static_cast<std::uint32_t>(plane_.size() - 1);
+      for (const std::uint32_t part : {o / 3, last})
+        if (plane_[part] == Plane::no) relabel_chord(part);
       for (const std::uint32_t part : with_flips({t, o / 3, last - 1, last})) {
         plane_[part] = Plane::cut;
         edges_.push(part);
@@ -341,7 +342,7 @@ class BorderCutter {
       const auto last = static_cast<std::uint32_t>(plane_.size() - 1);
       for (const std::uint32_t part : with_flips({t, last - 1, last})) {
         plane_[part] = Plane::cut;
-        relabel(part);
+        relabel({part});
         chords_.push_back(part);
         edges_.push(part);
       }
