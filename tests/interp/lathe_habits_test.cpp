@@ -43,6 +43,36 @@ TEST(LatheHabits, TheLeadOfAThreadInE) {
   EXPECT_EQ(lathe_notes("G0 X12 Z2\nG32 Z-10. E1.5\n"), "thread-lead");
 }
 
+// F is one word for feeds and leads: what it last said counts for a thread without it.
+TEST(LatheHabits, TheLeadOfAThreadIsTheFInForce) {
+  const auto leads = [](const std::string& text) {
+    std::string out;
+    const Program p = on_lathe("G99 G97 S500 M3\nG0 X30 Z2\n" + text);
+    for (const Motion& m : p.motions)
+      if (m.kind != MotionKind::rapid)
+        out += m.lead != 0 ? fmt::format("t{:g} ", m.lead) : fmt::format("f{:g} ", m.feed);
+    return out + codes(p);
+  };
+  EXPECT_EQ(leads("F1.5\nG92 X28 Z-9\n"), "t1.5 ");
+  EXPECT_EQ(leads("G92 X28 Z-9 F1.5\nG0 X30 Z5\nG92 X27 Z-9\nX26\n"), "t1.5 t1.5 t1.5 ");
+  EXPECT_EQ(leads("G32 Z-9 F1.5\nX40\nG1 X50 F.2\nG32 Z-12\n"), "t1.5 t1.5 f0.2 t0.2 ");
+  EXPECT_EQ(leads("F2.\nG76 P010000 Q50 R0\nG76 X28 Z-9 P500 Q900\n"), "t2 ");
+  EXPECT_EQ(leads("G32 Z-9 F1.5\nG1 X40\n"), "t1.5 f1.5 ");
+  EXPECT_EQ(leads("G98 G1 X29 F100\nG92 X28 Z-9\n"), "f100 thread-lead");
+  EXPECT_EQ(leads("G1 X29 F.2\nG32 Z-9 E1.5\nX40\n"), "f0.2 t1.5 t1.5 ");
+}
+
+// X, Z and R are common to G90, G92 and G94 until another motion word ends the cycle.
+TEST(LatheHabits, OneTurningCycleAfterAnotherKeepsItsEnd) {
+  EXPECT_EQ(lathe_moves("G0 X40 Z2\nG90 X36 Z-10 F.2\nG94 Z-11\n"),
+            "r20,0,2 r18,0,2 l18,0,-10 l20,0,-10 r20,0,2 r20,0,-11 l18,0,-11 l18,0,2 r20,0,2");
+  EXPECT_EQ(lathe_moves("G0 X40 Z2\nG90 X36 Z-10 R-1 F.2\nG92 X35 F1.5\n"),
+            "r20,0,2 r17,0,2 l18,0,-10 l20,0,-10 r20,0,2 r16.5,0,2 l17.5,0,-10 r20,0,-10 r20,0,2 | "
+            "cycle-taper | cycle-taper");
+  EXPECT_EQ(lathe_moves("G0 X40 Z2\nG90 X36 Z-10 R-1 F.2\nG0 X40\nG94 X35 Z-11 F.2\n"),
+            "r20,0,2 r17,0,2 l18,0,-10 l20,0,-10 r20,0,2 r20,0,-11 l17.5,0,-11 l17.5,0,2 r20,0,2");
+}
+
 // Of the table without tools: T0 ends the offset, the turret stays.
 // A stop is looked for by increments, and by the axis of a sub-spindle, which is told of once.
 TEST(LatheHabits, ProbingMovesByIncrements) {

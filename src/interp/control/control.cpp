@@ -160,15 +160,24 @@ Basis ControlPart::stock_basis() const {
 // E of FANUC's lathes is a lead with more digits than F (0T and Haas, and programs of Mastercam in
 // inches). In the format of series 10, 11 and 15, E is the number of threads in an inch.
 std::optional<double> ControlPart::thread_lead() {
-  if (const Word* f = take('F')) return f->value * feed_scale();
+  if (const Word* f = take('F')) {
+    modal_.lead_apart = false;
+    return f->value * feed_scale();
+  }
   const Word* e = is(Dialect::fanuc) && lathe() ? take('E') : nullptr;
   if (!e) return std::nullopt;
+  modal_.lead_apart = true;
   const bool counts = e->value > kLargestLead[modal_.inch_feed ? 1 : 0];
   note_once("thread-lead",
             fmt::format("{} is read as {}", text_of(*e),
                         counts ? "the number of threads in an inch" : "the lead of the thread"),
             *e, "lead-in-e");
   return counts ? kMmPerInch / e->value : e->value * feed_scale();
+}
+
+double ControlPart::feed_as_lead() const {
+  const bool common = is(Dialect::fanuc) && lathe() && !modal_.lead_apart;
+  return common && modal_.feed_unit == FeedUnit::mm_per_rev ? modal_.feed : 0;
 }
 
 }  // namespace mrsim

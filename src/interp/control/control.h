@@ -156,6 +156,8 @@ class ControlPart {
   /// The lead of a thread, mm per revolution: the block's F, or E where a FANUC lathe has it
   /// instead.
   std::optional<double> thread_lead();
+  /// The F in force as a lead, as feeds and leads of FANUC's lathes have one F; 0: none.
+  double feed_as_lead() const;
 
   /// Makes the block of a cycle the current one again, after its contour was read.
   void put_back_block(const BlockPlace& place) {

@@ -99,6 +99,7 @@ struct Modal {
   double feed = 0, speed = 0, cutting_speed = 0;  ///< mm, rev/min, m/min
   double speed_limit = 0;                         ///< rev/min of the spindle; 0: none
   double lead = 0;                                ///< mm per revolution, of the thread in force
+  bool lead_apart = false;                        ///< the last lead stood in E or K, not in F
   Code comp = Code::comp_off;
   bool comp_suspended = false;
   bool comp_diameter = false;  ///< G41.1 G42.1: D is the diameter of the tool, see edge_radius

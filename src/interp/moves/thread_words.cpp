@@ -24,8 +24,14 @@ bool ThreadWords::take_lead(const Target& to, const Vec3& from) {
       if (const Word* l = take('L')) lead = l->value * feed_scale();
       take('Q');
     }
-    if (other && !lead) lead = other->value * feed_scale();
-    if (lead) modal_.lead = *lead;
+    if (other && !lead) {
+      lead = other->value * feed_scale();
+      modal_.lead_apart = true;
+    }
+    if (lead)
+      modal_.lead = *lead;
+    else if (feed_as_lead() > 0)
+      modal_.lead = feed_as_lead();
   } else {
     const double along[] = {std::abs(d.x), std::abs(d.y), std::abs(d.z)};
     double longest = -1;

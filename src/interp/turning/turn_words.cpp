@@ -96,6 +96,8 @@ bool TurnWords::pass() {
     take('F');
   else if (const auto lead = thread_lead())
     cycle.lead = *lead;
+  else if (feed_as_lead() > 0)
+    cycle.lead = feed_as_lead();
   const Vec3 from = position_.programmed;
   if (cycle.number == 94) {
     go(from.x, cycle.z + cycle.taper, kRapid);
@@ -202,7 +204,7 @@ bool TurnWords::thread() {
   if ((to.named & 5U) != 5U)
     return error("value-missing", "G76 needs both coordinates of the thread's end", where());
   Thread t;
-  if (const auto lead = thread_lead()) t.lead = *lead;
+  t.lead = thread_lead().value_or(feed_as_lead());
   if (t.lead <= 0) return error("thread-lead", "G76 needs the lead F", where());
   if (peek('K')) {
     if (!one_line_thread(t)) return false;

@@ -92,10 +92,21 @@ bool ModalWords::select_turning(const Word& word, int number) {
   const bool axes = peek('X') || peek('Z') || peek('U') || peek('W');
   if (!axes && number == 94) return plain_.apply_feed(Code::per_minute, word);
   if (!axes && number == 92) return for_oneshot(word, Code::set_position);
-  if (modal_.turn.number != number) modal_.turn = {};
+  keep_turning_end(word, number);
   modal_.turn.number = number;
   modal_.drill.number = 0;
   return true;
+}
+
+// X, Z and the taper are common to the three cycles, so a change from one to another keeps them.
+void ModalWords::keep_turning_end(const Word& word, int number) {
+  TurnCycle& cycle = modal_.turn;
+  if (cycle.number == 0) cycle = {};
+  if (cycle.number != number && cycle.taper != 0 && !peek('R') && !peek('I') && !peek('K'))
+    warning("cycle-taper",
+            "the taper R of the cycle before stays in force, as R is common to G90, G92 and G94; "
+            "write R0 for none",
+            word);
 }
 
 // P of G4 is the time of a dwell. WinCNC writes it as X, alone in the block.

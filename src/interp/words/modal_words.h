@@ -40,6 +40,7 @@ class ModalWords : public ControlPart {
   bool end_cycle(const Word& word, Code code);
   void select_cycle(const Word& word, int number);
   bool select_turning(const Word& word, int number);
+  void keep_turning_end(const Word& word, int number);
   bool apply_modal_code(const Word& word, const CodeEntry& entry);
   bool select_distance(Code code, const Word& word);
   bool select_plane(int plane, const Word& word);

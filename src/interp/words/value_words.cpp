@@ -148,8 +148,12 @@ bool ValueWords::feed() {
   if (!word) return true;
   const bool cycle = modal_.drill.number != 0 || modal_.turn.number != 0 || block_.turn_cycle != 0;
   const bool thread = is_thread(current_motion()) && !cycle;
-  if (thread && !is(Dialect::sinumerik)) return true;  // F is the lead, see below
-  if (modal_.turn.number == 92) return true;           // F is the lead here, too
+  if ((thread && !is(Dialect::sinumerik)) || modal_.turn.number == 92) {  // F is the lead
+    const bool common = is(Dialect::fanuc) && lathe();
+    if (common && modal_.feed_unit == FeedUnit::mm_per_rev)
+      modal_.feed = word->value * feed_scale();
+    return true;
+  }
   if (word->value < 0 || (word->value == 0 && is(Dialect::sinumerik)))
     return error("feed-range",
                  fmt::format("F{:g}: the feed must be above 0{}", word->value,
