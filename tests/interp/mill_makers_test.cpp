@@ -102,6 +102,21 @@ TEST(MillMakers, WorkOffsetsOfMach) {
   EXPECT_EQ(mill("G10 L2 P3 X5.\nG59 P3\nG1 X1. F100\n"), "l6,0,0");
 }
 
+// Programs of Mach are read as LinuxCNC's, which lacks these words. X Y Z of G51 are factors.
+TEST(MillMakers, FramesAndCirclesOfMach) {
+  const auto mach = [](const std::string& text) {
+    return path_text(read_text("(MACH3)\nF100\n" + text + "M30\n", at_origin(Dialect::ngc)));
+  };
+  EXPECT_EQ(mach("G68 A10 B10 R90\nG1 X20 Y10\nG69\nX0\n"), "l10,20,0 l0,20,0");
+  EXPECT_EQ(mach("G68 X10 Y10 R90\nG1 X20 Y10\nG69 X0\n"), "l10,20,0 l0,20,0");
+  EXPECT_EQ(mach("G20 G51 X2 Y.5\nG1 X1 Y1\nG50\nX1\n"), "l50.8,12.7,0 l25.4,12.7,0");
+  EXPECT_EQ(mach("G51 X0 Y0 P2.\nG1 X1 Y1\nG91 X1\nG50\n"), "l2,2,0 l4,2,0");
+  EXPECT_EQ(mach("G51\nG1 X1\n"), "l1,0,0 | value-missing");
+  EXPECT_EQ(mach("G51 Z0\nG1 X1\n"), "l1,0,0 | value-range");
+  EXPECT_EQ(mach("G1 X3\nG12 I5\n"), "l3,0,0 l8,0,0 a8,0,0 l3,0,0");
+  EXPECT_EQ(mach("G16\nG1 X1\n"), "l1,0,0 | g-unknown") << "its pole is where the tool is";
+}
+
 // What the controls of this kind do not read alike is told.
 TEST(MillMakers, WordsThatControlsReadDifferentlyAreWarnings) {
   EXPECT_EQ(mill("G1 X5. F100\nG90 X10. G91 Y5.\n"), "l5,0,0 l15,5,0 | group-twice");

@@ -235,7 +235,7 @@ bool HaasCycles::circle_of_mach() {
 bool HaasCycles::pocket() {
   if (modal_.plane != 0)
     return error("value-range", "a circular pocket needs the plane G17", *block_.oneshot);
-  if (is(Dialect::iso) && !peek('Z')) return circle_of_mach();
+  if (is(Dialect::ngc) || (is(Dialect::iso) && !peek('Z'))) return circle_of_mach();
   Pocket pocket;
   if (!read_pocket(pocket)) return false;
   Target center;

@@ -12,7 +12,8 @@ namespace mrsim {
 bool TransformWords::run(const Word& word) {
   Vec3 values = position_.programmed;
   unsigned named = 0;
-  if (block_.frame_op != Code::local_turned_off) arguments(values, named, true);
+  const bool factors = names_factors();
+  if (block_.frame_op != Code::local_turned_off) arguments(values, named, !factors);
   switch (block_.frame_op) {
     case Code::rotation_on: {
       if (word.value != 68) return untilted_plane(values, named, word);
@@ -28,7 +29,7 @@ bool TransformWords::run(const Word& word) {
       break;
     }
     case Code::scaling_on:
-      if (!scale_axes(word, values)) return false;
+      if (!(factors ? scale_as_mach(word, values, named) : scale_axes(word, values))) return false;
       break;
     case Code::local_shift:
       shift_locally(values, named, word);
@@ -213,6 +214,24 @@ bool TransformWords::scale_axes(const Word& word, const Vec3& center) {
   if (factors.x == 0 || factors.y == 0 || factors.z == 0)
     return error("value-range", "a scale factor must not be 0", word);
   frames_.scaling = about(scale_frame(factors), apply(frames_.mirror, center));
+  return true;
+}
+
+// G51 X2 Y0.5 of Mach: X Y Z are the factors of their axes.
+bool TransformWords::names_factors() const {
+  return is(Dialect::ngc) && block_.frame_op == Code::scaling_on && !peek('P') && !peek('I') &&
+         !peek('J') && !peek('K');
+}
+
+// Mach multiplies the words of a block, so it scales about the zero.
+bool TransformWords::scale_as_mach(const Word& word, Vec3 factors, unsigned named) {
+  if (named == 0) return error("value-missing", "G51 needs its factors, X Y Z", word);
+  for (int i = 0; i < 3; ++i) {
+    if ((named >> i & 1U) == 0) component(factors, i) = 1;
+    if (component(factors, i) == 0)
+      return error("value-range", "a scale factor must not be 0", word);
+  }
+  frames_.scaling = scale_frame(factors);
   return true;
 }
 

@@ -315,8 +315,10 @@ constexpr Row kNgc[] = {
     {70, C::diameter_on, G::diameter},
     {80, C::diameter_off, G::diameter},
     {100, C::data_setting, G::oneshot},
-    {150, C::ignored, G::other},  // G15, G50 and G69 end modes that LinuxCNC lacks: safe starts of
-    {171, C::unsupported, G::plane},  // Mach and PathPilot contain them
+    {120, C::circle_pocket, G::oneshot},  // G12, G13, G50, G51, G68 and G69 are Mach's
+    {130, C::circle_pocket, G::oneshot},
+    {150, C::ignored, G::other},  // safe starts of Mach and PathPilot contain it
+    {171, C::unsupported, G::plane},
     {181, C::unsupported, G::plane},
     {191, C::unsupported, G::plane},
     {200, C::inch_feed, G::units},
@@ -337,7 +339,8 @@ constexpr Row kNgc[] = {
     {431, C::length_dynamic, G::length},
     {432, C::length_add, G::length},
     {490, C::length_off, G::length},
-    {500, C::ignored, G::other},
+    {500, C::scaling_off, G::scaling},
+    {510, C::scaling_on, G::scaling},
     {520, C::local_shift, G::oneshot},
     {530, C::suppress_frames, G::suppress},
     {541, C::work_extended, G::work},  // PathPilot
@@ -347,7 +350,8 @@ constexpr Row kNgc[] = {
     {610, C::path_exact, G::path},
     {611, C::path_stops, G::path},
     {640, C::path_continuous, G::path},
-    {690, C::ignored, G::other},
+    {680, C::rotation_on, G::rotation},
+    {690, C::rotation_off, G::rotation},
     {700, C::turn_cycle, G::oneshot},
     {710, C::turn_cycle, G::oneshot},
     {711, C::turn_cycle, G::oneshot},

@@ -10,6 +10,11 @@ namespace mrsim {
 
 std::optional<bool> MakerWords::read(const Word& word, Code code) {
   if (is_pocket_of_gsk(word)) return refuse_pocket(word);
+  if (is(Dialect::ngc) &&
+      (code == Code::circle_pocket || code == Code::scaling_on || code == Code::rotation_on))
+    note_once("word-of-mach",
+              fmt::format("G{:g} is read as Mach has it; LinuxCNC refuses it", word.value), word,
+              fmt::format("G{:g}", word.value));
   const bool polar = code == Code::polar_on || code == Code::polar_off;
   if (polar && peek('H') && !has_length_word()) return okuma_offset(word);
   if (code == Code::suppress_frames && modal_.okuma) {
