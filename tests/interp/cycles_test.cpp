@@ -152,6 +152,12 @@ TEST(Cycles, SinumerikCallsAndMcall) {
   EXPECT_EQ(run(s, "G0 Z9\nF100\nMCALL CYCLE81(9,0,2,-5,,,0,1,11)\nHOLES2(0,0,10,90,0,2)\n"),
             "r0,0,9 r0,10,9 r0,10,2 l0,10,-5 r0,10,9 r0,-10,9 r0,-10,2 l0,-10,-5 r0,-10,9")
       << "AMODE 1: the value in DP is incremental";
+  const auto on_circle = [&](const std::string& last) {
+    return run(s, "G0 Z9\nHOLES2(0,0,10,0," + last + ")\nG1 X0 Y0 F9\n");
+  };
+  EXPECT_EQ(on_circle("90,2,2010"), "r0,0,9 r10,0,9 r0,10,9 l0,0,9");
+  EXPECT_EQ(on_circle("90,2,1010"), "r0,0,9 r10,0,9 r-10,0,9 l0,0,9 | pattern-full-circle");
+  EXPECT_EQ(on_circle("180,2,1010"), "r0,0,9 r10,0,9 r-10,0,9 l0,0,9");
 }
 
 TEST(Cycles, SinumerikDeepHoles) {
@@ -233,6 +239,20 @@ TEST(Cycles, SinumerikTappingAndBoring) {
   const Program tap = read_text("G0 Z5\nCYCLE84(5,0,2,-10,,0,3,8,,0,500,500)\n", at_origin(s));
   EXPECT_EQ(ends(tap), "r0,0,5 r0,0,2 l0,0,-10 l0,0,2 r0,0,5");
   EXPECT_DOUBLE_EQ(tap.motions[2].lead, 1.25);  // MPIT 8
+  // The thread was chosen from a table of the control: its name stands in texts.
+  const auto lead_of = [&](const std::string& call) {
+    const Program p = read_text("G0 Z5\n" + call + "\n", at_origin(s));
+    return p.motions.size() > 2 ? fmt::format("{:g} ", p.motions[2].lead) + codes(p) : codes(p);
+  };
+  const std::string rigid = "CYCLE84(5,0,2,-10,,0,5,,";
+  EXPECT_EQ(lead_of(rigid + "1.25,0,500,500,0,1,0,0,5,1.4,\"1.25\",\"ISO_METRIC\",\"M8\",,1001,2)"),
+            "1.25 ");
+  EXPECT_EQ(lead_of(rigid + "20,0,500,500,0,2,0,0,5,1.4,,\"UNC\",\"1/4\",,1001,2)"), "1.27 ");
+  EXPECT_EQ(lead_of(rigid + "0.05,0,500,500,0,3)"), "1.27 ");
+  EXPECT_EQ(lead_of(rigid + "1,0,500,500,0,4)"), "3.14159 ");
+  EXPECT_EQ(lead_of("G70\n" + rigid + "1.25,0,500,500,0,1)"), "1.25 ");
+  EXPECT_EQ(lead_of("CYCLE840(5,0,2,-10,,0,0,3,11,,1.25,3,1,,,\"ISO_METRIC\",\"M8\",,1001,2)"),
+            "1.25 ");
   const Program ream = read_text("G0 Z5\nCYCLE85(5,0,2,-10,,0,150,600)\n", at_origin(s));
   EXPECT_EQ(ends(ream), "r0,0,5 r0,0,2 l0,0,-10 l0,0,2 r0,0,5");
   EXPECT_EQ(ream.motions[2].feed, 150);

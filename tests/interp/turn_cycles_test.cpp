@@ -209,6 +209,11 @@ TEST(TurnCycles, ThreadsOfTheCurrentListAreThoseOfTheOld) {
       lathe_path("S500 M3\nCYCLE99(0,40,-30,,2,1,0.92,0.05,30,0,5,1,1.5,1300101,1,1,0.3,0.46,0,0,1,"
                  "0,0.53,1,,,,2,0)"),
       old);
+  // Texts name a thread of the control's tables.
+  EXPECT_EQ(
+      lathe_path("S500 M3\nCYCLE99(0,40,-30,40,2,1,0.92,0.05,30,0,5,1,1.5,1300101,1,,,,,,,,,1,"
+                 "\"1.5\",\"ISO_METRIC\",\"M40\",2,0)"),
+      old);
   // Roughing and finishing apart are the whole.
   const auto lines = [](const std::string& text) {
     return std::count(text.begin(), text.end(), 'l');

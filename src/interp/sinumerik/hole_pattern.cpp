@@ -62,12 +62,21 @@ bool HolePattern::row(std::vector<Vec2>& list) {
   return true;
 }
 
-// Holes on a circle: CPA CPO RAD STA1 INDA NUM. INDA 0 means all round.
+// Holes on a circle: CPA CPO RAD STA1 INDA NUM. INDA 0 means all round, and so does 1 in the
+// thousands of VARI, whatever INDA still holds from the mask.
 bool HolePattern::circle(std::vector<Vec2>& list) {
   const double count = call_.get("NUM"), unit = scale();
   if (count < 1 || count > kMostHolesOfPattern)
     return error("value-range", "HOLES2: the number of holes is 1 to 10000", where_);
-  const double step = call_.get("INDA") != 0 ? call_.get("INDA") : 360 / std::floor(count);
+  const double even = 360 / std::floor(count), between = call_.get("INDA");
+  const bool full = call_.digit("VARI", 3) == 1;
+  if (full && between != 0 && std::abs(between - even) > kRounding)
+    reporter_.add(Severity::warning, "pattern-full-circle",
+                  fmt::format("HOLES2: by VARI the holes lie all round, {:g} degrees apart: INDA, "
+                              "{:g} degrees, does not count",
+                              even, between),
+                  where_);
+  const double step = between == 0 || full ? even : between;
   for (int i = 0; i < static_cast<int>(count); ++i) {
     const SinCos sc = sincos_deg(call_.get("STA1") + i * step);
     list.push_back({(call_.get("CPA") + call_.get("RAD") * sc.cos) * unit,

@@ -187,10 +187,19 @@ void HoleValues::dwells(Hole& hole) {
   if (call_.get("DTD") != 0) hole.dwell = pause("DTD", 0);
 }
 
+// The pitch PIT in mm. PITA says its unit: 1 mm, 2 threads per inch, 3 inches, 4 modules.
+double HoleValues::pitch() const {
+  const double pit = call_.get("PIT");
+  const double unit = call_.get("PITA");
+  if (unit == 2) return pit != 0 ? kMmPerInch / pit : 0;
+  if (unit == 4) return pit * kPi;
+  return pit * (unit == 1 ? 1 : unit == 3 ? kMmPerInch : scale());
+}
+
 // MPIT is the size of the thread, PIT its pitch. The sign is the hand of the thread.
 void HoleValues::tapping(Hole& hole) {
   const double size = call_.get("MPIT");
-  double lead = call_.get("PIT") * scale();
+  double lead = pitch();
   if (lead == 0) lead = std::copysign(iso_pitch(std::abs(size)), size);
   if (lead == 0 && modal_.speed > 0) lead = modal_.feed / modal_.speed;
   hole.lead = lead != 0 ? lead : 1;

@@ -31,6 +31,7 @@ class HoleValues : public ControlPart {
   bool strokes(double reference, Hole& hole);
   double pause(ValueName value, int mode_digit);
   void dwells(Hole& hole);
+  double pitch() const;
   void tapping(Hole& hole);
 
   ToolChanger& tools_;
