@@ -133,6 +133,13 @@ TEST(PostWords, MachineCoordinatesWithAKnownZero) {
             " 5,0,0 5,0,300 150,0,300 0,0,300");
   EXPECT_EQ(moved(f, "G1 X5. F100.\nG91 G28 Z3.\nG28 X0. Y0.\nG90 G30 X10.\n"),
             " 5,0,0 5,0,3 5,0,290 200,100,290 10,100,290 -100,100,290");
+  // G29 goes back over the intermediate point, and its increments count from there.
+  EXPECT_EQ(moved(f, "G1 X5. F100.\nG28 X9. Z3.\nG29 X1. Z2.\n"),
+            " 5,0,0 9,0,3 200,0,290 9,0,3 1,0,2");
+  EXPECT_EQ(moved(f, "G1 X5. F100.\nG91 G28 X4. Z0\nG29 X-2.\n"),
+            " 5,0,0 9,0,0 200,0,290 9,0,290 7,0,290");
+  EXPECT_EQ(moved(f, "G1 X5. F100.\nG28 X9.\nG29 X1. Y2.\n"), "value-missing 5,0,0 9,0,0 200,0,0");
+  EXPECT_EQ(moved(f, "G1 X5. F100.\nG28 X9.\nG29\n"), "motion-missing 5,0,0 9,0,0 200,0,0");
   for (const Dialect dialect : {f, Dialect::ngc})  // without axes all of them
     EXPECT_EQ(moved(dialect, "G1 X5. F100.\nG28\nG30\n"), " 5,0,0 200,100,290 -100,100,300");
   EXPECT_EQ(moved(f, "G1 X5. F100.\nG28 A0.\n"), "rotary-axis 5,0,0");

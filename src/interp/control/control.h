@@ -65,6 +65,8 @@ struct Control {
   Vec3 machine_shift;
   bool machine_known = false;
   std::optional<Vec3> stored_places[2];      ///< set by G28.1 and G30.1, in the stock's coordinates
+  Vec3 intermediate;                         ///< of the last G28 and G30, as programmed
+  unsigned has_intermediate = 0;             ///< its axes
   std::map<std::string, double> work_turns;  ///< turns of work offsets about Z, degrees, by name
   std::vector<OffsetRegister> registers;     ///< of the tool table, changed by G10
   /// Wears of numbers without a register, in which case the radius is that of the tool.

@@ -111,7 +111,7 @@ constexpr Row kFanucCodes[] = {
     {270, C::reference_check, G::oneshot},
     {280, C::reference, G::oneshot},
     {281, C::ignored, G::oneshot},
-    {290, C::unsupported, G::oneshot},
+    {290, C::reference_leave, G::oneshot},
     {300, C::reference_second, G::oneshot},
     {301, C::ignored, G::oneshot},
     {310, C::probe, G::oneshot},

@@ -22,7 +22,6 @@ constexpr std::pair<int, std::string_view> kUnsupportedNames[] = {
     {80, "an arc tangent to the path before"},
     {121, "polar interpolation"},
     {140, "the second turret of Okuma, the second spindle of Haas"},
-    {290, "a return from the reference point"},
     {330, "a thread"},
     {390, "a corner arc"},
     {434, "tool centre point control"},

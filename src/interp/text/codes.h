@@ -54,7 +54,8 @@ enum class Code : std::uint8_t {
   reference_second,
   reference_store,  ///< LinuxCNC G28.1 G30.1: G28 and G30 lead to this position from now on
   reference_check,
-  one_way,  ///< G60: a rapid that arrives from one side
+  reference_leave,  ///< G29
+  one_way,          ///< G60: a rapid that arrives from one side
   probe,
   data_setting,      ///< G10
   position_reset,    ///< G92.1: the shift of G92 and its memory become 0
@@ -193,7 +194,6 @@ struct CodeEntry {
 CodeEntry find_g_code(Dialect dialect, MachineKind machine, int number_by_10);
 /// What an unsupported G word does, in a few words ("tilted working plane"); may be empty.
 std::string_view unsupported_code(Dialect dialect, int number_by_10);
-
 using CodeTable = std::array<CodeEntry, 1000>;  ///< the entries of G0 to G999, made once
 const CodeTable& code_table(Dialect dialect, MachineKind machine);
 

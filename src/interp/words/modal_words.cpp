@@ -322,6 +322,7 @@ bool ModalWords::apply_modal_code(const Word& word, const CodeEntry& entry) {
     case Code::reference:
     case Code::reference_second:
     case Code::reference_check:
+    case Code::reference_leave:
     case Code::data_setting:
     case Code::position_reset:
     case Code::position_suspend:

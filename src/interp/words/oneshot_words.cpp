@@ -19,6 +19,8 @@ bool OneShotWords::run() {
     case Code::reference:
     case Code::reference_second:
       return reference();
+    case Code::reference_leave:
+      return leave_reference();
     case Code::reference_approach:
     case Code::fixed_point:
       return reference_sinumerik();
@@ -74,6 +76,9 @@ bool OneShotWords::reference() {
     return true;
   }
   if (to.named) moves_.step(to, *block_.oneshot, MotionKind::rapid);
+  for (int i = 0; i < 3; ++i)
+    if (to.named >> i & 1U) component(control_.intermediate, i) = component(to.programmed, i);
+  control_.has_intermediate |= to.named;
   const bool first = block_.oneshot_code == Code::reference;
   if (const std::optional<Vec3>& stored = control_.stored_places[first ? 0 : 1]; stored) {
     moves_.to_stored(*stored, reference_axes(to.named), *block_.oneshot);
@@ -83,6 +88,23 @@ bool OneShotWords::reference() {
   const Vec3* second = places.second && (!p || p->value == 2) ? &*places.second : nullptr;
   moves_.to_place(first ? &places.reference : second, reference_axes(to.named), *block_.oneshot);
   return true;
+}
+
+// G29 goes back over the intermediate point of the last G28, from which its increments count.
+bool OneShotWords::leave_reference() {
+  Target via;
+  via.programmed = position_.programmed;
+  for (int i = 0; i < 3; ++i) {
+    const bool named = peek("XYZ"[i]) || (lathe() && i != 1 && peek("U W"[i]));
+    if (!named) continue;
+    if ((control_.has_intermediate >> i & 1U) == 0)
+      return error("value-missing", "G29 needs a G28 of its axes before it", *block_.oneshot);
+    component(via.programmed, i) = component(control_.intermediate, i);
+    via.named |= 1U << i;
+  }
+  if (via.named == 0) return error("motion-missing", "G29 needs an axis", *block_.oneshot);
+  moves_.step(via, *block_.oneshot, MotionKind::rapid);
+  return rapid_to();
 }
 
 // The axes that the block names, or all of them; "G28 H0" names only the axis of the spindle.

@@ -27,6 +27,7 @@ class OneShotWords : public ControlPart {
   unsigned reference_axes(unsigned named) const;
   unsigned bare_axes() const;
   bool reference_sinumerik();
+  bool leave_reference();
   bool rapid_to();
   void end_local(int axis);
   bool suspend_position();
