@@ -1,6 +1,7 @@
 // LinuxCNC's tool.tbl: "T1 P1 Z-51.2 D6.35 Q0 ;1/4 end mill", a line a tool.
 #include "core/numbers/units.h"
 #include "core/text/text_io.h"
+#include "core/words/tool_types.h"
 #include "setup/library_formats.h"
 
 #include <algorithm>
@@ -60,13 +61,6 @@ Row read_row(std::string_view line, const std::string& name, int number) {
   return row;
 }
 
-// LinuxCNC counts its orientations with X turned over: 2 is the tip towards -X and -Z, which all
-// others call 3.
-int tip_of(int orientation) {
-  static constexpr int kTips[] = {0, 4, 3, 2, 1, 5, 8, 7, 6, 9};
-  return kTips[orientation];
-}
-
 // The direction of an edge as it is on a tool of orientation 2, which lies towards +X and +Z.
 double unmirrored(double degrees, int orientation) {
   if (orientation == 1) degrees = 180 - degrees;
@@ -101,7 +95,7 @@ void read_linuxcnc_table(std::string_view text, const std::string& name, ToolLib
     entry.tool.diameter = row.diameter;
     if (row.orientation > 0) {
       entry.tool.type = ToolType::turning;
-      entry.tool.tip = tip_of(row.orientation);
+      entry.tool.tip = tip_of_linuxcnc(row.orientation);
       entry.tool.tip_is_nose_centre = row.orientation == 9;
       entry.tool.nose_radius = row.diameter / 2;
       entry.tool.diameter = 0;

@@ -25,6 +25,13 @@ inline int tip_orientation(const Tool& tool) {
   return tool.left_hand ? 4 : 3;
 }
 
+/// The orientation that LinuxCNC calls `number`, 0 to 9: it counts them with X turned over, so that
+/// its 2 is the tip towards -X and -Z, which all others call 3.
+inline int tip_of_linuxcnc(int number) {
+  constexpr int kTips[] = {0, 4, 3, 2, 1, 5, 8, 7, 6, 9};
+  return kTips[number];
+}
+
 /// Whether the tool works towards +X, inside of the part.
 inline bool is_inside_tool(const Tool& tool) {
   const int tip = tip_orientation(tool);

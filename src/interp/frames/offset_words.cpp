@@ -1,6 +1,7 @@
 #include "interp/frames/offset_words.h"
 
 #include "core/numbers/rounding.h"
+#include "core/words/tool_types.h"
 
 #include <cmath>
 
@@ -74,12 +75,14 @@ bool OffsetWords::work_shift(const Word& where) {
 }
 
 // G10 P X Z of a lathe says where the tool's tip is. Positions of a program are those of the tip,
-// so X and Z have no effect. R is the nose radius, to be compared with that of the tool; Q is the
-// side on which the nose lies, which follows from the tool.
+// so X and Z have no effect. R is the nose radius, to be compared with that of the tool, and Q the
+// orientation of the tip.
 bool OffsetWords::turned_offset(const Word& where) {
   const Word* p = peek('P');
   if (const Word* r = take('R'); r && p && r->value > 0)
     control_.told_noses[static_cast<long>(p->value) % 100] = r->value * length_unit(*r);
+  if (const Word* q = take('Q'); q && p && q->value >= 1 && q->value <= 8)
+    control_.told_tips[static_cast<long>(p->value) % 100] = static_cast<int>(q->value);
   const double number = p ? p->value : 0;
   const bool wear = number < kGeometry;  // P10001 is the place of the tip, P1 the wear of it
   for (const char c : {'X', 'Z', 'U', 'W'})
@@ -88,7 +91,7 @@ bool OffsetWords::turned_offset(const Word& where) {
                   {word->value * length_unit(*word), modal_.incremental || c == 'U' || c == 'W',
                    fmt::format("{} of G10 P{:g}", text_of(*word), number),
                    c == 'X' || c == 'U' ? 'X' : 'Z'});
-  for (const char c : {'Y', 'V', 'C', 'Q'}) take(c);
+  for (const char c : {'Y', 'V', 'C'}) take(c);
   note_once("tool-length", "positions are read as those of the tool's tip, whatever its offset",
             where, "length");
   return true;
@@ -188,6 +191,8 @@ bool OffsetWords::tool_register(int l, int p, const Word& where) {
   const Word* r = take('R');
   const Word* z = peek('Z');
   if (is(Dialect::ngc)) table_lengths(l, p);
+  if (const Word* q = is(Dialect::ngc) ? peek('Q') : nullptr; q && q->value >= 1 && q->value <= 8)
+    control_.told_tips[p % 100] = tip_of_linuxcnc(static_cast<int>(q->value));
   for (const char c : {'X', 'Y', 'Z', 'I', 'J', 'Q'}) take(c);
   if (is(Dialect::ngc) && p < 1)
     return error("value-range", "P of G10 is the number of a tool", where);

@@ -135,7 +135,12 @@ bool SinumerikVariables::write_tool(std::string_view key, std::span<const Value>
   if (!key.starts_with("$TC_DP")) return false;
   const double number = parse_number(key.substr(6)).value_or(0);
   if (number < 1 || number > 25 || number != std::floor(number)) return false;
-  if (number == 2 && lathe()) return false;  // the tip's orientation is that of the tool table
+  if (number == 2 && lathe()) {  // the orientation of the tip
+    const double tip = value.number;
+    if (indices[1].number != 1 || tip < 1 || tip > 8 || tip != std::floor(tip)) return false;
+    control_.told_tips[static_cast<long>(indices[0].number) % 100] = static_cast<int>(tip);
+    return true;
+  }
   const std::string name = fmt::format("T{:g}.D{:g}", indices[0].number, indices[1].number);
   const double mm = value.number * data_scale();
   const auto at = std::find_if(control_.registers.begin(), control_.registers.end(),

@@ -279,6 +279,7 @@ void ToolChanger::require(const Word& where, bool cuts) {
     return;
   }
   tool.id = id;
+  edges_.settle_tip(tool, where);
   use(std::move(tool));
   edges_.compare_edge(*current(), where);
   edges_.compare_nose(*current(), where);

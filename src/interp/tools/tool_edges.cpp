@@ -66,4 +66,17 @@ void ToolEdges::compare_nose(const Tool& tool, const Word& where) {
       where, tool.id);
 }
 
+// Q of G10 P1 is the orientation of the tip. It counts where the tool's data leave that open.
+void ToolEdges::settle_tip(Tool& tool, const Word& where) {
+  const auto told = control_.told_tips.find(static_cast<long>(tool_.written) % 100);
+  if (told == control_.told_tips.end() || !is_turning(tool.type) || tool.tip_is_nose_centre) return;
+  if (tool.tip == 0) tool.tip = told->second;
+  if (tool.tip == told->second) return;
+  reporter_.once(Severity::warning, "nose-differs",
+                 fmt::format("G10 gives tool {0} the tip orientation {1}, its data say {2}, which "
+                             "counts here: where {1} is right, say --tool {0}=..,tip={1}",
+                             tool.id, told->second, tool.tip),
+                 where, tool.id + " tip");
+}
+
 }  // namespace mrsim

@@ -23,6 +23,8 @@ class ToolEdges : public ControlPart {
   void compare_edge(const Tool& tool, const Word& where);
   /// Warns where the program gives the tool in the spindle another nose.
   void compare_nose(const Tool& tool, const Word& where);
+  /// Gives a tool the tip orientation that the program tells, or warns where its data differ.
+  void settle_tip(Tool& tool, const Word& where);
 
  private:
   void tell_second(const std::string& offset, const std::string& id, const Tool& tool,
