@@ -285,6 +285,11 @@ TEST(LatheHabits, CyclesOfCodeSystemCAreRefused) {
   EXPECT_EQ(codes(on_lathe("G20 G1 X1. Z-1. F.01\nG21 G99 G40\nG1 X20. Z-20.\n")), "");
 }
 
+TEST(LatheHabits, G95WithRIsACycleOfHaas) {
+  EXPECT_EQ(lathe_notes("G0 X40 Z2\nG95 Z-5. R1. F1.\n"), "not-supported");
+  EXPECT_EQ(lathe_moves("G0 X40 Z2\nG95 Z1. F.1\nG1 Z0\n"), "r20,0,2 r20,0,1 l20,0,0");
+}
+
 TEST(LatheHabits, G29LeavesTheReferencePoint) {
   EXPECT_EQ(lathe_moves("G1 X40 Z2 F.2\nG28 U4. W3.\nG29 X30. W-1.\nG1 Z0\n"),
             "l20,0,2 r22,0,5 r15,0,4 l15,0,0");

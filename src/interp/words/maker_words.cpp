@@ -28,6 +28,11 @@ std::optional<bool> MakerWords::read(const Word& word, Code code) {
                              "not supported: write those of system A, G90, G92 and G94",
                              text_of(word)),
                  word);
+  if (is(Dialect::fanuc) && lathe() && word.value == 95 && peek('R') && (peek('Z') || peek('W')))
+    return error("not-supported",
+                 "G95 with R taps with a live tool (Haas), which is not supported: tap on the axis "
+                 "with G84",
+                 word);
   // G41.1 of LinuxCNC has the diameter in D, also in programs that are read as FANUC's.
   const bool follows_path = word.value == 41.1 || word.value == 42.1;
   if (is(Dialect::fanuc) && follows_path && !peek('D'))
