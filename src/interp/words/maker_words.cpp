@@ -33,6 +33,13 @@ std::optional<bool> MakerWords::read(const Word& word, Code code) {
                  "G95 with R taps with a live tool (Haas), which is not supported: tap on the axis "
                  "with G84",
                  word);
+  if (is(Dialect::fanuc) && lathe() && word.value == 105) {  // the servo bar feeder of Haas
+    if (const Word* p = peek('P'))
+      return error("not-supported",
+                   "P of G105 runs a program that cuts off, which is not supported: call it by M98",
+                   *p);
+    note_once("bar-fed", "G105 feeds the bar: it is read as being in its place", word, "G105");
+  }
   // G41.1 of LinuxCNC has the diameter in D, also in programs that are read as FANUC's.
   const bool follows_path = word.value == 41.1 || word.value == 42.1;
   if (is(Dialect::fanuc) && follows_path && !peek('D'))
