@@ -117,6 +117,16 @@ TEST(MillMakers, FramesAndCirclesOfMach) {
   EXPECT_EQ(mach("G16\nG1 X1\n"), "l1,0,0 | g-unknown") << "its pole is where the tool is";
 }
 
+// A program that names no control may be one of Mach's.
+TEST(MillMakers, ThePoleOfG16OffTheZeroIsAWarning) {
+  const auto iso = [](const std::string& text) {
+    return path_text(read_text("F100\n" + text, at_origin(Dialect::iso)));
+  };
+  EXPECT_EQ(iso("G1 X3 Y4\nG16\nG1 X10 Y90\n"), "l3,4,0 l0,10,0 | polar-pole");
+  EXPECT_EQ(iso("G1 Z-1\nG16\nG1 X10 Y90\n"), "l0,0,-1 l0,10,-1");
+  EXPECT_EQ(mill("G1 X3. Y4. F100\nG16\nG1 X10. Y90.\n"), "l3,4,0 l0,10,0");
+}
+
 // What the controls of this kind do not read alike is told.
 TEST(MillMakers, WordsThatControlsReadDifferentlyAreWarnings) {
   EXPECT_EQ(mill("G1 X5. F100\nG90 X10. G91 Y5.\n"), "l5,0,0 l15,5,0 | group-twice");

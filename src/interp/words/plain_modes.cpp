@@ -1,5 +1,9 @@
 #include "interp/words/plain_modes.h"
 
+#include "core/numbers/rounding.h"
+
+#include <cmath>
+
 namespace mrsim {
 
 bool PlainModes::apply(Code code, const Word& word) {
@@ -48,6 +52,14 @@ void PlainModes::turn_polar(bool on, const Word& word) {
     reporter_.once(Severity::warning, "polar-pole",
                    "G16 in G91: a radius in G91 is read about the tool's place, all else about the "
                    "zero; a control may keep the place of now as the pole, so write G16 in G90",
+                   word, "pole");
+  const Basis b = basis();
+  const Vec3& at = position_.programmed;
+  if (on && is(Dialect::iso) &&
+      (std::abs(dot(at, b.u)) > kRounding || std::abs(dot(at, b.v)) > kRounding))
+    reporter_.once(Severity::warning, "polar-pole",
+                   "G16 is read about the zero, as FANUC has it; Mach turns about the place where "
+                   "the tool is: write G16 at the zero, or places with X and Y",
                    word, "pole");
 }
 
