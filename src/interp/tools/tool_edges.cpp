@@ -1,5 +1,7 @@
 #include "interp/tools/tool_edges.h"
 
+#include "core/words/tool_types.h"
+
 #include <cmath>
 #include <string>
 
@@ -70,7 +72,11 @@ void ToolEdges::compare_nose(const Tool& tool, const Word& where) {
 void ToolEdges::settle_tip(Tool& tool, const Word& where) {
   const auto told = control_.told_tips.find(static_cast<long>(tool_.written) % 100);
   if (told == control_.told_tips.end() || !is_turning(tool.type) || tool.tip_is_nose_centre) return;
-  if (tool.tip == 0) tool.tip = told->second;
+  if (tool.tip == 0) {
+    if (told->second != tip_orientation(tool))
+      tool.origin += fmt::format("; tip orientation {} by the program", told->second);
+    tool.tip = told->second;
+  }
   if (tool.tip == told->second) return;
   reporter_.once(Severity::warning, "nose-differs",
                  fmt::format("G10 gives tool {0} the tip orientation {1}, its data say {2}, which "
