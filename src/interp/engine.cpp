@@ -47,9 +47,9 @@ Engine::Engine(const InterpOptions& options, Program& program, int leader_lines,
   Position& position = control_.position;
   if (options.start) {
     position.physical = position.programmed = *options.start;
-    position.known = 7;
+    position.known = kAllAxes;
   }
-  if (program.machine == MachineKind::lathe) position.known |= 2;  // a lathe has no Y to give
+  if (program.machine == MachineKind::lathe) position.known |= kAxisY;  // a lathe has no Y to give
   frames_.start();
   if (statements_) statements_->set_tools(tools_);
   reader_.set_language(statements_.get());
@@ -206,7 +206,7 @@ bool Engine::interpret_block() {
   if (block.home && block.home_guessed)
     moves_.guess_retract(*block.home);
   else if (block.home)
-    moves_.to_place(&options_.places.reference, 4, *block.home);
+    moves_.to_place(&options_.places.reference, kAxisZ, *block.home);
   const bool dwells = block.oneshot && block.oneshot_code == Code::dwell;
   if (!dwells && !values_.apply()) return false;
   events_.before_motion();

@@ -66,7 +66,7 @@ struct Control {
   bool machine_known = false;
   std::optional<Vec3> stored_places[2];      ///< set by G28.1 and G30.1, in the stock's coordinates
   Vec3 intermediate;                         ///< of the last G28 and G30, as programmed
-  unsigned has_intermediate = 0;             ///< its axes
+  AxisSet has_intermediate;                  ///< its axes
   std::map<std::string, double> work_turns;  ///< turns of work offsets about Z, degrees, by name
   std::vector<OffsetRegister> registers;     ///< of the tool table, changed by G10
   /// Wears of numbers without a register, in which case the radius is that of the tool.
@@ -161,6 +161,9 @@ class ControlPart {
   std::optional<double> thread_lead();
   /// The F in force as a lead, as feeds and leads of FANUC's lathes have one F; 0: none.
   double feed_as_lead() const;
+
+  /// From here on nobody knows where these axes are. A lathe has no Y to lose.
+  void forget_place(AxisSet axes) { position_.known -= lathe() ? axes - kAxisY : axes; }
 
   /// Makes the block of a cycle the current one again, after its contour was read.
   void put_back_block(const BlockPlace& place) {

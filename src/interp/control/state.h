@@ -1,7 +1,7 @@
 // The state of a control as plain values, so that a rejected block can be undone by a copy.
 #pragma once
 
-#include "core/numbers/vec.h"
+#include "core/numbers/axis_set.h"
 #include "interp/path/frames.h"
 #include "interp/text/codes.h"
 
@@ -52,7 +52,7 @@ struct FagorPocket {
 struct TurnCycle {
   int number = 0;       ///< 0 = none
   double x = 0, z = 0;  ///< the end, in the frame in force, X as radius
-  unsigned named = 0;   ///< axes of the end that were given
+  AxisSet named;        ///< axes of the end that were given
   double taper = 0;     ///< mm
   double lead = 0;      ///< mm per revolution
 };
@@ -129,12 +129,12 @@ struct Modal {
 
 /// Where the tool is, and how it came there.
 struct Position {
-  Vec3 programmed;     ///< in the frame in force, mm, X as radius
-  Vec3 physical;       ///< in the stock's coordinates
-  unsigned known = 0;  ///< a bit for each axis whose place is given by the program or the user
-  Vec3 retained;       ///< programmed values before the frame changed (G91 travels from them)
-  unsigned moved_frame = 0;  ///< axes for which `retained` still holds
-  Vec3 tangent;  ///< direction of the last element at its end, in the stock's coordinates
+  Vec3 programmed;      ///< in the frame in force, mm, X as radius
+  Vec3 physical;        ///< in the stock's coordinates
+  AxisSet known;        ///< the axes whose place is given by the program or the user
+  Vec3 retained;        ///< programmed values before the frame changed (G91 travels from them)
+  AxisSet moved_frame;  ///< axes for which `retained` still holds
+  Vec3 tangent;         ///< direction of the last element at its end, in the stock's coordinates
   bool has_tangent = false;
   Vec2 spline_end;            ///< the last control point of a G5, from its end
   bool after_spline = false;  ///< the last element was a G5
@@ -144,7 +144,7 @@ struct Position {
   double polar_angle = 0, polar_radius = 0;  ///< last programmed, degrees and mm
   bool has_polar_angle = false, has_polar_radius = false;
   bool new_tool = false;    ///< no motion since another tool came
-  unsigned told_axes = 0;   ///< axes that G50 of a lathe has set since the last motion
+  AxisSet told_axes;        ///< axes that G50 of a lathe has set since the last motion
   Vec3 told, shift_before;  ///< the values of that G50, and Frames::position_shift before it
 };
 
@@ -164,9 +164,13 @@ struct Frames {
   double rotation_angle = 0;        ///< of G68 or G73, degrees
   Vec3 rotation_at;                 ///< centre of G73 (Fagor)
   Vec3 mirror_at;
-  unsigned mirrored = 0;      ///< axes under G51.1
-  unsigned local_turned = 0;  ///< words of Okuma's G11 in force: X Y Z, P is 8
+  AxisSet mirrored;          ///< axes under G51.1
+  AxisSet local_axes;        ///< axes with a word in Okuma's G11 in force
+  bool local_angle = false;  ///< that G11 has the angle P
   Frame total;
+
+  /// Whether Okuma's G11 is in force.
+  bool turned_locally() const { return !local_axes.empty() || local_angle; }
 };
 
 }  // namespace mrsim

@@ -8,11 +8,9 @@ void CycleMover::go(Vec2 to, double height, MotionKind kind, double feed) {
   const Basis b = basis();
   Target target;
   target.programmed = from_plane(b, to, height);
-  if (length(target.programmed - position_.programmed) <= kRounding && position_.known == 7U)
+  if (length(target.programmed - position_.programmed) <= kRounding && position_.known == kAllAxes)
     return;
-  for (int i = 0; i < 3; ++i)
-    if (component(target.programmed, i) != component(position_.programmed, i))
-      target.named |= 1U << i;
+  target.named = axes_along(target.programmed - position_.programmed);
   moves_.step(target, where_, kind, 0, feed);
 }
 
@@ -20,9 +18,8 @@ void CycleMover::go(Vec2 to, double height, MotionKind kind, double feed) {
 bool CycleMover::target(Vec2 to, Target& out) const {
   const Basis b = basis();
   out.programmed = from_plane(b, to, height());
-  for (int i = 0; i < 3; ++i)
-    if (component(b.w, i) == 0) out.named |= 1U << i;
-  return length(to - position()) > kRounding || (position_.known & out.named) != out.named;
+  out.named = kAllAxes - axes_along(b.w);
+  return length(to - position()) > kRounding || !position_.known.has(out.named);
 }
 
 void CycleMover::rapid(Vec2 to) {
@@ -39,9 +36,8 @@ void CycleMover::rapid_height(double to) {
   const Basis b = basis();
   Target target;
   target.programmed = from_plane(b, position(), to);
-  for (int i = 0; i < 3; ++i)
-    if (component(b.w, i) != 0) target.named |= 1U << i;
-  if (std::abs(to - height()) > kRounding || (position_.known & target.named) != target.named)
+  target.named = axes_along(b.w);
+  if (std::abs(to - height()) > kRounding || !position_.known.has(target.named))
     moves_.step(target, where_, MotionKind::rapid);
 }
 
@@ -66,7 +62,7 @@ void CycleMover::piece(const PlanePiece& piece, double rise, double feed) {
   arc.radius = piece.radius;
   arc.sweep = piece.sweep;
   arc.to.programmed = from_plane(b, piece.end, level + rise);
-  arc.to.named = 7;
+  arc.to.named = kAllAxes;
   moves_.solved_arc(arc, feed);
 }
 

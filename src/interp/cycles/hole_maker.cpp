@@ -9,7 +9,7 @@ namespace mrsim {
 
 double HoleMaker::level() const { return dot(position_.programmed, basis().w); }
 
-void HoleMaker::approach(const Vec3& point, unsigned named, const Word& where) {
+void HoleMaker::approach(const Vec3& point, AxisSet named, const Word& where) {
   Target to;
   to.programmed = point;
   to.named = named;
@@ -21,11 +21,8 @@ void HoleMaker::to_level(double level, MotionKind kind, double lead, double feed
   const double now = dot(position_.programmed, b.w);
   Target to;
   to.programmed = position_.programmed + (level - now) * b.w;
-  for (int i = 0; i < 3; ++i)
-    if (component(b.w, i) != 0) {
-      to.named |= 1U << i;
-      if (modal_.plane != 3) component(to.programmed, i) = level;
-    }
+  to.named = axes_along(b.w);
+  if (modal_.plane != 3) component(to.programmed, kNormalOfPlane[modal_.plane]) = level;
   moves_.step(to, *where_, kind, lead, feed);
 }
 
@@ -74,7 +71,7 @@ void HoleMaker::drill(const Hole& hole, const BlockPlace& place, const Word& whe
   if (length(hole.lift) > 0) {
     Target to;
     to.programmed = position_.programmed + hole.lift;
-    to.named = 7;
+    to.named = kAllAxes;
     moves_.step(to, where, kRapid);
   }
   if (hole.feed_out) {
@@ -86,7 +83,7 @@ void HoleMaker::drill(const Hole& hole, const BlockPlace& place, const Word& whe
     const Basis b = basis();
     Target to;
     to.programmed = position_.programmed - (hole.lift - dot(hole.lift, b.w) * b.w);
-    to.named = 7;
+    to.named = kAllAxes;
     moves_.step(to, where, kRapid);
   }
   block_.line_number = line;

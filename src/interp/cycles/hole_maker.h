@@ -42,7 +42,7 @@ class HoleMaker : public ControlPart {
       : ControlPart(control), reader_(reader), moves_(moves) {}
 
   /// A rapid in the plane to `point`, at the current level.
-  void approach(const Vec3& point, unsigned named, const Word& where);
+  void approach(const Vec3& point, AxisSet named, const Word& where);
   /// A rapid along the normal to a level.
   void move_to(double level, const Word& where);
   /// Drills the hole at the current position.

@@ -187,7 +187,7 @@ bool DrillWords::drill() {
             where);
   const Vec3 step = to.programmed - from;
   for (long i = 0; i < count; ++i) {
-    unsigned named = to.named;
+    AxisSet named = to.named;
     meet_level(hole, named, where);
     Vec3 point = to.programmed;
     if (modal_.incremental && (modal_.polar || find(Address::ap)) &&
@@ -199,7 +199,7 @@ bool DrillWords::drill() {
       point = from + static_cast<double>(i + 1) * step;
     }
     point = point + (level_aside(hole) - dot(point, b.w)) * b.w;
-    if (named) holes_.approach(point, named, where);
+    if (!named.empty()) holes_.approach(point, named, where);
     if (!block_.no_hole) holes_.drill(hole, {cycle.file, cycle.line, cycle.call}, where);
   }
   return true;
@@ -218,13 +218,11 @@ double DrillWords::level_aside(const Hole& hole) const {
 
 // LinuxCNC: goes to that level. It goes straight there where R lies above the level before the
 // first cycle, else on the way to the hole, whose axes are `named`.
-void DrillWords::meet_level(const Hole& hole, unsigned& named, const Word& where) {
+void DrillWords::meet_level(const Hole& hole, AxisSet& named, const Word& where) {
   const double level = level_aside(hole);
   if (std::abs(holes_.level() - level) <= kRounding) return;
-  if (named == 0 || hole.safe > modal_.drill.initial) return holes_.move_to(level, where);
-  const Vec3 normal = basis().w;
-  for (int i = 0; i < 3; ++i)
-    if (component(normal, i) != 0) named |= 1U << i;
+  if (named.empty() || hole.safe > modal_.drill.initial) return holes_.move_to(level, where);
+  named |= axes_along(basis().w);
 }
 
 bool DrillWords::at_points(const std::vector<Vec3>& points, const Word& where, bool own_p) {
@@ -243,7 +241,8 @@ bool DrillWords::at_points(const std::vector<Vec3>& points, const Word& where, b
   }
   if (!fill(hole, false)) return false;
   for (const Vec3& point : points) {
-    holes_.approach(point + (holes_.level() - dot(point, b.w)) * b.w, 3, where);
+    const Vec3 above = point + (holes_.level() - dot(point, b.w)) * b.w;
+    holes_.approach(above, kAxisX | kAxisY, where);
     holes_.drill(hole, {cycle.file, cycle.line, cycle.call}, where);
   }
   return true;

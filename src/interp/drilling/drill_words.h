@@ -32,7 +32,7 @@ class DrillWords : public ControlPart {
   bool read_tap();
   bool repeats(long& count);
   double level_aside(const Hole& hole) const;
-  void meet_level(const Hole& hole, unsigned& named, const Word& where);
+  void meet_level(const Hole& hole, AxisSet& named, const Word& where);
   bool fill(Hole& hole, bool haas_words = true);
   void fill_dwells(int g, Hole& hole) const;
   double end_level(double safe, bool up) const;

@@ -168,7 +168,7 @@ void HaasCycles::to_level(double level) {
   Target to;
   to.programmed = position_.programmed;
   to.programmed.z = level;
-  to.named = 4;
+  to.named = kAxisZ;
   moves_.step(to, *block_.oneshot, MotionKind::line);
 }
 
@@ -180,7 +180,7 @@ bool HaasCycles::half_circle(Vec2 center, Vec2 to, bool whole) {
   block.from = block.to.programmed = position_.programmed;
   block.to.programmed.x = to.x;
   block.to.programmed.y = to.y;
-  block.to.named = 3;
+  block.to.named = kAxisX | kAxisY;
   block.basis = b;
   const Vec2 start{block.from.x, block.from.y};
   const double side = block_.oneshot->value == 13 ? 1 : -1;
@@ -203,7 +203,7 @@ bool HaasCycles::circles(const Pocket& pocket) {
     Target next;
     next.programmed = position_.programmed;
     next.programmed.x = middle.x + r;
-    next.named = 3;
+    next.named = kAxisX | kAxisY;
     moves_.step(next, *block_.oneshot, MotionKind::line);
   }
 }
@@ -221,7 +221,7 @@ bool HaasCycles::circle_of_mach() {
   Target to;
   to.programmed = middle;
   to.programmed.x += length_of('I');
-  to.named = 1;
+  to.named = kAxisX;
   moves_.step(to, *block_.oneshot, MotionKind::line);
   const Vec2 begin{to.programmed.x, middle.y};
   if (!half_circle({middle.x, middle.y}, begin, true)) return false;
@@ -241,8 +241,8 @@ bool HaasCycles::pocket() {
   Target center;
   if (!axes_.target(center, position_.programmed)) return false;
   center.programmed.z = position_.programmed.z;  // Z is the depth
-  center.named &= 3U;
-  if (center.named) moves_.step(center, *block_.oneshot, MotionKind::rapid);
+  center.named -= kAxisZ;
+  if (!center.named.empty()) moves_.step(center, *block_.oneshot, MotionKind::rapid);
   for (long i = 0; i < pocket.times; ++i) {
     to_level(modal_.incremental ? position_.programmed.z + pocket.depth : pocket.depth);
     if (!circles(pocket)) return false;

@@ -110,9 +110,9 @@ bool AxisWords::axis_word(Target& out, int axis, const Word& word, bool incremen
   if (incremental) {
     base = component(out.programmed, axis);
     // Setting SD42440 = 1: the first increment after a change of frame also travels the new offset.
-    if (is(Dialect::sinumerik) && (position_.moved_frame >> axis & 1U) && !block_.suppress_frames)
+    if (is(Dialect::sinumerik) && position_.moved_frame.has(axis) && !block_.suppress_frames)
       base = component(position_.retained, axis);
-    const bool known = (position_.known >> axis & 1U) != 0;
+    const bool known = position_.known.has(axis);
     if (!known && !block_.oneshot && word.value == 0) return true;  // "G28 U0", and "W0" behind it
     // G28 G91 Z0 needs no known start.
     if (!known && !block_.oneshot)
@@ -121,13 +121,13 @@ bool AxisWords::axis_word(Target& out, int axis, const Word& word, bool incremen
                      "--start X,Y,Z",
                      word, "start");
   } else {
-    out.absolute |= 1U << axis;
+    out.absolute.add(axis);
   }
   const double result = base + value;
   if (!(result >= -1e9 && result <= 1e9))
     return error("number-too-large", "the position is more than 1e9 mm away", word);
   component(out.programmed, axis) = result;
-  out.named |= 1U << axis;
+  out.named.add(axis);
   if (!out.first || word.column < out.first->column) out.first = &word;
   return true;
 }
@@ -178,7 +178,7 @@ bool AxisWords::ngc_polar_target(Target& out, const Vec3& from) {
   const SinCos sc = sincos_deg(angle ? angle->value + turn * now : now);
   out.programmed.x = r * sc.cos;
   out.programmed.y = r * sc.sin;
-  out.named |= 3U;
+  out.named |= kAxisX | kAxisY;
   out.absolute |= out.named;
   if (!out.first || where.column < out.first->column) out.first = &where;
   return true;
@@ -190,12 +190,10 @@ bool AxisWords::polar_target(Target& out) {
   const Word* rp = take(Address::rp);
   const Word& where = ap ? *ap : *rp;
   const Basis b = basis();
-  for (int i = 0; i < 3; ++i) {
-    const bool in = std::abs(component(b.u, i)) + std::abs(component(b.v, i)) > 0;
-    if (in && (out.named >> i & 1U))
-      return error("polar-mixed", "AP= RP= and an axis of the plane in one block (alarm 14280)",
-                   where);
-  }
+  const AxisSet of_plane = axes_along(b.u) | axes_along(b.v);
+  if (!(out.named & of_plane).empty())
+    return error("polar-mixed", "AP= RP= and an axis of the plane in one block (alarm 14280)",
+                 where);
   if (rp) {
     const double base = rp->form == Form::ic ? last_polar_radius(b) : 0;  // G91 does not matter
     position_.polar_radius = base + rp->value * scale();
@@ -220,11 +218,8 @@ bool AxisWords::polar_target(Target& out) {
   const Vec2 pole = in_plane(b, position_.pole);
   const Vec2 end = pole + position_.polar_radius * Vec2{sc.cos, sc.sin};
   out.programmed = from_plane(b, end, dot(out.programmed, b.w));
-  for (int i = 0; i < 3; ++i)
-    if (std::abs(component(b.u, i)) + std::abs(component(b.v, i)) > 0) {
-      out.named |= 1U << i;
-      out.absolute |= 1U << i;
-    }
+  out.named |= of_plane;
+  out.absolute |= of_plane;
   if (!out.first || where.column < out.first->column) out.first = &where;
   return true;
 }
@@ -265,7 +260,7 @@ bool AxisWords::fanuc_polar_target(Target& out, const Vec3& from) {
   position_.polar_radius = r;
   const SinCos sc = sincos_deg(position_.polar_angle);
   out.programmed = from_plane(b, pole + r * Vec2{sc.cos, sc.sin}, dot(out.programmed, b.w));
-  out.named |= (1U << kFirstOfPlane[modal_.plane]) | (1U << kSecondOfPlane[modal_.plane]);
+  out.named |= AxisSet(kFirstOfPlane[modal_.plane]) | AxisSet(kSecondOfPlane[modal_.plane]);
   out.absolute |= out.named;
   if (!out.first || where.column < out.first->column) out.first = &where;
   return true;
@@ -298,16 +293,13 @@ bool AxisWords::angle_target(Target& out, const Vec3& from) {
   if (t < 0 && !angle_of_slope(*ang))
     return error("angle-behind", "the line reaches the given coordinate behind its start", *ang);
   out.programmed = from_plane(b, s + t * direction, dot(out.programmed, b.w));
-  for (int i = 0; i < 3; ++i)
-    if (std::abs(component(b.u, i)) + std::abs(component(b.v, i)) > 0) out.named |= 1U << i;
+  out.named |= axes_along(b.u) | axes_along(b.v);
   if (!out.first) out.first = ang;
   return true;
 }
 
 bool named_along(const Target& out, const Vec3& direction) {
-  for (int i = 0; i < 3; ++i)
-    if ((out.named >> i & 1U) && component(direction, i) != 0) return true;
-  return false;
+  return !(out.named & axes_along(direction)).empty();
 }
 
 }  // namespace mrsim

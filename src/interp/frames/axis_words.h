@@ -9,8 +9,8 @@ namespace mrsim {
 /// Where a move goes, in the frame in force.
 struct Target {
   Vec3 programmed;
-  unsigned named = 0;     ///< a bit for each axis with a word
-  unsigned absolute = 0;  ///< those of them whose value is absolute
+  AxisSet named;     ///< the axes with a word
+  AxisSet absolute;  ///< those of them whose value is absolute
   const Word* first = nullptr;
 };
 

@@ -18,21 +18,20 @@ void FrameChain::rebuild() {
   const Vec3 old = position_.programmed;
   position_.programmed = apply_inverse(total, position_.physical);
   for (int i = 0; i < 3; ++i) {
-    if ((position_.moved_frame >> i & 1U) == 0)
-      component(position_.retained, i) = component(old, i);
-    position_.moved_frame |= 1U << i;
+    if (!position_.moved_frame.has(i)) component(position_.retained, i) = component(old, i);
   }
+  position_.moved_frame = kAllAxes;
 }
 
 void FrameChain::save() {
   if (!control_.saved_frames) control_.saved_frames = frames_;
 }
 
-void FrameChain::arguments(Vec3& values, unsigned& named, bool lengths) {
+void FrameChain::arguments(Vec3& values, AxisSet& named, bool lengths) {
   for (int i = 0; i < 3; ++i) {
     const Word* word = take("XYZ"[i]);
     if (!word) continue;
-    named |= 1U << i;
+    named.add(i);
     component(values, i) = lengths ? word->value * length_unit(*word) : word->value;
   }
 }

@@ -18,9 +18,9 @@ class FrameChain : public ControlPart {
   Frame now() const { return block_.suppress_frames ? Frame{} : frames_.total; }
 
  protected:
-  /// Takes X Y Z of a frame word: their values, and a bit in `named` for each. Lengths are
-  /// converted to mm; factors and angles are not.
-  void arguments(Vec3& values, unsigned& named, bool lengths);
+  /// Takes X Y Z of a frame word: their values, and the axes that have one in `named`. Lengths
+  /// are converted to mm; factors and angles are not.
+  void arguments(Vec3& values, AxisSet& named, bool lengths);
 };
 
 }  // namespace mrsim

@@ -137,15 +137,15 @@ void FrameWords::rotation_arguments(Frame& frame) {
     return;
   }
   Vec3 angles;
-  unsigned named = 0;
+  AxisSet named;
   arguments(angles, named, false);
   frame = Frame{};
-  if (named & 4U) frame = compose(frame, rotation_frame(2, angles.z));
-  if (named & 2U) frame = compose(frame, rotation_frame(1, angles.y));
-  if (named & 1U) frame = compose(frame, rotation_frame(0, angles.x));
+  if (named.has(kAxisZ)) frame = compose(frame, rotation_frame(2, angles.z));
+  if (named.has(kAxisY)) frame = compose(frame, rotation_frame(1, angles.y));
+  if (named.has(kAxisX)) frame = compose(frame, rotation_frame(0, angles.x));
 }
 
-bool FrameWords::sinumerik_step(const Vec3& values, unsigned named) {
+bool FrameWords::sinumerik_step(const Vec3& values, AxisSet named) {
   Frame step;
   switch (block_.frame_op) {
     case Code::trans:
@@ -156,18 +156,18 @@ bool FrameWords::sinumerik_step(const Vec3& values, unsigned named) {
     case Code::ascale: {
       Vec3 factors{1, 1, 1};
       for (int i = 0; i < 3; ++i)
-        if (named >> i & 1U) component(factors, i) = component(values, i);
+        if (named.has(i)) component(factors, i) = component(values, i);
       if (factors.x == 0 || factors.y == 0 || factors.z == 0)
         return error("value-range", "a scale factor must not be 0", *block_.frame_code);
-      if (named) step = scale_frame(factors);
+      if (!named.empty()) step = scale_frame(factors);
       break;
     }
     case Code::mirror:
     case Code::amirror: {
       Vec3 factors{1, 1, 1};
       for (int i = 0; i < 3; ++i)
-        if (named >> i & 1U) component(factors, i) = -1;
-      if (named) step = scale_frame(factors);
+        if (named.has(i)) component(factors, i) = -1;
+      if (!named.empty()) step = scale_frame(factors);
       break;
     }
     default:
@@ -211,7 +211,7 @@ bool FrameWords::sinumerik() {
                        block_.frame_op == Code::trans_coarse || block_.frame_op == Code::trans_fine;
   const bool rotates = block_.frame_op == Code::rot || block_.frame_op == Code::arot;
   Vec3 values;
-  unsigned named = 0;
+  AxisSet named;
   if (!rotates) arguments(values, named, lengths);
   if (block_.frame_op == Code::trans_coarse || block_.frame_op == Code::trans_fine) {
     trans_part(values, named);
@@ -224,9 +224,9 @@ bool FrameWords::sinumerik() {
 
 // G58 replaces the absolute part of the shift, that of TRANS, and G59 the additive part, that of
 // ATRANS; each leaves the other part.
-void FrameWords::trans_part(const Vec3& values, unsigned named) {
+void FrameWords::trans_part(const Vec3& values, AxisSet named) {
   for (int i = 0; i < 3; ++i) {
-    if ((named >> i & 1U) == 0) continue;
+    if (!named.has(i)) continue;
     double& shift = component(frames_.program.shift, i);
     const double fine = component(frames_.fine, i);
     component(frames_.fine, i) = block_.frame_op == Code::trans_fine ? component(values, i) : fine;
@@ -238,7 +238,7 @@ void FrameWords::trans_part(const Vec3& values, unsigned named) {
 // G53 resets the decoder's frame, G54 sets its shift, G55 adds to it, G56 puts it at the position.
 bool FrameWords::codesys() {
   Vec3 values;
-  unsigned named = 0;
+  AxisSet named;
   arguments(values, named, true);
   for (const char c : {'A', 'B', 'C'})
     if (const Word* word = peek(c); word && word->value != 0)

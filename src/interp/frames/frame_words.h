@@ -31,8 +31,8 @@ class FrameWords : public FrameChain {
   bool in_range();
   void rotation_arguments(Frame& frame);
   bool sinumerik();
-  void trans_part(const Vec3& values, unsigned named);
-  bool sinumerik_step(const Vec3& values, unsigned named);
+  void trans_part(const Vec3& values, AxisSet named);
+  bool sinumerik_step(const Vec3& values, AxisSet named);
   bool extends_work() const;
   const Word* offset_number();
   bool codesys();

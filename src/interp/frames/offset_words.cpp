@@ -165,19 +165,19 @@ Vec3 OffsetWords::shift_to_here(const Vec3& old, const std::string& name) {
 // puts the coordinate of the block.
 void OffsetWords::meet_unknown(const Frame& frame) {
   Vec3 at = apply_inverse(frame, position_.physical);
-  unsigned met = 0;
+  AxisSet met;
   for (int i = 0; i < 3; ++i) {
-    const Word* word = position_.known >> i & 1U ? nullptr : peek("XYZ"[i]);
+    const Word* word = position_.known.has(i) ? nullptr : peek("XYZ"[i]);
     if (!word) continue;
     component(at, i) = axis_value(i, *word, false);
-    met |= 1U << i;
+    met.add(i);
     note_once("touch-off",
               fmt::format("the place of {} is unknown here: it is taken to be where this offset "
                           "says, which stays as it was",
                           "XYZ"[i]),
               *word, fmt::format("touch-off {}", i));
   }
-  if (met == 0) return;
+  if (met.empty()) return;
   position_.physical = apply(frame, at);
   position_.programmed = apply_inverse(frames_.total, position_.physical);
   position_.known |= met;

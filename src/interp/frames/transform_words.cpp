@@ -11,7 +11,7 @@ namespace mrsim {
 // X Y Z of the block are the centre in the plane, or the shift of G52 and G11.
 bool TransformWords::run(const Word& word) {
   Vec3 values = position_.programmed;
-  unsigned named = 0;
+  AxisSet named;
   const bool factors = names_factors();
   if (block_.frame_op != Code::local_turned_off) arguments(values, named, !factors);
   switch (block_.frame_op) {
@@ -39,16 +39,17 @@ bool TransformWords::run(const Word& word) {
       break;
     case Code::local_turned_off:
       frames_.program = Frame{};
-      frames_.local_turned = 0;
+      frames_.local_axes = {};
+      frames_.local_angle = false;
       break;
     case Code::mirror_on:
     case Code::mirror_off:
       for (int i = 0; i < 3; ++i)
-        if (named >> i & 1U) component(frames_.mirror_at, i) = component(values, i);
+        if (named.has(i)) component(frames_.mirror_at, i) = component(values, i);
       if (block_.frame_op == Code::mirror_on)
         frames_.mirrored |= named;
       else
-        frames_.mirrored &= named ? ~named : 0U;
+        frames_.mirrored = named.empty() ? AxisSet{} : frames_.mirrored - named;
       set_mirror();
       break;
     default:
@@ -70,13 +71,13 @@ void TransformWords::end() {
 }
 
 // G68.2 without a tilt: its X Y Z are the zero, its angles turn about Z.
-bool TransformWords::untilted_plane(Vec3 zero, unsigned named, const Word& word) {
+bool TransformWords::untilted_plane(Vec3 zero, AxisSet named, const Word& word) {
   double angle = 0;
   for (const char c : {'I', 'J', 'K'})
     if (const Word* w = take(c)) angle += angle_value(*w);
   for (const char c : {'P', 'Q'}) take(c);
   for (int i = 0; i < 3; ++i)
-    if ((named >> i & 1U) == 0) component(zero, i) = 0;
+    if (!named.has(i)) component(zero, i) = 0;
   frames_.rotation_angle = angle;
   frames_.rotation = compose(shift_frame(zero), rotation_frame(2, angle));
   note_once("plane-level", "G68.2 without a tilt: its zero is shifted by X Y Z and turned about Z",
@@ -107,10 +108,11 @@ void TransformWords::swivel(const Frame& frame, bool adds, const Word& word) {
 
 // G11 X Y Z P of Okuma: the zero lies at X Y Z of the work offset, the plane is turned by P. What a
 // second G11 makes of the words that it leaves out is not known.
-bool TransformWords::turn_locally(Vec3 zero, unsigned named, const Word& word) {
+bool TransformWords::turn_locally(Vec3 zero, AxisSet named, const Word& word) {
   const Word* angle = take('P');
-  if (angle) named |= 8U;
-  if (modal_.incremental || (frames_.local_turned & ~named) != 0)
+  const bool lacks_words =
+      !named.has(frames_.local_axes) || (frames_.local_angle && angle == nullptr);
+  if (modal_.incremental || lacks_words)
     return error("not-supported",
                  modal_.incremental
                      ? "G11 (Okuma's local coordinates) in G91 is not supported: write it in G90"
@@ -118,25 +120,26 @@ bool TransformWords::turn_locally(Vec3 zero, unsigned named, const Word& word) {
                        "all, or G10 before it",
                  word);
   for (int i = 0; i < 3; ++i)
-    if ((named >> i & 1U) == 0) component(zero, i) = 0;
+    if (!named.has(i)) component(zero, i) = 0;
   frames_.program = compose(shift_frame(zero), rotation_frame(kNormalOfPlane[modal_.plane],
                                                               angle ? angle_value(*angle) : 0));
-  frames_.local_turned = named;
+  frames_.local_axes = named;
+  frames_.local_angle = angle != nullptr;
   return true;
 }
 
 // The manuals forbid G52 between G68 and G69, and machines differ in how they read it.
-void TransformWords::shift_locally(const Vec3& values, unsigned named, const Word& word) {
+void TransformWords::shift_locally(const Vec3& values, AxisSet named, const Word& word) {
   if (is(Dialect::ngc)) {  // the shift of G92, which G92.1 to G92.3 act on
     const double x = modal_.diameter == Code::diameter_on ? values.x / 2 : values.x;
     for (int i = 0; i < 3; ++i)
-      if (named >> i & 1U) component(frames_.position_shift, i) = i == 0 ? x : component(values, i);
+      if (named.has(i)) component(frames_.position_shift, i) = i == 0 ? x : component(values, i);
     frames_.position_memory = frames_.position_shift;
     return;
   }
   const Vec3 before = frames_.local;
   for (int i = 0; i < 3; ++i)
-    if (named >> i & 1U) component(frames_.local, i) = component(values, i);
+    if (named.has(i)) component(frames_.local, i) = component(values, i);
   if (frames_.rotation_angle != 0 && distance(before, frames_.local) > kRounding)
     warning("rotation-shift",
             "G52 while G68 is in force, which controls forbid: read as a shift along the axes that "
@@ -224,10 +227,10 @@ bool TransformWords::names_factors() const {
 }
 
 // Mach multiplies the words of a block, so it scales about the zero.
-bool TransformWords::scale_as_mach(const Word& word, Vec3 factors, unsigned named) {
-  if (named == 0) return error("value-missing", "G51 needs its factors, X Y Z", word);
+bool TransformWords::scale_as_mach(const Word& word, Vec3 factors, AxisSet named) {
+  if (named.empty()) return error("value-missing", "G51 needs its factors, X Y Z", word);
   for (int i = 0; i < 3; ++i) {
-    if ((named >> i & 1U) == 0) component(factors, i) = 1;
+    if (!named.has(i)) component(factors, i) = 1;
     if (component(factors, i) == 0)
       return error("value-range", "a scale factor must not be 0", word);
   }
@@ -237,10 +240,10 @@ bool TransformWords::scale_as_mach(const Word& word, Vec3 factors, unsigned name
 
 void TransformWords::set_mirror() {
   frames_.mirror = Frame{};
-  if (!frames_.mirrored) return;
+  if (frames_.mirrored.empty()) return;
   Vec3 factors{1, 1, 1};
   for (int i = 0; i < 3; ++i)
-    if (frames_.mirrored >> i & 1U) component(factors, i) = -1;
+    if (frames_.mirrored.has(i)) component(factors, i) = -1;
   frames_.mirror = about(scale_frame(factors), frames_.mirror_at);
 }
 
@@ -248,7 +251,7 @@ bool TransformWords::fagor(Code code, const Word& word) {
   save();
   if (code == Code::fagor_mirror) {
     const int g = static_cast<int>(word.value);
-    frames_.mirrored = g == 10 ? 0U : frames_.mirrored | 1U << (g - 11);
+    frames_.mirrored = g == 10 ? AxisSet{} : frames_.mirrored | AxisSet(g - 11);
     frames_.mirror_at = {};
     set_mirror();
   } else if (code == Code::fagor_scale) {

@@ -25,10 +25,10 @@ class TransformWords : public FrameChain {
  private:
   bool scale_axes(const Word& word, const Vec3& center);
   bool names_factors() const;
-  bool scale_as_mach(const Word& word, Vec3 factors, unsigned named);
-  bool untilted_plane(Vec3 zero, unsigned named, const Word& word);
-  void shift_locally(const Vec3& values, unsigned named, const Word& word);
-  bool turn_locally(Vec3 zero, unsigned named, const Word& word);
+  bool scale_as_mach(const Word& word, Vec3 factors, AxisSet named);
+  bool untilted_plane(Vec3 zero, AxisSet named, const Word& word);
+  void shift_locally(const Vec3& values, AxisSet named, const Word& word);
+  bool turn_locally(Vec3 zero, AxisSet named, const Word& word);
   void turn_about(double angle, int axis, const Vec3& center, bool adds, const Word& word);
   bool turns_in_space();
   bool center_of_mach(Vec3& center, const Word& word);

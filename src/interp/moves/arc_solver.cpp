@@ -332,9 +332,7 @@ bool ArcSolver::turned_arc(ArcBlock& arc, Vec2 center, double angle, SolvedArc& 
   const Vec2 end = whole ? arc.start : rotated(arc.start, center, sweep);
   arc.end = end;
   arc.to.programmed = from_plane(arc.basis, end, dot(arc.to.programmed, arc.basis.w));
-  for (int i = 0; i < 3; ++i)
-    if (std::abs(component(arc.basis.u, i)) + std::abs(component(arc.basis.v, i)) > 0)
-      arc.to.named |= position_.known & (1U << i);
+  arc.to.named |= position_.known & (axes_along(arc.basis.u) | axes_along(arc.basis.v));
   set_plane_arc(arc, {center, length(arc.start - center), sweep}, out);
   return true;
 }

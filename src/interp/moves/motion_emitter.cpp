@@ -87,8 +87,8 @@ void MotionEmitter::give(const PathMove& move) {
   send(move.motion, move.checked_axes);
 }
 
-void MotionEmitter::send(const Motion& motion, unsigned checked_axes) {
-  if (checked_axes != 0) travel_.check(motion, checked_axes);
+void MotionEmitter::send(const Motion& motion, AxisSet checked_axes) {
+  if (!checked_axes.empty()) travel_.check(motion, checked_axes);
   sink_.motion(motion);
 }
 
@@ -108,7 +108,7 @@ void MotionEmitter::emit(const Motion& motion) {
 
 void MotionEmitter::emit(Motion motion, const CornerSpec& corner) {
   position_.new_tool = false;
-  position_.told_axes = 0;
+  position_.told_axes = {};
   ++made_;
   if (captured_) {
     if (captured_->size() >= kMostCaptured) return;
@@ -134,7 +134,7 @@ void MotionEmitter::emit(Motion motion, const CornerSpec& corner) {
                    modal_.cutting_speed * 1000 /
                        (2 * kPi * std::max(std::abs(motion.start.x), std::abs(motion.end.x))));
     if (lathe()) refuse_live_tool(motion);
-    if (position_.known == 7U)
+    if (position_.known == kAllAxes)
       unknown_starts_ = 0;
     else
       warn_unknown_start(motion);
@@ -151,7 +151,7 @@ void MotionEmitter::emit(Motion motion, const CornerSpec& corner) {
                 *word);
     return;
   }
-  const unsigned checked_axes = travel_.axes(motion);
+  const AxisSet checked_axes = travel_.axes(motion);
   const bool plain = corner.kind == CornerSpec::Kind::none && modal_.comp == Code::comp_off;
   if (plain && idle_) return send(motion, checked_axes);
   PathMove path;
@@ -264,8 +264,7 @@ void MotionEmitter::warn_unknown_start(const Motion& motion) {
   if (++unknown_starts_ != 2 || reporter_.errors() > 0) return;
   std::string axes;
   for (int i = 0; i < 3; ++i)
-    if ((position_.known >> i & 1U) == 0)
-      axes += fmt::format("{}{}", axes.empty() ? "" : " and ", "XYZ"[i]);
+    if (!position_.known.has(i)) axes += fmt::format("{}{}", axes.empty() ? "" : " and ", "XYZ"[i]);
   reporter_.once_at(Severity::warning, "start-unknown",
                     fmt::format("cuts are left out here, because where {} {} was never given: say "
                                 "--start X,Y,Z",

@@ -62,7 +62,7 @@ class MotionEmitter : public ControlPart {
   void warn_unknown_start(const Motion& motion);
   void give(const PathMove& move);
   void give_events(std::size_t order);
-  void send(const Motion& motion, unsigned checked_axes);
+  void send(const Motion& motion, AxisSet checked_axes);
   void turned_corner(const Word*& round, const Word*& leg);
 
   CompensationWords& words_;

@@ -55,7 +55,7 @@ bool Moves::run() {
     if (pending_angle_.active) return two_angle_lines(to, from, frame);
     if (!axes_.angle_target(to, from)) return false;
   }
-  if (to.named == 0) return true;
+  if (to.named.empty()) return true;
   if (is_thread(code) && !threads_.take_lead(to, from)) return false;
   if (!line(to, frame)) return false;
   if (code != Code::tap_return) return true;
@@ -84,8 +84,7 @@ bool Moves::machine_move() {
 bool Moves::probe() {
   Target to;
   if (!axes_.target(to, position_.programmed)) return false;
-  position_.known &= ~to.named;
-  if (lathe()) position_.known |= 2U;
+  forget_place(to.named);
   note_once("probe",
             "a probing move stops where it touches: it is not run, and its axes' position is "
             "unknown until they are given again",
@@ -93,26 +92,27 @@ bool Moves::probe() {
   return true;
 }
 
-void Moves::to_place(const Vec3* place, unsigned axes, const Word& where) {
+void Moves::to_place(const Vec3* place, AxisSet axes, const Word& where) {
   if (!control_.machine_known || !place) return unknown(axes, where);
   to_stored(*place + control_.machine_shift, axes, where);
 }
 
-void Moves::to_stored(const Vec3& place, unsigned axes, const Word& where) {
+void Moves::to_stored(const Vec3& place, AxisSet axes, const Word& where) {
   Target to;
   to.programmed = position_.physical;
   to.named = axes;
   for (int i = 0; i < 3; ++i)
-    if (axes >> i & 1U) component(to.programmed, i) = component(place, i);
+    if (axes.has(i)) component(to.programmed, i) = component(place, i);
   to.programmed = apply_inverse(frames_.total, to.programmed);
-  if (axes != 0) step(to, where, MotionKind::rapid);
+  if (!axes.empty()) step(to, where, MotionKind::rapid);
 }
 
 void Moves::guess_retract(const Word& where) {
   const bool change = where.value == 6;
-  if (change && (position_.known & 4U) == 0) return;
-  retract_guessed_ = (position_.known & 4U) != 0;
-  position_.known &= ~4U;
+  const bool known = position_.known.has(kAxisZ);
+  if (change && !known) return;
+  retract_guessed_ = known;
+  position_.known -= kAxisZ;
   note_once("reference-point",
             change ? fmt::format("{} takes Z up to where tools are changed, unless a cut is next",
                                  text_of(where))
@@ -122,10 +122,9 @@ void Moves::guess_retract(const Word& where) {
             where, change ? "change" : "retract");
 }
 
-void Moves::unknown(unsigned axes, const Word& where) {
-  if (axes & 4U) retract_guessed_ = false;
-  position_.known &= ~axes;
-  if (lathe()) position_.known |= 2U;
+void Moves::unknown(AxisSet axes, const Word& where) {
+  if (axes.has(kAxisZ)) retract_guessed_ = false;
+  forget_place(axes);
   position_.has_tangent = false;
   note_once("reference-point",
             "machine coordinates and reference points lie outside of the program: the axes' "
@@ -294,14 +293,14 @@ Motion Moves::motion_template(const Word& where, MotionKind kind, double lead, d
     begin_cut(where, feed > 0 || lead != 0);
   if (kind != MotionKind::rapid &&
       retract_guessed_) {  // the cut begins where Z was, so M25 was no retract
-    position_.known |= 4U;
+    position_.known |= kAxisZ;
     retract_guessed_ = false;
   }
   Motion m;
   m.kind = kind;
   m.feed_unit = modal_.feed_unit;
   m.constant_surface_speed = modal_.surface_speed;
-  m.assumed_start = position_.known != 7U;
+  m.assumed_start = position_.known != kAllAxes;
   m.start = position_.physical;
   m.tool = control_.tool.index;
   m.feed = feed > 0 ? feed : modal_.feed;
@@ -346,7 +345,7 @@ void Moves::commit(const Target& to, const Frame& frame, Motion& motion) {
   Vec3 end = position_.physical;
   if (frame.plain) {
     for (int i = 0; i < 3; ++i)
-      if (to.named >> i & 1U)
+      if (to.named.has(i))
         component(end, i) = component(to.programmed, i) + component(frame.shift, i);
   } else {
     end = apply(frame, to.programmed);
@@ -355,12 +354,12 @@ void Moves::commit(const Target& to, const Frame& frame, Motion& motion) {
   const Basis b = basis();
   if (length(in_plane(b, to.programmed - position_.programmed)) > kSamePoint) {
     position_.before = position_.programmed;
-    position_.has_before = position_.known == 7U;
+    position_.has_before = position_.known == kAllAxes;
   }
   position_.physical = end;
   position_.programmed = block_.suppress_frames ? apply_inverse(frames_.total, end) : to.programmed;
   position_.known |= to.named;
-  position_.moved_frame &= ~to.named;
+  position_.moved_frame -= to.named;
   if (motion.kind != MotionKind::arc) {
     const Vec3 d = end - motion.start;
     const double l = length(d);

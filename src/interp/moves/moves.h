@@ -45,11 +45,11 @@ class Moves : public ControlPart {
   void follow(const Motion& like, const Vec3& shift, const Word& where);
   /// A rapid of `axes` to a place in machine coordinates; null: to a place that only the machine
   /// knows.
-  void to_place(const Vec3* place, unsigned axes, const Word& where);
+  void to_place(const Vec3* place, AxisSet axes, const Word& where);
   /// As to_place(), to a place in the stock's coordinates.
-  void to_stored(const Vec3& place, unsigned axes, const Word& where);
+  void to_stored(const Vec3& place, AxisSet axes, const Word& where);
   /// `axes` have gone to a place that only the machine knows.
-  void unknown(unsigned axes, const Word& where);
+  void unknown(AxisSet axes, const Word& where);
   /// Z has perhaps gone up: it is unknown, unless the next cut goes on without it.
   void guess_retract(const Word& where);
   /// The tool stays where it is for `seconds`; nothing happens where they are not above 0.

@@ -32,7 +32,7 @@ bool SplineWords::solve(const Vec3& from, std::vector<SolvedArc>& out) {
   if (!axes_.target(to, from)) return false;
   const Word& where = *axes_.motion_word(to);
   if (modal_.plane != 0) return error("spline-plane", "a spline needs the plane G17", where);
-  if ((to.named & 4U) != 0) return error("spline-plane", "a spline has no Z", where);
+  if (to.named.has(kAxisZ)) return error("spline-plane", "a spline has no Z", where);
   const bool first = peek('I') || peek('J');
   if (cubic && !first && !position_.after_spline)
     return error("value-missing", "the first spline needs I and J, its direction at the start",
@@ -65,7 +65,7 @@ void SplineWords::pieces(const std::vector<CurvePiece>& curve, const Target& to,
   for (const CurvePiece& piece : curve) {
     SolvedArc solved;
     block.to.programmed = {piece.end.x, piece.end.y, from.z};
-    block.to.named = 3;
+    block.to.named = kAxisX | kAxisY;
     solved.to = block.to;
     solved.where = &where;
     solved.kind = SolvedArc::Kind::line;
@@ -85,7 +85,7 @@ bool SplineWords::control_point(const Vec3& from) {
     return error("cycle-compensation", "a NURBS under radius compensation", where);
   Target to;
   if (!axes_.target(to, from)) return false;
-  if ((to.named & 4U) != 0) return error("spline-plane", "a NURBS has no Z", where);
+  if (to.named.has(kAxisZ)) return error("spline-plane", "a NURBS has no Z", where);
   const Word* p = take('P');
   if (p && p->value <= 0) return error("value-range", "the weight P must be above 0", *p);
   const double weight = p ? p->value : 1;
@@ -96,12 +96,12 @@ bool SplineWords::control_point(const Vec3& from) {
   } else if (nurbs_.empty()) {
     order_ = 3;
   }
-  if (to.named != 0 && to.named != 3)
+  if (!to.named.empty() && to.named != (kAxisX | kAxisY))
     return error("value-missing", "a control point needs both X and Y", where);
   if (nurbs_.size() >= kMostPoints)
     return error("value-range", fmt::format("more than {} control points", kMostPoints), where);
-  if (nurbs_.empty()) nurbs_.push_back({{from.x, from.y}, to.named == 0 ? weight : 1});
-  if (to.named != 0) nurbs_.push_back({{to.programmed.x, to.programmed.y}, weight});
+  if (nurbs_.empty()) nurbs_.push_back({{from.x, from.y}, to.named.empty() ? weight : 1});
+  if (!to.named.empty()) nurbs_.push_back({{to.programmed.x, to.programmed.y}, weight});
   return true;
 }
 

@@ -51,24 +51,24 @@ bool TravelCheck::knows_offset() const {
          (frames_.work_given && !frames_.work_name.empty());
 }
 
-unsigned TravelCheck::axes(const Motion& motion) {
-  if (!options_.places.limits || !control_.machine_known) return 0;
-  unsigned moved = position_.known & ~known_;
+AxisSet TravelCheck::axes(const Motion& motion) {
+  if (!options_.places.limits || !control_.machine_known) return {};
+  AxisSet moved = position_.known - known_;
   known_ = position_.known;
   for (int i = 0; i < 3; ++i)
     if (motion.kind == MotionKind::arc ||
         std::abs(component(motion.end, i) - component(motion.start, i)) > kAtLimit)
-      moved |= 1U << i;
-  if (modal_.comp != Code::comp_off) moved = 7;
-  if (control_.tool.below) moved &= ~1U;
+      moved.add(i);
+  if (modal_.comp != Code::comp_off) moved = kAllAxes;
+  if (control_.tool.below) moved -= kAxisX;
   if (knows_offset()) return moved & position_.known;
   ++unchecked_;
-  return 0;
+  return {};
 }
 
-void TravelCheck::check(const Motion& motion, unsigned axes) {
+void TravelCheck::check(const Motion& motion, AxisSet axes) {
   for (int i = 0; i < 3; ++i) {
-    if ((axes >> i & 1U) == 0) continue;
+    if (!axes.has(i)) continue;
     const auto [low, high] = reach(motion, i);
     const double zero = component(control_.machine_shift, i);
     const Box3& limits = *options_.places.limits;

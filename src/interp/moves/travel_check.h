@@ -16,9 +16,9 @@ class TravelCheck : public ControlPart {
   explicit TravelCheck(Control& control) : ControlPart(control) {}
 
   /// The axes, a bit each, in which the motion of this block leads to a place that can be checked.
-  unsigned axes(const Motion& motion);
+  AxisSet axes(const Motion& motion);
   /// Notes where `motion`, in the stock's coordinates, leaves the limits of these axes.
-  void check(const Motion& motion, unsigned axes);
+  void check(const Motion& motion, AxisSet axes);
   /// Reports what was found, and what could not be checked.
   void finish();
 
@@ -30,7 +30,7 @@ class TravelCheck : public ControlPart {
   };
   bool knows_offset() const;
 
-  unsigned known_ = 0;         ///< axes whose position was known before this block
+  AxisSet known_;              ///< axes whose position was known before this block
   std::size_t unchecked_ = 0;  ///< motions in a work offset whose place is not known
   std::array<std::array<Excess, 2>, 3> found_;  ///< by axis: below and above
 };

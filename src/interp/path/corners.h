@@ -2,6 +2,7 @@
 // rounding and radius compensation need to know about each move. Coordinates are the stock's.
 #pragma once
 
+#include "core/numbers/axis_set.h"
 #include "interp/path/frames.h"
 #include "interp/text/reporter.h"
 
@@ -36,9 +37,9 @@ struct PathMove {
   Basis basis;  ///< of the plane in force, orthonormal, may be left-handed under a mirror
   CornerSpec corner;
   Compensation comp;
-  std::size_t block = 0;      ///< running number of its block
-  unsigned checked_axes = 0;  ///< axes whose travel limits are checked, a bit each
-  std::size_t order = 0;      ///< running number among the moves that were held back
+  std::size_t block = 0;  ///< running number of its block
+  AxisSet checked_axes;   ///< axes whose travel limits are checked
+  std::size_t order = 0;  ///< running number among the moves that were held back
 };
 
 using NextStage = std::function<void(const PathMove&)>;

@@ -45,7 +45,7 @@ Frame frame_of(const FrameParts& parts) {
       frame = compose(frame, rotation_frame(axis, component(parts.turns, axis)));
   Vec3 factors = parts.scale;
   for (int i = 0; i < 3; ++i)
-    if (parts.mirrored >> i & 1U) component(factors, i) = -component(factors, i);
+    if (parts.mirrored.has(i)) component(factors, i) = -component(factors, i);
   return factors == Vec3{1, 1, 1} ? frame : compose(frame, scale_frame(factors));
 }
 
@@ -71,9 +71,9 @@ std::optional<FrameParts> parts_of(const Frame& frame) {
     std::array<Vec3, 3> other = axis;
     other[i] = -1 * other[i];
     const Vec3 turns = turns_of(other);
-    if (parts.mirrored != 0 && sum(turns) >= sum(parts.turns)) continue;
+    if (!parts.mirrored.empty() && sum(turns) >= sum(parts.turns)) continue;
     parts.turns = turns;
-    parts.mirrored = 1U << i;
+    parts.mirrored = AxisSet(static_cast<int>(i));
   }
   return parts;
 }
@@ -85,7 +85,7 @@ std::optional<double> frame_part(const Frame& frame, int axis, std::string_view 
   if (!parts) return std::nullopt;
   if (part == "RT") return component(parts->turns, axis);
   if (part == "SC") return component(parts->scale, axis);
-  if (part == "MI") return parts->mirrored >> axis & 1U;
+  if (part == "MI") return parts->mirrored.has(axis) ? 1 : 0;
   return std::nullopt;
 }
 
@@ -102,8 +102,8 @@ bool set_frame_part(Frame& frame, int axis, std::string_view part, double value)
   } else if (part == "SC" && value != 0) {
     component(parts->scale, axis) = value;
   } else if (part == "MI") {
-    parts->mirrored &= ~(1U << axis);
-    if (value != 0) parts->mirrored |= 1U << axis;
+    parts->mirrored -= AxisSet(axis);
+    if (value != 0) parts->mirrored.add(axis);
   } else {
     return false;
   }

@@ -2,6 +2,7 @@
 // scale, mirror images, the innermost last.
 #pragma once
 
+#include "core/numbers/axis_set.h"
 #include "interp/path/frames.h"
 
 #include <optional>
@@ -13,7 +14,7 @@ struct FrameParts {
   Vec3 shift;
   Vec3 turns;  ///< degrees, about X, Y, Z
   Vec3 scale{1, 1, 1};
-  unsigned mirrored = 0;  ///< bit per axis
+  AxisSet mirrored;
 };
 
 /// 0 to 2 for X, Y, Z; -1 for another name.

@@ -123,7 +123,7 @@ void ContourMilling::pass_along(const Along& l, double from, double level) {
   const auto step = [&](Vec2 to) {
     Target target;
     target.programmed = from_plane(b, to, level);
-    target.named = 7;
+    target.named = kAllAxes;
     moves_.compensated_step(target, where_, l.feed);
   };
   modal_.comp = l.side > 0 ? Code::comp_left : l.side < 0 ? Code::comp_right : Code::comp_off;

@@ -199,7 +199,7 @@ void ContourTurning::go(const Vec3& to, MotionKind kind, double feed) {
   if (distance(to, position_.physical) <= kRounding) return;
   Target target;
   target.programmed = apply_inverse(frames_.total, to);
-  target.named = lathe() ? 5 : 7;
+  target.named = lathe() ? kAxisX | kAxisZ : kAllAxes;
   moves_.step(target, where_, kind, 0, feed);
 }
 

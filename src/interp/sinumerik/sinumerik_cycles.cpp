@@ -130,7 +130,7 @@ void SinumerikCycles::tell_unread(const Call& call) {
 // A measuring cycle cuts nothing, and only the machine knows what it finds, so offsets do not
 // change.
 bool SinumerikCycles::measure() {
-  position_.known = lathe() ? 2 : 0;
+  forget_place(kAllAxes);
   note_once("probe",
             fmt::format("{} measures with a probe: it is not run, and the axes' position is "
                         "unknown until they are given again",
@@ -257,9 +257,7 @@ bool SinumerikCycles::swivel(const Call& call) {
 // Without MCALL the pattern is a row of rapids.
 bool SinumerikCycles::at_points(const std::vector<Vec2>& points) {
   const Basis b = basis();
-  unsigned named = 0;
-  for (int i = 0; i < 3; ++i)
-    if (component(b.u, i) != 0 || component(b.v, i) != 0) named |= 1U << i;
+  const AxisSet named = axes_along(b.u) | axes_along(b.v);
   for (const Vec2 p : points) {
     const Vec3 at = from_plane(b, p, holes_.level());
     holes_.approach(at, named, where());

@@ -127,7 +127,7 @@ bool FanucValues::position(int number, double& out, std::string& why) const {
                       number);
     return false;
   }
-  if ((position_.known >> axis & 1U) == 0) {
+  if (!position_.known.has(axis)) {
     why =
         fmt::format("#{}: where {} is, is not known here: say --start X,Y,Z", number, "XYZ"[axis]);
     return false;

@@ -252,7 +252,7 @@ bool MacroStatements::call_macro(const SubprogramName& program, long repeats,
 // The macro of a probe is not available. It cuts nothing, and only the machine knows where it ends.
 bool MacroStatements::probing(long number, const Word& code) {
   if (!is_probing_macro(number) || reader_.has_subprogram({number, {}})) return false;
-  position_.known = lathe() ? 2 : 0;
+  forget_place(kAllAxes);
   note_once("probe",
             fmt::format("O{} is a macro of a probe: it is not run, and the axes' position is "
                         "unknown until they are given again",

@@ -20,7 +20,7 @@ void ContourPasses::go(const Vec3& to, MotionKind kind) {
   if (distance(to, position_.physical) <= kRounding) return;
   Target target;
   target.programmed = apply_inverse(frames_.total, to);
-  target.named = 5;
+  target.named = kAxisX | kAxisZ;
   moves_.compensated_step(target, cut_.where, 0, kind);
 }
 

@@ -78,7 +78,7 @@ bool LinuxCncTurning::go_to_start() {
   if (!axes_.target(to, position_.programmed)) return false;
   const Code comp = modal_.comp;
   modal_.comp = Code::comp_off;
-  if (to.named != 0) moves_.step(to, where_, MotionKind::rapid);
+  if (!to.named.empty()) moves_.step(to, where_, MotionKind::rapid);
   modal_.comp = comp;
   return true;
 }

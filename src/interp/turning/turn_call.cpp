@@ -13,7 +13,7 @@ bool TurnCall::refuse(const char* what) {
 void TurnCall::to(double x, double z, MotionKind kind, double lead) {
   Target target;
   target.programmed = {x, position_.programmed.y, z};
-  target.named = 5;
+  target.named = kAxisX | kAxisZ;
   if (length(target.programmed - position_.programmed) > kRounding)
     moves_.step(target, where_, kind, lead, 0);
 }

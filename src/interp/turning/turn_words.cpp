@@ -54,7 +54,7 @@ double TurnWords::count(const Word& word) {
 void TurnWords::go(double x, double z, MotionKind kind, double lead) {
   Target to;
   to.programmed = {x, position_.programmed.y, z};
-  to.named = 5;
+  to.named = kAxisX | kAxisZ;
   if (length(to.programmed - position_.programmed) > kRounding)
     moves_.step(to, where(), kind, lead, 0);
 }
@@ -63,10 +63,10 @@ void TurnWords::go(double x, double z, MotionKind kind, double lead) {
 bool TurnWords::axis_end(Target& to) {
   TurnCycle& cycle = modal_.turn;
   if (!axes_.target(to, position_.programmed)) return false;
-  if (to.named & 1U) cycle.x = to.programmed.x;
-  if (to.named & 4U) cycle.z = to.programmed.z;
+  if (to.named.has(kAxisX)) cycle.x = to.programmed.x;
+  if (to.named.has(kAxisZ)) cycle.z = to.programmed.z;
   cycle.named |= to.named;
-  if ((cycle.named & 5U) != 5U)
+  if (!cycle.named.has(kAxisX | kAxisZ))
     return error("value-missing",
                  fmt::format("G{} needs both coordinates of its end", cycle.number), where());
   return true;
@@ -201,7 +201,7 @@ bool TurnWords::thread() {
   const Vec3 from = position_.programmed;
   Target to;
   if (!axes_.target(to, from)) return false;
-  if ((to.named & 5U) != 5U)
+  if (!to.named.has(kAxisX | kAxisZ))
     return error("value-missing", "G76 needs both coordinates of the thread's end", where());
   Thread t;
   t.lead = thread_lead().value_or(feed_as_lead());

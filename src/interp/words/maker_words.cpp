@@ -146,7 +146,7 @@ std::optional<bool> MakerWords::okuma_frame(const Word& word) {
   if (word.value == 62 && modal_.okuma && places)
     return error("not-supported", "G62 (a mirror image of Okuma's OSP) is not supported yet", word);
   const bool on = word.value == 11 && (places || peek('P'));
-  if (!on && !(word.value == 10 && frames_.local_turned != 0 && !peek('L'))) return std::nullopt;
+  if (!on && !(word.value == 10 && frames_.turned_locally() && !peek('L'))) return std::nullopt;
   block_.frame_code = &word;
   block_.frame_op = on ? Code::local_turned : Code::local_turned_off;
   return true;

@@ -197,7 +197,7 @@ bool ModalWords::apply_code(const Word& word, const CodeEntry& entry) {
     case Code::hole_pattern:
       return hole_pattern(word, entry.code);
     case Code::reference_store:
-      if (position_.known == 7)
+      if (position_.known == kAllAxes)
         control_.stored_places[word.value < 30 ? 0 : 1] = position_.physical;
       return true;
     case Code::ignored:

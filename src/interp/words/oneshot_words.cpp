@@ -71,13 +71,13 @@ bool OneShotWords::reference() {
   const Word* p = take('P');
   Target to;
   if (!axes_.target(to, position_.programmed)) return false;
-  if (const unsigned homed = bare_axes()) {
+  if (const AxisSet homed = bare_axes(); !homed.empty()) {
     moves_.to_place(&options_.places.reference, homed | to.named, *block_.oneshot);
     return true;
   }
-  if (to.named) moves_.step(to, *block_.oneshot, MotionKind::rapid);
+  if (!to.named.empty()) moves_.step(to, *block_.oneshot, MotionKind::rapid);
   for (int i = 0; i < 3; ++i)
-    if (to.named >> i & 1U) component(control_.intermediate, i) = component(to.programmed, i);
+    if (to.named.has(i)) component(control_.intermediate, i) = component(to.programmed, i);
   control_.has_intermediate |= to.named;
   const bool first = block_.oneshot_code == Code::reference;
   if (const std::optional<Vec3>& stored = control_.stored_places[first ? 0 : 1]; stored) {
@@ -97,39 +97,39 @@ bool OneShotWords::leave_reference() {
   for (int i = 0; i < 3; ++i) {
     const bool named = peek("XYZ"[i]) || (lathe() && i != 1 && peek("U W"[i]));
     if (!named) continue;
-    if ((control_.has_intermediate >> i & 1U) == 0)
+    if (!control_.has_intermediate.has(i))
       return error("value-missing", "G29 needs a G28 of its axes before it", *block_.oneshot);
     component(via.programmed, i) = component(control_.intermediate, i);
-    via.named |= 1U << i;
+    via.named.add(i);
   }
-  if (via.named == 0) return error("motion-missing", "G29 needs an axis", *block_.oneshot);
+  if (via.named.empty()) return error("motion-missing", "G29 needs an axis", *block_.oneshot);
   moves_.step(via, *block_.oneshot, MotionKind::rapid);
   return rapid_to();
 }
 
 // The axes that the block names, or all of them; "G28 H0" names only the axis of the spindle.
-unsigned OneShotWords::reference_axes(unsigned named) const {
+AxisSet OneShotWords::reference_axes(AxisSet named) const {
   const std::string_view others = "ABCHUVW";
-  const bool all = named == 0 && std::none_of(others.begin(), others.end(),
-                                              [&](char c) { return peek(c) != nullptr; });
-  return !all ? named : lathe() ? 5U : 7U;
+  const bool all = named.empty() && std::none_of(others.begin(), others.end(),
+                                                 [&](char c) { return peek(c) != nullptr; });
+  return !all ? named : lathe() ? kAxisX | kAxisZ : kAllAxes;
 }
 
 // Axes without a coordinate: "X1=0" behind G74 of SINUMERIK, "X" without a number behind G28.
-unsigned OneShotWords::bare_axes() const {
-  unsigned axes = 0;
+AxisSet OneShotWords::bare_axes() const {
+  AxisSet axes;
   for (const Word& word : block_.words) {
     const auto c = static_cast<char>(word.code);
-    if (word.address == Address::data && c >= 'X' && c <= 'Z') axes |= 1U << (c - 'X');
+    if (word.address == Address::data && c >= 'X' && c <= 'Z') axes.add(c - 'X');
   }
   return axes;
 }
 
 // G74 goes to the reference point, G75 to a fixed point.
 bool OneShotWords::reference_sinumerik() {
-  unsigned axes = bare_axes();
+  AxisSet axes = bare_axes();
   for (const char c : {'X', 'Y', 'Z'})
-    if (take(c)) axes |= 1U << (c - 'X');
+    if (take(c)) axes.add(c - 'X');
   const MachinePlaces& places = options_.places;
   const Vec3* second = places.second ? &*places.second : nullptr;
   moves_.to_place(block_.oneshot_code == Code::reference_approach ? &places.reference : second,
@@ -147,7 +147,7 @@ bool OneShotWords::set_position() {
     const Word* word = take("XYZ"[i]);
     if (!word) continue;
     const double value = axis_value(i, *word, false);
-    const bool is_known = (position_.known >> i & 1U) != 0;
+    const bool is_known = position_.known.has(i);
     const bool of_tool = states_tip();
     if (is_known && of_tool) note_tip(*word);
     if (is_known && control_.paused)
@@ -160,7 +160,7 @@ bool OneShotWords::set_position() {
         of_tool) {  // it is the first position that the program states
       component(position_.physical, i) = value + component(frames_.total.shift, i);
       component(position_.programmed, i) = value;
-      position_.known |= 1U << i;
+      position_.known.add(i);
       continue;
     }
     if (is(Dialect::fanuc) && modal_.incremental && value != 0)
@@ -169,8 +169,8 @@ bool OneShotWords::set_position() {
                      "words to the position",
                      *word, "G92");
     if (is(Dialect::fanuc)) end_local(i);
-    if (position_.told_axes == 0) position_.shift_before = frames_.position_shift;
-    position_.told_axes |= 1U << i;
+    if (position_.told_axes.empty()) position_.shift_before = frames_.position_shift;
+    position_.told_axes.add(i);
     component(position_.told, i) = value;
     component(frames_.position_shift, i) += component(position_.programmed, i) - value;
   }
@@ -199,20 +199,20 @@ void OneShotWords::note_tip(const Word& word) {
 
 // The tool of such a G50 comes in a block behind it.
 void OneShotWords::settle_tip() {
-  if (!states_tip() || position_.told_axes == 0) return;
+  if (!states_tip() || position_.told_axes.empty()) return;
   frame_words_.save();
   for (int i = 0; i < 3; ++i)
-    if (position_.told_axes >> i & 1U)
+    if (position_.told_axes.has(i))
       component(frames_.position_shift, i) = component(position_.shift_before, i);
   frames_.position_memory = frames_.position_shift;
   frame_words_.rebuild();
   for (int i = 0; i < 3; ++i) {
-    if ((position_.told_axes >> i & 1U) == 0) continue;
+    if (!position_.told_axes.has(i)) continue;
     component(position_.programmed, i) = component(position_.told, i);
     component(position_.physical, i) =
         component(position_.told, i) + component(frames_.total.shift, i);
   }
-  position_.told_axes = 0;
+  position_.told_axes = {};
   note_tip(block_.words.front());
 }
 
@@ -220,7 +220,7 @@ void OneShotWords::settle_tip() {
 bool OneShotWords::rapid_to() {
   Target to;
   if (!axes_.target(to, position_.programmed)) return false;
-  if (to.named) moves_.step(to, *block_.oneshot, MotionKind::rapid);
+  if (!to.named.empty()) moves_.step(to, *block_.oneshot, MotionKind::rapid);
   return true;
 }
 
@@ -233,17 +233,17 @@ void OneShotWords::end_local(int axis) {
 // G92.1 deletes the shift of G92; on FANUC only for the axes beside it, and the shift of G52 with
 // it. G92.2 sets the shift aside, G92.3 takes it back.
 bool OneShotWords::suspend_position() {
-  unsigned axes = 0;
+  AxisSet axes;
   if (is(Dialect::fanuc) || is(Dialect::iso))
     for (int i = 0; i < 3; ++i)
-      if (take("XYZ"[i])) axes |= 1U << i;
+      if (take("XYZ"[i])) axes.add(i);
   frame_words_.save();
   const bool resets = block_.oneshot_code == Code::position_reset;
   if (block_.oneshot_code == Code::position_resume)
     frames_.position_shift = frames_.position_memory;
   for (int i = 0; i < 3; ++i) {
     if (block_.oneshot_code == Code::position_resume) break;
-    if (axes != 0 && (axes >> i & 1U) == 0) continue;
+    if (!axes.empty() && !axes.has(i)) continue;
     if (resets) component(frames_.position_memory, i) = 0;
     if (resets && is(Dialect::fanuc)) component(frames_.local, i) = 0;
     component(frames_.position_shift, i) = 0;

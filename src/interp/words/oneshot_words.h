@@ -24,8 +24,8 @@ class OneShotWords : public ControlPart {
  private:
   bool dwell();
   bool reference();
-  unsigned reference_axes(unsigned named) const;
-  unsigned bare_axes() const;
+  AxisSet reference_axes(AxisSet named) const;
+  AxisSet bare_axes() const;
   bool reference_sinumerik();
   bool leave_reference();
   bool rapid_to();

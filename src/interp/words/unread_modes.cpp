@@ -92,7 +92,7 @@ bool UnreadModes::begins_iso_mode(const Word& word) {
                     unsupported_code(control_.dialect, kIsoMode)),
         word);
   control_.unread_end = kSiemensMode;
-  position_.known = lathe() ? 2U : 0U;
+  forget_place(kAllAxes);
   reporter_.set_muted(true);
   return true;
 }
@@ -127,7 +127,7 @@ void UnreadModes::pass_over() {
   for (const Word& word : block_.words) {
     take(word.address);
     const auto c = static_cast<char>(word.address);
-    if ((c >= 'U' && c <= 'W') || (c >= 'X' && c <= 'Z')) position_.known &= lathe() ? 2U : 0U;
+    if ((c >= 'U' && c <= 'W') || (c >= 'X' && c <= 'Z')) forget_place(kAllAxes);
   }
 }
 
