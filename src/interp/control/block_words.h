@@ -49,6 +49,12 @@ class BlockWords : public Block {
     const Slot& slot = slots_[static_cast<std::size_t>(a)];
     return slot.epoch == epoch_ ? &words[slot.index] : nullptr;
   }
+  /// As find(), for the parts that change words before add() has been called for them.
+  Word* search(char c) {
+    const auto at = std::find_if(words.begin(), words.end(),
+                                 [&](const Word& word) { return word.address == letter(c); });
+    return at == words.end() ? nullptr : &*at;
+  }
   /// As find(), and the word counts as used.
   const Word* take(Address a) {
     Slot& slot = slots_[static_cast<std::size_t>(a)];

@@ -30,15 +30,9 @@ std::string_view unread(int code) {
 
 }  // namespace
 
-Word* IsoWords::in_block(char c) {
-  for (Word& word : block_.words)
-    if (word.address == letter(c)) return &word;
-  return nullptr;
-}
-
 bool IsoWords::has_any(std::string_view letters) {
   for (const char c : letters)
-    if (in_block(c)) return true;
+    if (block_.search(c)) return true;
   return false;
 }
 
@@ -64,7 +58,7 @@ bool IsoWords::rewrite() {
 
 // T2.12 is tool 2 with the offset 12.
 void IsoWords::split_tool() {
-  Word* const tool = in_block('T');
+  Word* const tool = block_.search('T');
   if (!tool || tool->string || tool->value == std::floor(tool->value)) return;
   const std::string text = text_of(*tool);
   const auto offset = parse_number(text.substr(std::min(text.find('.'), text.size() - 1) + 1));
@@ -77,15 +71,15 @@ void IsoWords::split_tool() {
             fmt::format("{} is read as tool {:g} with offset {:g}, as Fagor writes them", text,
                         tool->value, edge.value),
             *tool, text);
-  if (!in_block('D')) block_.words.push_back(edge);
+  if (!block_.search('D')) block_.words.push_back(edge);
 }
 
 // Q, and R beside it, become AP and RP in a straight move, at the places of a cycle and in an arc
 // about the polar origin. A value that is left out is that of the position. check_polar() reports
 // all other uses.
 bool IsoWords::rewrite_polar() {
-  Word* const angle = in_block('Q');
-  Word* const radius = in_block('R');
+  Word* const angle = block_.search('Q');
+  Word* const radius = block_.search('R');
   constexpr std::string_view kOthers[] = {"XYLABCD", "XZLABCD", "YZLABCD"};
   constexpr std::string_view kCenters[] = {"IJ", "IK", "JK"}, kPitches[] = {"K", "J", "I"};
   if (!angle || lathe() || modal_.plane > 2) return true;
@@ -128,7 +122,7 @@ void IsoWords::to_end_of_angle(Word& angle, bool incremental) {
   const Basis b = basis();
   Vec3 at = position_.programmed;
   for (int i = 0; i < 3; ++i) {
-    const Word* const word = in_block("IJK"[i]);
+    const Word* const word = block_.search("IJK"[i]);
     if (!word || component(b.w, i) != 0) continue;
     component(at, i) =
         (word->form == Form::ac ? 0 : component(at, i)) + word->value * length_unit(*word);
@@ -147,12 +141,9 @@ void IsoWords::to_end_of_angle(Word& angle, bool incremental) {
   block_.words.push_back(second);
 }
 
-// `gone`: the G word has been read and is removed.
-bool IsoWords::rewrite_word(std::size_t at, bool& gone) {
-  Word& word = block_.words[at];
-  const int code = word.value >= 0 && word.value < 100 ? static_cast<int>(word.value) : -1;
-  if (code < 0 || word.value != code) return true;
-  const bool bare = block_.words.size() == 1;
+// G words that leave the block: other words carry their meaning, or they have no effect on the
+// part. `gone`: the word goes. Nothing: it is another word.
+std::optional<bool> IsoWords::absorb(const Word& word, int code, bool& gone) {
   switch (code) {
     case 5:  // rounded and square corners; with P, or I J of its own, a word of another control
     case 7:
@@ -161,6 +152,31 @@ bool IsoWords::rewrite_word(std::size_t at, bool& gone) {
     case 6:
       gone = true;
       return absolute_center(word);
+    case 31:
+      gone = !has_any("XYZ");
+      return true;
+    case 36:
+    case 39:
+      gone = true;
+      return to_corner(code == 36 ? Address::rnd : Address::chr, word);
+    case 51:  // Fagor's look-ahead, with its acceleration and tolerance
+      gone = !has_any("XYZPIJK");
+      for (const char c : {'A', 'B', 'E'})
+        if (Word* const value = block_.search(c); value && gone) value->address = Address::data;
+      return true;
+    default:
+      return std::nullopt;
+  }
+}
+
+// `gone`: the G word has been read and is removed.
+bool IsoWords::rewrite_word(std::size_t at, bool& gone) {
+  Word& word = block_.words[at];
+  const int code = word.value >= 0 && word.value < 100 ? static_cast<int>(word.value) : -1;
+  if (code < 0 || word.value != code) return true;
+  if (const std::optional<bool> read = absorb(word, code, gone)) return *read;
+  const bool bare = block_.words.size() == 1;
+  switch (code) {
     case 8:
       if (has_any("P") || !has_any("XYZ")) return true;
       word.address = Address::function;
@@ -176,13 +192,6 @@ bool IsoWords::rewrite_word(std::size_t at, bool& gone) {
     case 13:
       if (code == 11 || !has_any("I")) to_frame(Code::fagor_mirror, word);
       return true;
-    case 31:
-      gone = !has_any("XYZ");
-      return true;
-    case 36:
-    case 39:
-      gone = true;
-      return to_corner(code == 36 ? Address::rnd : Address::chr, word);
     case 17:
     case 18:
     case 19:
@@ -195,11 +204,6 @@ bool IsoWords::rewrite_word(std::size_t at, bool& gone) {
       return true;
     case 93:
       return to_polar_origin(word);
-    case 51:  // Fagor's look-ahead, with its acceleration and tolerance
-      gone = !has_any("XYZPIJK");
-      for (const char c : {'A', 'B', 'E'})
-        if (Word* const value = in_block(c); value && gone) value->address = Address::data;
-      return true;
     case 72:
       if (!has_any("S")) return true;
       if (has_any("XYZ")) return read_places(word, code);
@@ -244,7 +248,7 @@ bool IsoWords::to_pocket(Word& word) {
     if (!has_any({&c, 1}))
       return error("value-missing", fmt::format("{} needs {}", text_of(word), c), word);
   const auto length = [&](char c) {
-    Word* const given = in_block(c);
+    Word* const given = block_.search(c);
     if (!given) return 0.0;
     given->address = Address::data;
     return given->value * length_unit(*given);
@@ -252,7 +256,7 @@ bool IsoWords::to_pocket(Word& word) {
   FagorPocket pocket;
   pocket.number = static_cast<int>(word.value);
   const char normal = "ZYX"[modal_.plane % 3];
-  const bool level = in_block(normal) != nullptr;
+  const bool level = block_.search(normal) != nullptr;
   pocket.reference = {length(normal), incremental, level};
   pocket.depth = {length('I'), incremental, true};
   const double j = length('J');
@@ -274,7 +278,7 @@ void IsoWords::to_frame(Code code, Word& word) {
 }
 
 bool IsoWords::to_corner(Address corner, const Word& word) {
-  Word* const size = in_block('R');
+  Word* const size = block_.search('R');
   if (!size) return error("value-missing", "the size of the corner is missing: R", word);
   size->address = corner;
   return true;
@@ -283,7 +287,7 @@ bool IsoWords::to_corner(Address corner, const Word& word) {
 // I and J of G93 are abscissa and ordinate of the polar origin. G93 without them is a feed.
 bool IsoWords::to_polar_origin(Word& word) {
   constexpr std::string_view kAxes[] = {"XY", "ZX", "YZ"};
-  Word *const i = in_block('I'), *const j = in_block('J');
+  Word *const i = block_.search('I'), *const j = block_.search('J');
   if (!i && !j) return true;
   if (!i || !j || block_.words.size() != 3 || modal_.plane > 2)
     return error("value-missing",

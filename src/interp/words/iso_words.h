@@ -5,6 +5,8 @@
 
 #include "interp/control/control.h"
 
+#include <optional>
+
 namespace mrsim {
 
 class IsoWords : public ControlPart {
@@ -18,6 +20,7 @@ class IsoWords : public ControlPart {
 
  private:
   bool rewrite_word(std::size_t at, bool& gone);
+  std::optional<bool> absorb(const Word& word, int code, bool& gone);
   bool read_places(Word& word, int code);
   void to_frame(Code code, Word& word);
   bool to_corner(Address corner, const Word& word);
@@ -28,7 +31,6 @@ class IsoWords : public ControlPart {
   void to_end_of_angle(Word& angle, bool incremental);
   void split_tool();
   bool absolute_center(const Word& word);
-  Word* in_block(char c);
   bool has_any(std::string_view letters);
   bool has_motion() const;
 };

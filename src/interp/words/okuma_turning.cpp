@@ -4,12 +4,6 @@
 
 namespace mrsim {
 
-Word* OkumaTurning::in_block(char c) {
-  for (Word& word : block_.words)
-    if (word.address == letter(c)) return &word;
-  return nullptr;
-}
-
 // Removes words that do not change the shape.
 void OkumaTurning::drop(std::string_view letters) {
   for (Word& word : block_.words)
@@ -19,7 +13,7 @@ void OkumaTurning::drop(std::string_view letters) {
 }
 
 void OkumaTurning::move_to(char from, char to, double factor) {
-  Word* const word = in_block(from);
+  Word* const word = block_.search(from);
   if (!word) return;
   word->address = letter(to);
   word->value *= factor;
@@ -34,7 +28,7 @@ bool OkumaTurning::refuse(const Word& code, std::string_view what) {
 
 bool OkumaTurning::rewrite() {
   if (!lathe() || !is(Dialect::fanuc) || !modal_.okuma) return true;
-  if (in_block('P') && in_block('Q'))
+  if (block_.search('P') && block_.search('Q'))
     return true;  // FANUC's cycle, whose contour is given by blocks
   for (std::size_t i = 0; i < block_.words.size(); ++i) {
     Word& code = block_.words[i];
@@ -60,7 +54,7 @@ bool OkumaTurning::moves_other_axis() {
     if (word.address == letter('G') && (word.value == 4 || (word.value >= 70 && word.value < 90)))
       return false;
   for (const char c : {'U', 'W'})
-    if (const Word* word = in_block(c))
+    if (const Word* word = block_.search(c))
       return !error("not-supported",
                     fmt::format("{} is an axis of its own on Okuma's lathes, which is not "
                                 "supported; for increments of X and Z they have G91",
@@ -72,7 +66,7 @@ bool OkumaTurning::moves_other_axis() {
 // Whether I or A gives a taper.
 bool OkumaTurning::has_taper(Word& code) {
   for (const char c : {'I', 'A'})
-    if (const Word* word = in_block(c); word && word->value != 0)
+    if (const Word* word = block_.search(c); word && word->value != 0)
       return !refuse(code, "a tapered thread");
   drop("IA");
   return false;
@@ -80,8 +74,8 @@ bool OkumaTurning::has_taper(Word& code) {
 
 // J is the number of threads on the length F.
 void OkumaTurning::share_lead() {
-  Word* const lead = in_block('F');
-  if (const Word* threads = in_block('J'); threads && lead && threads->value > 0)
+  Word* const lead = block_.search('F');
+  if (const Word* threads = block_.search('J'); threads && lead && threads->value > 0)
     lead->value /= threads->value;
   drop("J");
 }
@@ -99,11 +93,11 @@ bool OkumaTurning::thread(Word& code) {
 // "G71 X Z B D U H F M33 M73": the height H and the first depth D are of the diameter, and B is the
 // angle of the tip. M33 infeeds on both flanks. U and the order of depths do not change the shape.
 bool OkumaTurning::compound_thread(Word& code) {
-  if (!in_block('X') && !in_block('Z')) return true;  // it is no cycle
-  const Word* const growth = in_block('E');
+  if (!block_.search('X') && !block_.search('Z')) return true;  // it is no cycle
+  const Word* const growth = block_.search('E');
   if (growth && growth->value != 0) return refuse(code, "a thread with a growing lead");
   if (has_taper(code)) return false;
-  if (!in_block('H') || !in_block('D'))
+  if (!block_.search('H') || !block_.search('D'))
     return error("value-missing", "G71 needs H, the height of the thread, and D, its first depth",
                  code);
   share_lead();
@@ -129,7 +123,7 @@ bool OkumaTurning::compound_thread(Word& code) {
 
 // "G73 X Z K D L F" cuts grooves as G75 does: strokes of D, of the diameter, at places K apart.
 void OkumaTurning::grooves(Word& code) {
-  if (!in_block('X') && !in_block('Z')) return;
+  if (!block_.search('X') && !block_.search('Z')) return;
   drop("ILET");
   move_to('D', 'I', 0.5);
   code.value = 75;

@@ -17,7 +17,6 @@ class OkumaTurning : public ControlPart {
   bool rewrite();
 
  private:
-  Word* in_block(char c);
   void drop(std::string_view letters);
   void move_to(char from, char to, double factor);
   bool moves_other_axis();
