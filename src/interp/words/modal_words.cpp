@@ -162,6 +162,39 @@ bool ModalWords::end_cycle(const Word& word, Code code) {
   return true;
 }
 
+// Cycles of turning, drilling and milling. Nothing: the word is no word of a cycle.
+std::optional<bool> ModalWords::apply_cycle(const Word& word, const CodeEntry& entry) {
+  switch (entry.code) {
+    case Code::turn_pass:
+      return select_turning(word, entry.number);
+    case Code::turn_cycle:
+      if (units_of_mach(word)) return true;
+      block_.turn_cycle = entry.number;
+      return for_oneshot(word, entry.code);
+    case Code::engrave:
+      if (!peek('P')) return refuse(word);
+      return for_oneshot(word, entry.code);
+    case Code::circle_pocket:
+    case Code::contour_pocket:
+      return for_oneshot(word, entry.code);
+    case Code::hole_pattern:
+      return hole_pattern(word, entry.code);
+    case Code::drill_cycle:
+      select_cycle(word, entry.number);
+      return true;
+    case Code::cycle_off:
+    case Code::motion_off:
+      return end_cycle(word, entry.code);
+    case Code::return_initial:
+    case Code::return_r:
+      modal_.return_told = true;
+      modal_.hole_return = entry.code == Code::return_r ? HoleReturn::safe : HoleReturn::initial;
+      return true;
+    default:
+      return std::nullopt;
+  }
+}
+
 bool ModalWords::apply_code(const Word& word, const CodeEntry& entry) {
   if (is(Dialect::iso) && word.value >= 20 && word.value <= 29 && block_.number_behind(word))
     return error("not-supported",
@@ -169,18 +202,13 @@ bool ModalWords::apply_code(const Word& word, const CodeEntry& entry) {
                              text_of(word)),
                  word);
   if (const std::optional<bool> read = makers_.read(word, entry.code)) return *read;
+  if (const std::optional<bool> read = apply_cycle(word, entry)) return *read;
   switch (entry.code) {
     case Code::dwell:
       if (!is(Dialect::ngc)) return apply_modal_code(word, entry);
       return pause(word);
     case Code::unknown:
       return refuse_unknown(word);
-    case Code::turn_pass:
-      return select_turning(word, entry.number);
-    case Code::turn_cycle:
-      if (units_of_mach(word)) return true;
-      block_.turn_cycle = entry.number;
-      return for_oneshot(word, entry.code);
     case Code::statement:
     case Code::unsupported:
       return refuse(word);
@@ -188,14 +216,6 @@ bool ModalWords::apply_code(const Word& word, const CodeEntry& entry) {
     case Code::fagor_scale:
     case Code::fagor_turn:
       return frame_words_.transforms().fagor(entry.code, word);
-    case Code::engrave:
-      if (!peek('P')) return refuse(word);
-      [[fallthrough]];
-    case Code::circle_pocket:
-    case Code::contour_pocket:
-      return for_oneshot(word, entry.code);
-    case Code::hole_pattern:
-      return hole_pattern(word, entry.code);
     case Code::reference_store:
       if (position_.known == kAllAxes)
         control_.stored_places[word.value < 30 ? 0 : 1] = position_.physical;
@@ -211,17 +231,6 @@ bool ModalWords::apply_code(const Word& word, const CodeEntry& entry) {
       return ignore_words(word);
     case Code::high_speed:
       return path_modes_.look_ahead(word);
-    case Code::drill_cycle:
-      select_cycle(word, entry.number);
-      return true;
-    case Code::cycle_off:
-    case Code::motion_off:
-      return end_cycle(word, entry.code);
-    case Code::return_initial:
-    case Code::return_r:
-      modal_.return_told = true;
-      modal_.hole_return = entry.code == Code::return_r ? HoleReturn::safe : HoleReturn::initial;
-      return true;
     case Code::probe:
       if (!peek('X') && !peek('Y') && !peek('Z') &&
           !(lathe() && (peek('U') || peek('W') || peek('B'))))
@@ -340,16 +349,21 @@ bool ModalWords::apply_modal_code(const Word& word, const CodeEntry& entry) {
       block_.ends_scaling = true;
       return true;
     default:
-      if (block_.frame_code && !is(Dialect::sinumerik))
-        return error("frame-own-block",
-                     fmt::format("{} beside {}: both would use the axes of the block; write them "
-                                 "into blocks of their own",
-                                 text_of(word), text_of(*block_.frame_code)),
-                     word);
-      block_.frame_code = &word;
-      block_.frame_op = entry.code;
-      return true;
+      return for_frame(word, entry.code);
   }
+}
+
+// A shift, turn, scale or mirror, which takes the block's axes.
+bool ModalWords::for_frame(const Word& word, Code code) {
+  if (block_.frame_code && !is(Dialect::sinumerik))
+    return error("frame-own-block",
+                 fmt::format("{} beside {}: both would use the axes of the block; write them "
+                             "into blocks of their own",
+                             text_of(word), text_of(*block_.frame_code)),
+                 word);
+  block_.frame_code = &word;
+  block_.frame_op = code;
+  return true;
 }
 
 // On FANUC lathes G90 with axes is a turning cycle of code system A, unless a motion word stands

@@ -7,6 +7,8 @@
 #include "interp/words/plain_modes.h"
 #include "interp/words/unread_modes.h"
 
+#include <optional>
+
 namespace mrsim {
 
 class ModalWords : public ControlPart {
@@ -29,10 +31,12 @@ class ModalWords : public ControlPart {
   bool claim_group(const Word& word, const CodeEntry& entry);
   bool pause(const Word& word);
   bool apply_code(const Word& word, const CodeEntry& entry);
+  std::optional<bool> apply_cycle(const Word& word, const CodeEntry& entry);
   bool units_of_mach(const Word& word);
   bool refuse(const Word& word);
   bool for_oneshot(const Word& word, Code code);
   bool for_one_block(const Word& word, Code code);
+  bool for_frame(const Word& word, Code code);
   bool refuse_unknown(const Word& word);
   bool hole_pattern(const Word& word, Code code);
   bool ignore_words(const Word& word);
