@@ -111,60 +111,64 @@ void MotionEmitter::emit(Motion motion, const CornerSpec& corner) {
   position_.told_axes = {};
   ++made_;
   if (captured_) {
-    if (captured_->size() >= kMostCaptured) return;
-    PathMove path;
-    path.motion = motion;
-    path.basis = stock_basis();
-    path.corner = corner;
-    path.block = block_.number;
-    return captured_corners_.push(path);
+    if (captured_->size() < kMostCaptured) captured_corners_.push(path_move(motion, corner));
+    return;
   }
   change_tool();
   if (lathe()) turn_to_plus(motion);
   check_length_mode(motion);
-  if (motion.kind != MotionKind::rapid) {
-    note_zero();
-    check_length();
-    farthest_cut_ = std::max(
-        {farthest_cut_, std::abs(motion.end.x), std::abs(motion.end.y), std::abs(motion.end.z)});
-    motion.tool = control_.tool.index;
-    if (lathe() && modal_.surface_speed)
-      slowest_turn_ =
-          std::min(slowest_turn_,
-                   modal_.cutting_speed * 1000 /
-                       (2 * kPi * std::max(std::abs(motion.start.x), std::abs(motion.end.x))));
-    if (lathe()) refuse_live_tool(motion);
-    if (position_.known == kAllAxes)
-      unknown_starts_ = 0;
-    else
-      warn_unknown_start(motion);
-  }
+  if (motion.kind != MotionKind::rapid) note_cut(motion);
   if (lathe()) refuse_undescribed_tool(motion);
   motion.start.z += last_length_;
   motion.end.z += modal_.length_offset;
   motion.center.z += modal_.length_offset;
   last_length_ = modal_.length_offset;
-  if (motion.kind != MotionKind::arc && distance(motion.start, motion.end) <= kRounding) {
-    for (const Address a : {Address::rnd, Address::chr, Address::chf})
-      if (const Word* word = find(a); word && corner.kind != CornerSpec::Kind::none)
-        warning("corner-void", "the block moves nothing: no rounding or chamfer is inserted",
-                *word);
-    return;
-  }
+  if (motion.kind != MotionKind::arc && distance(motion.start, motion.end) <= kRounding)
+    return warn_void_corner(corner);
   const AxisSet checked_axes = travel_.axes(motion);
   const bool plain = corner.kind == CornerSpec::Kind::none && modal_.comp == Code::comp_off;
   if (plain && idle_) return send(motion, checked_axes);
-  PathMove path;
-  path.motion = motion;
-  path.basis = stock_basis();
-  path.corner = corner;
+  PathMove path = path_move(motion, corner);
   path.comp = words_.for_move();
-  path.block = block_.number;
   path.checked_axes = checked_axes;
   path.order = ++held_moves_;
   corners_.push(path);
   idle_ = corners_.idle() && compensation_.idle();
   if (idle_) give_events(kAllMoves);
+}
+
+PathMove MotionEmitter::path_move(const Motion& motion, const CornerSpec& corner) const {
+  PathMove path;
+  path.motion = motion;
+  path.basis = stock_basis();
+  path.corner = corner;
+  path.block = block_.number;
+  return path;
+}
+
+// What a cut tells of its program and its tool. The motion gets its tool.
+void MotionEmitter::note_cut(Motion& motion) {
+  note_zero();
+  check_length();
+  farthest_cut_ = std::max(
+      {farthest_cut_, std::abs(motion.end.x), std::abs(motion.end.y), std::abs(motion.end.z)});
+  motion.tool = control_.tool.index;
+  if (lathe() && modal_.surface_speed)
+    slowest_turn_ = std::min(
+        slowest_turn_, modal_.cutting_speed * 1000 /
+                           (2 * kPi * std::max(std::abs(motion.start.x), std::abs(motion.end.x))));
+  if (lathe()) refuse_live_tool(motion);
+  if (position_.known == kAllAxes)
+    unknown_starts_ = 0;
+  else
+    warn_unknown_start(motion);
+}
+
+void MotionEmitter::warn_void_corner(const CornerSpec& corner) {
+  if (corner.kind == CornerSpec::Kind::none) return;
+  for (const Address a : {Address::rnd, Address::chr, Address::chf})
+    if (const Word* word = find(a))
+      warning("corner-void", "the block moves nothing: no rounding or chamfer is inserted", *word);
 }
 
 // An insert that works at X below 0, on the other side of the axis, points to +X. Turned about the

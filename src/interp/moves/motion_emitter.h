@@ -51,6 +51,9 @@ class MotionEmitter : public ControlPart {
   double slowest_turn() const { return slowest_turn_; }
 
  private:
+  PathMove path_move(const Motion& motion, const CornerSpec& corner) const;
+  void note_cut(Motion& motion);
+  void warn_void_corner(const CornerSpec& corner);
   void note_zero();
   double length_number() const;
   void check_length();

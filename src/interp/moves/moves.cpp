@@ -12,13 +12,12 @@ namespace mrsim {
 
 bool Moves::run() {
   if (block_.suppress_frames) return machine_move();
-  if (current_motion() == Code::probe) return probe();
+  const Code code = current_motion();
+  if (code == Code::probe) return probe();
   if (is(Dialect::ngc) && block_.ends_cycle && !block_.motion_code)
     return error("motion-missing", "axis words beside G80, which ends the motion in force",
                  *block_.ends_cycle);
-  if (current_motion() == Code::motion_off)
-    return error("motion-missing", "axis words, and no motion is in force: G0 or G1 before them",
-                 block_.words.front());
+  if (code == Code::motion_off) return refuse_without_motion();
   const Frame frame = frame_words_.now();
   const Vec3 from = position_.programmed;
   const Word* ang = find(angle_address());
@@ -29,23 +28,28 @@ bool Moves::run() {
         "the block before gives only an angle, so this one needs an angle and both coordinates",
         block_.words.front());
   }
-  const Code code = current_motion();
   if (code == Code::nurbs) return splines_.control_point(from);
   if (splines_.under_way() && code != Code::nurbs_end) {
     splines_.forget();
     return error("nurbs-open", "a NURBS is open: G5.3 closes it", block_.words.front());
   }
-  if (code == Code::nurbs_end && !block_.motion_code)
-    return error("motion-missing", "axis words, and no motion is in force: G0 or G1 before them",
-                 block_.words.front());
+  if (code == Code::nurbs_end && !block_.motion_code) return refuse_without_motion();
   if (code == Code::spline_cubic || code == Code::spline_quadratic || code == Code::nurbs_end)
     return spline(from, frame);
   position_.after_spline = false;
-  if (is_circular(current_motion())) {
-    if (ang)
-      return error("angle-line-only", "the angle of a line is for straight lines only", *ang);
-    return arc(from, frame);
-  }
+  if (!is_circular(code)) return straight(from, frame, ang);
+  if (ang) return error("angle-line-only", "the angle of a line is for straight lines only", *ang);
+  return arc(from, frame);
+}
+
+bool Moves::refuse_without_motion() {
+  return error("motion-missing", "axis words, and no motion is in force: G0 or G1 before them",
+               block_.words.front());
+}
+
+// A line, a rapid or a thread. `ang`: the line's angle, or null.
+bool Moves::straight(const Vec3& from, const Frame& frame, const Word* ang) {
+  const Code code = current_motion();
   Target to;
   if (!axes_.target(to, from)) return false;
   if (ang) {

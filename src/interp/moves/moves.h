@@ -72,6 +72,8 @@ class Moves : public ControlPart {
 
   bool machine_move();
   bool probe();
+  bool refuse_without_motion();
+  bool straight(const Vec3& from, const Frame& frame, const Word* ang);
   bool line(const Target& to, const Frame& frame);
   bool arc(const Vec3& from, const Frame& frame);
   bool spline(const Vec3& from, const Frame& frame);
