@@ -239,21 +239,73 @@ void merge_sizes(ToolHint& into, const ToolHint& line) {
   if (into.doubt.empty()) into.doubt = both.doubt;
 }
 
-}  // namespace
-
-void merge_hint(ToolHint& into, const ToolHint& more) {
-  if (is_sized_tool(into) && more.upkeep) return;
-  if (is_sized_tool(into) && is_size_of_work(more)) return pass_work(into, more);
+// Of two lines one may say nothing of the tool: it names upkeep, or sizes of the work. True: so it
+// is, and `into` is the other one.
+bool merge_without_work(ToolHint& into, const ToolHint& more) {
+  if (is_sized_tool(into) && more.upkeep) return true;
+  if (is_sized_tool(into) && is_size_of_work(more)) return pass_work(into, more), true;
   if (is_sized_tool(more) && (into.upkeep || is_size_of_work(into))) {
     const ToolHint line = std::exchange(into, more);
     if (!line.upkeep) pass_work(into, line);
-    return;
+    return true;
   }
-  if (is_plain_mill(into) && may_be_work(more)) return pass_work(into, more);
+  if (is_plain_mill(into) && may_be_work(more)) return pass_work(into, more), true;
   if (is_plain_mill(more) && may_be_work(into)) {
     const ToolHint line = std::exchange(into, more);
-    return pass_work(into, line);
+    return pass_work(into, line), true;
   }
+  return false;
+}
+
+// Sizes that `into` lacks.
+void add_sizes(ToolHint& into, const ToolHint& more) {
+  into.bare_size = into.diameters.empty() ? more.bare_size : into.bare_size && more.bare_size;
+  into.diameters.insert(into.diameters.end(), more.diameters.begin(), more.diameters.end());
+  if (into.diameter == 0) into.diameter = more.diameter;
+  if (!into.corner) into.corner = more.corner;
+  if (!into.nose) into.nose = more.nose;
+  if (!into.width) into.width = more.width;
+  if (!into.tip) into.tip = more.tip;
+  if (!into.flute_length) into.flute_length = more.flute_length;
+  if (into.taper_angle == 0) into.taper_angle = more.taper_angle;
+  if (more.tip_angle > 0 && (into.tip_angle == 0 || into.assumed_angle)) {
+    into.tip_angle = more.tip_angle;
+    into.assumed_angle = more.assumed_angle;
+  }
+}
+
+// The insert, and how its holder stands.
+void add_insert(ToolHint& into, const ToolHint& more) {
+  const bool inserts = !into.insert.empty() && !more.insert.empty();
+  if (inserts && into.insert_angle != more.insert_angle && into.doubt.empty())
+    into.doubt = "name different inserts";
+  if (into.insert.empty()) into.insert = more.insert;
+  if (into.insert_angle == 0) into.insert_angle = more.insert_angle;
+  if (into.lead_angle == 0) into.lead_angle = more.lead_angle;
+  if (into.edge_length == 0) into.edge_length = more.edge_length;
+  if (into.orientation == 0) into.orientation = more.orientation;
+  if (into.blade_point == BladePoint::untold) into.blade_point = more.blade_point;
+  into.left_hand |= more.left_hand;
+}
+
+// What the words say of the tool's work: its trade, bores, faces.
+void add_work(ToolHint& into, const ToolHint& more) {
+  into.rivals |= more.rivals || (into.trade && more.trade && *into.trade != *more.trade);
+  into.inside |= more.inside;
+  const bool bar =
+      more.inside && more.bores && !more.id.empty() && more.id == into.id;  // "T10 - ID BORE"
+  if (bar && into.type == ToolType::turning) into.type = ToolType::boring;
+  into.bores |= more.bores;
+  into.face_groove |= more.face_groove;
+  into.other_work |= more.other_work;
+  into.unknown_word |= more.unknown_word;
+  if (!into.trade) into.trade = more.trade;
+}
+
+}  // namespace
+
+void merge_hint(ToolHint& into, const ToolHint& more) {
+  if (merge_without_work(into, more)) return;
   if (into.only_angle() && !more.only_angle()) {
     const ToolHint line = std::exchange(into, more);
     return merge_hint(into, line);
@@ -269,39 +321,9 @@ void merge_hint(ToolHint& into, const ToolHint& more) {
   }
   into.names_tool |= more.names_tool;
   merge_kind(into, more);
-  into.bare_size = into.diameters.empty() ? more.bare_size : into.bare_size && more.bare_size;
-  into.diameters.insert(into.diameters.end(), more.diameters.begin(), more.diameters.end());
-  if (into.diameter == 0) into.diameter = more.diameter;
-  if (!into.corner) into.corner = more.corner;
-  if (!into.nose) into.nose = more.nose;
-  if (!into.width) into.width = more.width;
-  if (!into.tip) into.tip = more.tip;
-  if (!into.flute_length) into.flute_length = more.flute_length;
-  if (into.taper_angle == 0) into.taper_angle = more.taper_angle;
-  if (more.tip_angle > 0 && (into.tip_angle == 0 || into.assumed_angle)) {
-    into.tip_angle = more.tip_angle;
-    into.assumed_angle = more.assumed_angle;
-  }
-  const bool inserts = !into.insert.empty() && !more.insert.empty();
-  if (inserts && into.insert_angle != more.insert_angle && into.doubt.empty())
-    into.doubt = "name different inserts";
-  if (into.insert.empty()) into.insert = more.insert;
-  if (into.insert_angle == 0) into.insert_angle = more.insert_angle;
-  if (into.lead_angle == 0) into.lead_angle = more.lead_angle;
-  if (into.edge_length == 0) into.edge_length = more.edge_length;
-  into.left_hand |= more.left_hand;
-  into.rivals |= more.rivals || (into.trade && more.trade && *into.trade != *more.trade);
-  into.inside |= more.inside;
-  const bool bar =
-      more.inside && more.bores && !more.id.empty() && more.id == into.id;  // "T10 - ID BORE"
-  if (bar && into.type == ToolType::turning) into.type = ToolType::boring;
-  into.bores |= more.bores;
-  into.face_groove |= more.face_groove;
-  into.other_work |= more.other_work;
-  into.unknown_word |= more.unknown_word;
-  if (into.orientation == 0) into.orientation = more.orientation;
-  if (into.blade_point == BladePoint::untold) into.blade_point = more.blade_point;
-  if (!into.trade) into.trade = more.trade;
+  add_sizes(into, more);
+  add_insert(into, more);
+  add_work(into, more);
   if (into.gauge.empty()) into.gauge = more.gauge;
   if (into.doubt.empty()) into.doubt = more.doubt;
   if (more.only_angle() && !into.only_angle()) merge_angle(into, more);
