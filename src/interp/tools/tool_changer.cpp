@@ -233,37 +233,39 @@ void ToolChanger::take_commented(const Word& where) {
   change();
 }
 
-void ToolChanger::require(const Word& where, bool cuts) {
-  if (cuts) notes_.cut();
-  if (tool_.index >= 0 || tool_.failed) return;
-  if (!tool_.chosen && tool_.pending.active && cuts && tool_.came_unnamed && !given("")) {
+// A cut, and no M6 has changed to the tool that T has named: it is taken to be in the spindle.
+// False: another tool may be there, which is reported.
+bool ToolChanger::assume_pending() {
+  const auto fail = [&](const std::string& text) {
     tool_.failed = true;
-    return reporter_.add_at(
-        Severity::error, "tool-unknown",
+    reporter_.add_at(Severity::error, "tool-unknown", text, tool_.pending.at);
+    return false;
+  };
+  if (tool_.came_unnamed && !given(""))
+    return fail(
         fmt::format("T{0} is called behind M6, and no T word before it: which tool is in the "
                     "spindle here is not told: write T and its number before that M6",
-                    tool_.pending.id),
-        tool_.pending.at);
-  }
-  if (!tool_.chosen && tool_.pending.active && cuts && next_is_pending()) {
-    tool_.failed = true;
-    return reporter_.add_at(
-        Severity::error, "tool-unknown",
+                    tool_.pending.id));
+  if (next_is_pending())
+    return fail(
         fmt::format("T{0} is called without M6, and the comment names T{1} alone: which of them is "
                     "in the spindle here is not told: write T and its number, with M6, before the "
                     "first cut",
-                    tool_.pending.id, notes_.only()),
-        tool_.pending.at);
-  }
-  if (!tool_.chosen && tool_.pending.active && cuts) {
-    reporter_.once_at(
-        Severity::note, "tool-not-changed",
-        fmt::format("T{} is used without M6: it is taken to be in the spindle", tool_.pending.id),
-        tool_.pending.at, "m6");
-    change();
-    tool_.assumed = true;
-    tool_.direct_change = true;  // and so are those after it, until an M6 comes
-  }
+                    tool_.pending.id, notes_.only()));
+  reporter_.once_at(
+      Severity::note, "tool-not-changed",
+      fmt::format("T{} is used without M6: it is taken to be in the spindle", tool_.pending.id),
+      tool_.pending.at, "m6");
+  change();
+  tool_.assumed = true;
+  tool_.direct_change = true;  // and so are those after it, until an M6 comes
+  return true;
+}
+
+void ToolChanger::require(const Word& where, bool cuts) {
+  if (cuts) notes_.cut();
+  if (tool_.index >= 0 || tool_.failed) return;
+  if (!tool_.chosen && tool_.pending.active && cuts && !assume_pending()) return;
   if (!tool_.chosen && cuts && !given("")) take_commented(where);
   const std::string id = edges_.id_at_edge();
   if (const auto known = used_.find(id); known != used_.end()) {

@@ -52,6 +52,7 @@ class ToolChanger : public ControlPart {
   bool suffix(const Word& word);
   void change();
   bool next_is_pending() const;
+  bool assume_pending();
   void take_commented(const Word& where);
   std::string id_of(const Word& word);
   std::size_t turret_digits() const;
