@@ -172,6 +172,29 @@ bool coded_decimal(bool decode, double x, double& out, std::string& why) {
   return true;
 }
 
+// Functions that drop the decimals of x.
+bool to_whole(Function function, double x, double& out, std::string& why) {
+  switch (function) {
+    case Function::floor:
+      out = std::floor(x);
+      return true;
+    case Function::ceiling:
+      out = std::ceil(x);
+      return true;
+    case Function::truncate:
+      out = std::trunc(x);
+      return true;
+    case Function::away:
+      out = x < 0 ? std::floor(x) : std::ceil(x);
+      return true;
+    default:  // FUP
+      if (x < 0 && x != std::trunc(x))
+        return fail(why, fmt::format("FUP of {:g}: its result below 0 is not known", x));
+      out = std::ceil(x);
+      return true;
+  }
+}
+
 bool one_number(const ExpressionRules& rules, Function function, double x, double round_step,
                 double& out, std::string& why) {
   switch (function) {
@@ -207,22 +230,11 @@ bool one_number(const ExpressionRules& rules, Function function, double x, doubl
       out = round_step == 1 ? nearest_whole(x) : nearest_whole(x / round_step) * round_step;
       return true;
     case Function::floor:
-      out = std::floor(x);
-      return true;
     case Function::ceiling:
-      out = std::ceil(x);
-      return true;
     case Function::truncate:
-      out = std::trunc(x);
-      return true;
     case Function::away:
-      out = x < 0 ? std::floor(x) : std::ceil(x);
-      return true;
     case Function::next_whole:
-      if (x < 0 && x != std::trunc(x))
-        return fail(why, fmt::format("FUP of {:g}: its result below 0 is not known", x));
-      out = std::ceil(x);
-      return true;
+      return to_whole(function, x, out, why);
     case Function::from_decimal:
     case Function::to_decimal:
       return coded_decimal(function == Function::from_decimal, x, out, why);
