@@ -264,6 +264,43 @@ void end_program(const Job& job, JobResult& result) {
   require_cuts(job, result);
 }
 
+// False: the program has faults.
+bool read_program(const Job& job, JobResult& result, StageClock& clock) {
+  result.program = interpret(job.program, job.interp);
+  protect_program_files(job, result.program.files);
+  count_motions(result);
+  clock.done("read");
+  if (is_faulty(result, job.strict)) return false;
+  require_cuts(job, result);
+  return true;
+}
+
+// What the cuts of the carved stock show: what each removes, how they play, what collides.
+void examine_cuts(const Job& job, JobResult& result, const Stock& stock, const CutList& cuts,
+                  StageClock& clock) {
+  result.history = make_history(job, result, stock, cuts);
+  if (job.until.empty()) warn_of_idle_tools(result, assumes_stock(job, result));
+  clock.done("history");
+  if (job.play) {
+    result.play = make_play(job, result, stock, cuts);
+    clock.done("play");
+  }
+  result.collisions =
+      find_collisions(stock, cuts.motions(), cuts.tools(), cuts.inherited(), job.collisions);
+  add_collisions(result.program, cuts, result.collisions);
+  clock.done("collisions");
+}
+
+// Publishes the files, all of them or none.
+void publish_files(const Job& job, JobResult& result, Outputs& outputs, StageClock& clock) {
+  PreparedFiles own;
+  PreparedFiles& prepared = job.prepared != nullptr ? *job.prepared : own;
+  outputs.prepare(job, result, prepared);
+  if (job.prepared == nullptr) prepared.publish(result);
+  result.peak_memory = peak_memory();  // with what histories and documents took
+  clock.done("publish");
+}
+
 }  // namespace
 
 JobFile load_job(const std::string& path, bool allow_outside) {
@@ -296,12 +333,7 @@ void simulate(const Job& job, JobResult& result) {
   check_outputs(job);
   const std::future<void> opening =
       opens_voxels_early(job) ? open_voxel_module() : std::future<void>();
-  result.program = interpret(job.program, job.interp);
-  protect_program_files(job, result.program.files);
-  count_motions(result);
-  clock.done("read");
-  if (is_faulty(result, job.strict)) return;
-  require_cuts(job, result);
+  if (!read_program(job, result, clock)) return;
 
   settle_tools_and_stock(job, result);
   if (!job.until.empty()) end_program(job, result);
@@ -315,17 +347,7 @@ void simulate(const Job& job, JobResult& result) {
   Stock stock = carve_part(job, result.stock, cuts, choice);
   result.active_voxels = stock.active_voxels();
   clock.done("carve");
-  result.history = make_history(job, result, stock, cuts);
-  if (job.until.empty()) warn_of_idle_tools(result, assumes_stock(job, result));
-  clock.done("history");
-  if (job.play) {
-    result.play = make_play(job, result, stock, cuts);
-    clock.done("play");
-  }
-  result.collisions =
-      find_collisions(stock, cuts.motions(), cuts.tools(), cuts.inherited(), job.collisions);
-  add_collisions(result.program, cuts, result.collisions);
-  clock.done("collisions");
+  examine_cuts(job, result, stock, cuts, clock);
 
   const int stream_threads = choice.tolerance > 0 ? job.mesh.threads : 1;
   MeshFileOptions files = job.files;
@@ -352,12 +374,7 @@ void simulate(const Job& job, JobResult& result) {
   result.stock.mesh = {};
   result.peak_memory = peak_memory();
   clock.done("write");
-  PreparedFiles own;
-  PreparedFiles& prepared = job.prepared != nullptr ? *job.prepared : own;
-  outputs.prepare(job, result, prepared);
-  if (job.prepared == nullptr) prepared.publish(result);
-  result.peak_memory = peak_memory();  // with what histories and documents took
-  clock.done("publish");
+  publish_files(job, result, outputs, clock);
   result.ok = true;
 }
 
