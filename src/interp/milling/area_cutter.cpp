@@ -9,113 +9,117 @@
 namespace mrsim {
 namespace {
 
-constexpr double kSteepest = 2;   // degrees, of swinging without an angle
-constexpr double kNoRoom = 1e-3;  // mm: too little for a helix, or for swinging
+constexpr double kUsualSwing = 2, kLargestSwing = 80;  // degrees
+constexpr double kNoRoom = 1e-3;    // mm: too little for a helix, or for swinging
+constexpr double kMostTurns = 1e5;  // of a helix
 
 }  // namespace
 
-bool AreaCutter::clear(const MillLevels& l, const MillArea& area) {
-  const double up = l.bottom < l.reference ? 1 : -1;
-  const bool leaves = l.side > 0 || l.floor > 0;
-  const double passes = l.infeed > 0 ? std::abs(l.bottom - l.reference) / l.infeed : 1;
-  mover_.rapid_height(l.top);
+bool AreaCutter::clear(const MillPlan& plan, const MillArea& area) {
+  const double up = plan.bottom < plan.reference ? 1 : -1;
+  const bool leaves = plan.side > 0 || plan.floor > 0;
+  const double passes = plan.infeed > 0 ? std::abs(plan.bottom - plan.reference) / plan.infeed : 1;
+  mover_.rapid_height(plan.top);
   const std::vector<Loop> exact = area.loops(0);
   if (passes * static_cast<double>(exact.size() + 1) > kMostLoops) return false;
-  if (l.rough) {
-    const double bottom = l.bottom + up * l.floor;
-    const bool last = l.finish && !leaves;  // nothing is left for finishing
-    cut(l, area, last ? exact : area.loops(l.side), l.infeed, bottom);
+  if (plan.rough) {
+    const double bottom = plan.bottom + up * plan.floor;
+    const bool last = plan.finish && !leaves;  // nothing is left for finishing
+    cut(plan, area, last ? exact : area.loops(plan.side), plan.infeed, bottom);
   }
-  if (l.finish && (leaves || !l.rough)) {
+  if (plan.finish && (leaves || !plan.rough)) {
     const std::vector<Loop> wall(exact.empty() ? exact.end() : exact.end() - 1, exact.end());
-    cut(l, area, wall, l.finish_infeed > 0 ? l.finish_infeed : l.infeed, l.bottom);
-    if (l.floor > 0) cut(l, area, exact, 0, l.bottom);
+    cut(plan, area, wall, plan.finish_infeed > 0 ? plan.finish_infeed : plan.infeed, plan.bottom);
+    if (plan.floor > 0) cut(plan, area, exact, 0, plan.bottom);
   }
   return true;
 }
 
-void AreaCutter::cut(const MillLevels& l, const MillArea& area, const std::vector<Loop>& loops,
+void AreaCutter::cut(const MillPlan& plan, const MillArea& area, const std::vector<Loop>& loops,
                      double infeed, double bottom) {
-  const double whole = bottom - l.reference;
+  const double whole = bottom - plan.reference;
   const int n = steps_of(std::abs(whole), infeed);
-  double from = l.safe;
+  double from = plan.safe;
   mover_.rapid(area.entry);
-  mover_.rapid_height(l.safe);
+  mover_.rapid_height(plan.safe);
   for (int i = 1; i <= n; ++i) {
-    const double to = i == n ? bottom : l.reference + whole * i / n;
-    descend(l, area, from, to);
+    const double to = i == n ? bottom : plan.reference + whole * i / n;
+    descend(plan, area, from, to);
     for (const Loop& loop : loops) {
-      mover_.line(loop.front().start, l.feed);
-      mover_.loop(loop, l.feed);
+      mover_.line(loop.front().start, plan.feed);
+      mover_.loop(loop, plan.feed);
     }
-    from = to + (l.safe - l.reference);
-    mover_.rapid_height(i == n ? l.top : from);
+    from = to + (plan.safe - plan.reference);
+    mover_.rapid_height(i == n ? plan.top : from);
     mover_.rapid(area.entry);
   }
 }
 
-void AreaCutter::descend(const MillLevels& l, const MillArea& area, double from, double to) {
-  if (l.entry == 0) return mover_.rapid_height(to);
-  const double radius = std::min(l.helix * scale(), area.helix);
-  if (l.entry == 3 && area.swing > kNoRoom) return swing_down(l, area, from, to);
-  if (l.entry != 2 || radius < kNoRoom) return mover_.line_height(to, l.plunge);
+void AreaCutter::descend(const MillPlan& plan, const MillArea& area, double from, double to) {
+  if (plan.entry == MillEntry::rapid) return mover_.rapid_height(to);
+  const double radius = std::min(plan.helix_radius, area.helix_room);
+  if (plan.entry == MillEntry::swing && area.swing_room > kNoRoom)
+    return swing_down(plan, area, from, to);
+  if (plan.entry != MillEntry::helix || radius < kNoRoom)
+    return mover_.line_height(to, plan.plunge);
   const double deep = std::abs(to - from);
   PlanePiece turn;
   turn.arc = true;
   turn.center = area.entry;
   turn.radius = radius;
   const Vec2 start = area.entry + Vec2{radius, 0};
-  const double turns = l.helix_lead > 0 ? deep / l.helix_lead : 1;
-  const double sweep = 2 * kPi * std::min(turns, 1e5) * (l.clockwise ? -1 : 1);
+  const double turns = plan.helix_lead > 0 ? deep / plan.helix_lead : 1;
+  const double sweep = 2 * kPi * std::min(turns, kMostTurns) * (plan.clockwise ? -1 : 1);
   const SinCos sc = sincos(sweep);
-  mover_.line(start, l.feed);
+  mover_.line(start, plan.feed);
   turn.sweep = sweep;
   turn.start = start;
   turn.end = area.entry + Vec2{radius * sc.cos, radius * sc.sin};
-  mover_.piece(turn, to - from, l.plunge);
-  turn.sweep = l.clockwise ? -2 * kPi : 2 * kPi;
+  mover_.piece(turn, to - from, plan.plunge);
+  turn.sweep = plan.clockwise ? -2 * kPi : 2 * kPi;
   turn.start = turn.end;
-  mover_.piece(turn, 0, l.feed);
-  mover_.line(area.entry, l.feed);
+  mover_.piece(turn, 0, plan.feed);
+  mover_.line(area.entry, plan.feed);
 }
 
 // Swings along the middle, at most as steep as the cycle allows.
-void AreaCutter::swing_down(const MillLevels& l, const MillArea& area, double from, double to) {
-  const SinCos sc = sincos_deg(area.degrees);
-  const SinCos slope = sincos_deg(l.helix > 0 ? std::min(l.helix, 80.0) : kSteepest);
-  const Vec2 aside = area.swing * Vec2{sc.cos, sc.sin};
-  const int n = steps_of(std::abs(to - from), 2 * area.swing * slope.sin / slope.cos);
-  mover_.line(area.entry - aside, l.feed);
+void AreaCutter::swing_down(const MillPlan& plan, const MillArea& area, double from, double to) {
+  const SinCos sc = sincos_deg(area.swing_direction);
+  const SinCos slope =
+      sincos_deg(plan.swing_angle > 0 ? std::min(plan.swing_angle, kLargestSwing) : kUsualSwing);
+  const Vec2 aside = area.swing_room * Vec2{sc.cos, sc.sin};
+  const int n = steps_of(std::abs(to - from), 2 * area.swing_room * slope.sin / slope.cos);
+  mover_.line(area.entry - aside, plan.feed);
   double side = 1;
   for (int i = 1; i <= n; ++i, side = -side)
-    mover_.slope(area.entry + side * aside, from + (to - from) * i / n, l.plunge);
-  mover_.line(area.entry + side * aside, l.feed);
-  mover_.line(area.entry, l.feed);
+    mover_.slope(area.entry + side * aside, from + (to - from) * i / n, plan.plunge);
+  mover_.line(area.entry + side * aside, plan.feed);
+  mover_.line(area.entry, plan.feed);
 }
 
-void AreaCutter::tracks(const MillLevels& l, const std::vector<std::pair<Vec2, Vec2>>& lines,
+void AreaCutter::tracks(const MillPlan& plan, const std::vector<std::pair<Vec2, Vec2>>& lines,
                         bool one_way) {
-  const double up = l.bottom < l.reference ? 1 : -1;
-  const double bottom = l.bottom + (l.rough && !l.finish ? up * l.floor : 0);
-  const double first = l.rough ? l.reference : l.bottom + up * l.floor;
-  const int n = l.rough ? steps_of(std::abs(bottom - first), l.infeed) : 1;
-  const double clear = l.safe - l.reference;
-  mover_.rapid_height(l.top);
+  const double up = plan.bottom < plan.reference ? 1 : -1;
+  const double bottom = plan.bottom + (plan.rough && !plan.finish ? up * plan.floor : 0);
+  const double first = plan.rough ? plan.reference : plan.bottom + up * plan.floor;
+  const int n = plan.rough ? steps_of(std::abs(bottom - first), plan.infeed) : 1;
+  const double clear = plan.safe - plan.reference;
+  mover_.rapid_height(plan.top);
   for (int i = 1; i <= n; ++i) {
     const double level = i == n ? bottom : first + (bottom - first) * i / n;
     mover_.rapid(lines.front().first);
-    if (i == 1) mover_.rapid_height(l.safe);
+    if (i == 1) mover_.rapid_height(plan.safe);
     for (std::size_t k = 0; k < lines.size(); ++k) {
       const bool back = !one_way && k % 2 == 1;
       if (one_way && k > 0) {
         mover_.rapid_height(level + clear);
         mover_.rapid(lines[k].first);
       }
-      if (one_way || k == 0) mover_.line_height(level, l.plunge);
-      mover_.line(back ? lines[k].second : lines[k].first, l.feed);
-      mover_.line(back ? lines[k].first : lines[k].second, l.feed);
+      if (one_way || k == 0) mover_.line_height(level, plan.plunge);
+      mover_.line(back ? lines[k].second : lines[k].first, plan.feed);
+      mover_.line(back ? lines[k].first : lines[k].second, plan.feed);
     }
-    mover_.rapid_height(i == n ? l.top : level + clear);
+    mover_.rapid_height(i == n ? plan.top : level + clear);
   }
 }
 

@@ -40,27 +40,27 @@ bool MillCycles::run(const CycleCall& call, const Word& where, bool at_position)
   return call.name == "CYCLE90" ? thread() : face();
 }
 
-bool MillCycles::clear(const MillLevels& l, const MillArea& area) {
-  return cutter_.clear(l, area) ||
+bool MillCycles::clear(const MillPlan& plan, const MillArea& area) {
+  return cutter_.clear(plan, area) ||
          fail("value-range", fmt::format("more than {} loops", AreaCutter::kMostLoops));
 }
 
-std::vector<Loop> MillCycles::nested(const MillLevels& l, double last, Vec2 at, double degrees,
+std::vector<Loop> MillCycles::nested(const MillPlan& plan, double last, Vec2 at, double degrees,
                                      const std::function<Loop(double)>& make) {
   last = std::max(0.0, last);
-  const int n = last < kRounding ? 0 : steps_of(last, l.width);
+  const int n = last < kRounding ? 0 : steps_of(last, plan.width);
   std::vector<Loop> loops;
   for (int k = 0; k <= n; ++k) {
     const Loop loop = make(n == 0 ? 0 : last * k / n);
     if (!loop.empty())
-      loops.push_back(transformed(l.clockwise ? reversed(loop) : loop, at, degrees));
+      loops.push_back(transformed(plan.clockwise ? reversed(loop) : loop, at, degrees));
   }
   return loops;
 }
 
 bool MillCycles::rectangle() {
-  MillLevels l;
-  if (!levels(l)) return false;
+  MillPlan plan;
+  if (!read_plan(plan)) return false;
   const double unit = scale(), degrees = call_->name == "POCKET1" ? value("STA1") : value("STA");
   double length = value("LENG") * unit, width = value("WID") * unit, turn = degrees;
   if (length <= 0 || width <= 0)
@@ -74,38 +74,38 @@ bool MillCycles::rectangle() {
   const double a = length / 2 - radius_, b = width / 2 - radius_;
   const double corner = std::min(std::abs(value("CRAD")) * unit, width / 2);
   const double round = std::max(0.0, corner - radius_);
-  if (b - l.side < -kRounding)
+  if (b - plan.side < -kRounding)
     return fail("value-range", "the cutter is too large for the pocket (alarm 61105)");
   MillArea area;
   area.entry = at;
-  area.degrees = turn;
-  area.swing = a - b;
-  area.helix = b;
+  area.swing_direction = turn;
+  area.swing_room = a - b;
+  area.helix_room = b;
   area.loops = [=](double aside) {
-    return nested(l, b - aside, at, turn, [=](double half) {
+    return nested(plan, b - aside, at, turn, [=](double half) {
       const double in = b - half;
       return rounded_rectangle(a - in, half, std::min(std::max(0.0, round - in), half));
     });
   };
-  return clear(l, area);
+  return clear(plan, area);
 }
 
 bool MillCycles::circle() {
-  MillLevels l;
+  MillPlan plan;
   Vec2 at;
-  if (!levels(l) || !reference_point(at)) return false;
+  if (!read_plan(plan) || !reference_point(at)) return false;
   if (call_->name == "POCKET4" && value("DMODE") >= 100)
     return fail("not-supported",
                 "POCKET4 with a DMODE of 100 and more, by which its fifth value may be a diameter, "
                 "is not supported yet: write the list up to DP1, with a radius");
   const double reach = std::abs(value("PRAD")) * scale() - radius_;
-  if (reach - l.side < -kRounding)
+  if (reach - plan.side < -kRounding)
     return fail("value-range", "the cutter is too large for the pocket (alarm 61105)");
   MillArea area;
   area.entry = at;
-  area.helix = reach;
-  area.loops = [=](double aside) { return nested(l, reach - aside, at, 0, circle_loop); };
-  return clear(l, area);
+  area.helix_room = reach;
+  area.loops = [=](double aside) { return nested(plan, reach - aside, at, 0, circle_loop); };
+  return clear(plan, area);
 }
 
 int MillCycles::count(double& first, double& step, double whole) {
@@ -121,9 +121,9 @@ int MillCycles::count(double& first, double& step, double whole) {
 // Slots along the radii of a circle, with their inner ends on it. Those of LONGHOLE are as wide as
 // the cutter.
 bool MillCycles::slots() {
-  MillLevels l;
+  MillPlan plan;
   Vec2 middle;
-  if (!levels(l) || !reference_point(middle)) return false;
+  if (!read_plan(plan) || !reference_point(middle)) return false;
   double first = 0, step = 0;
   const int n = count(first, step, 360);
   const double unit = scale(), length = std::abs(value("LENG")) * unit;
@@ -131,9 +131,8 @@ bool MillCycles::slots() {
   const double b = width / 2 - radius_, a = length / 2 - radius_;
   const int from = call_->digit("GMODE", 3);
   if (n == 0 || from > 5) return fail("value-range", "the number of slots is 1 to 10000");
-  if (b - l.side < -kRounding || length < width)
+  if (b - plan.side < -kRounding || length < width)
     return fail("value-range", "the cutter is too large for the slot (alarm 61105)");
-  if (call_->name == "SLOT1") l.helix = std::abs(value("STA2"));  // the angle of swinging
   // The centre of the slot: behind its inner end, or as GMODE says.
   static constexpr double kEnd[] = {1, 0, 1, -1, 1, -1};
   const double inset = from == 2 || from == 3 ? width / 2 : 0;
@@ -142,30 +141,30 @@ bool MillCycles::slots() {
     const double turn = first + i * step;
     MillArea area;
     area.entry = middle + polar(out, turn);
-    area.degrees = turn;
-    area.swing = a - b;
+    area.swing_direction = turn;
+    area.swing_room = a - b;
     const Vec2 at = area.entry;
     area.loops = [=](double aside) {
-      return nested(l, b - aside, at, turn,
+      return nested(plan, b - aside, at, turn,
                     [=](double half) { return rounded_rectangle(a - b + half, half, half); });
     };
-    if (!clear(l, area)) return false;
+    if (!clear(plan, area)) return false;
   }
   return true;
 }
 
 // Slots along a circle. AFSL is the angle between the centres of their ends.
 bool MillCycles::arc_slots() {
-  MillLevels l;
+  MillPlan plan;
   Vec2 middle;
-  if (!levels(l) || !reference_point(middle)) return false;
+  if (!read_plan(plan) || !reference_point(middle)) return false;
   double first = 0, step = 0;
   const int n = count(first, step, 360);
   const double unit = scale(), round = std::abs(value("RAD")) * unit;
   const double b = std::abs(value("WID")) * unit / 2 - radius_;
   const double angle = radians(std::abs(value("AFSL")));
   if (n == 0) return fail("value-range", "the number of slots is 1 to 10000");
-  if (b - l.side < -kRounding)
+  if (b - plan.side < -kRounding)
     return fail("value-range", "the cutter is too large for the slot (alarm 61105)");
   if (angle <= 0 || angle > 2 * kPi || b >= round)
     return fail("value-range", "AFSL is an angle up to 360 and RAD larger than half the width");
@@ -174,18 +173,18 @@ bool MillCycles::arc_slots() {
     MillArea area;
     area.entry = middle + polar(round, turn);
     area.loops = [=](double aside) {
-      return nested(l, b - aside, middle, turn,
+      return nested(plan, b - aside, middle, turn,
                     [=](double half) { return arc_slot(round, angle, half); });
     };
-    if (!clear(l, area)) return false;
+    if (!clear(plan, area)) return false;
   }
   return true;
 }
 
 // CYCLE76 and CYCLE77: loops from the blank inwards. The tool goes down outside of the blank.
 bool MillCycles::spigot() {
-  MillLevels l;
-  if (!levels(l)) return false;
+  MillPlan plan;
+  if (!read_plan(plan)) return false;
   const bool round = call_->name == "CYCLE77";
   const double unit = scale(), degrees = value("STA");
   const double length = std::abs(round ? value("CDIAM") : value("LENG")) * unit;
@@ -206,14 +205,14 @@ bool MillCycles::spigot() {
   // The corners of a rectangular blank lie farther out than its sides.
   const double reach = round ? aside0 : aside0 * 1.4143 + 0.4143 * corner;
   MillArea area;
-  const double out = length / 2 + reach + 2 * radius_ + std::abs(l.safe - l.reference);
+  const double out = length / 2 + reach + 2 * radius_ + std::abs(plan.safe - plan.reference);
   area.entry = at + turned({out, 0}, degrees);
   const int direction = static_cast<int>(value("CDIR"));
   const bool opposite = direction == 1 || direction == 3;  // climbing goes clockwise outside
   area.loops = [=, r = radius_](double aside) {
     const double most = std::max(0.0, reach - aside);
     std::vector<Loop> loops;
-    for (int n = steps_of(most, l.width), k = n - 1; k >= 0; --k) {
+    for (int n = steps_of(most, plan.width), k = n - 1; k >= 0; --k) {
       const double d = aside + most * k / n + r;
       const Loop loop = round ? circle_loop(length / 2 + d)
                               : rounded_rectangle(length / 2 + d, width / 2 + d, corner + d);
@@ -221,14 +220,14 @@ bool MillCycles::spigot() {
     }
     return loops;
   };
-  return clear(l, area);
+  return clear(plan, area);
 }
 
 // CYCLE71 has length, width and angle; LIM of CYCLE61 keeps the cutter inside of edges.
 bool MillCycles::face() {
-  MillLevels l;
+  MillPlan plan;
   Vec2 corner;
-  if (!levels(l) || !reference_point(corner)) return false;
+  if (!read_plan(plan) || !reference_point(corner)) return false;
   const bool old = call_->name == "CYCLE71";
   const double unit = scale(), degrees = old ? value("STA") : 0;
   const auto extent = [&](ValueName size, int digit, double from) {
@@ -246,7 +245,7 @@ bool MillCycles::face() {
     const int digit = (second ? 2 : 0) + (high ? 1 : 0);
     return !old && call_->digit("LIM", digit) == 1;
   };
-  const double out = radius_ + std::abs(l.safe - l.reference);
+  const double out = radius_ + std::abs(plan.safe - plan.reference);
   const double u0 = limit(along_v, false) ? radius_ : -out - (old ? value("FDP1") * unit : 0);
   const double u1 =
       limit(along_v, true) ? lu - radius_ : lu + out + (old ? value("FDP") * unit : 0);
@@ -254,7 +253,7 @@ bool MillCycles::face() {
   const double v1 = limit(!along_v, true) ? lv - radius_ : lv;
   if (u1 <= u0 || v1 < v0) return fail("value-range", "the cutter is too large for the face");
   const bool shut = v0 > 0 || v1 < lv;
-  const int n = steps_of(v1 - v0, l.width) + (shut ? 1 : 0);
+  const int n = steps_of(v1 - v0, plan.width) + (shut ? 1 : 0);
   const Vec2 low{std::min(length, 0.0), std::min(width, 0.0)};
   const auto at = [&](double u, double v) {
     return corner + turned(low + (along_v ? Vec2{v, u} : Vec2{u, v}), degrees);
@@ -264,39 +263,39 @@ bool MillCycles::face() {
     const double v = shut ? v0 + (v1 - v0) * i / (n - 1) : v0 + (v1 - v0) * (i + 0.5) / n;
     lines.emplace_back(at(u0, v), at(u1, v));
   }
-  cutter_.tracks(l, lines, one_way);
+  cutter_.tracks(plan, lines, one_way);
   return true;
 }
 
 // CYCLE899: a slot that is open at both ends, cut in lines side by side.
 bool MillCycles::open_slot() {
-  MillLevels l;
+  MillPlan plan;
   Vec2 at;
-  if (!levels(l) || !reference_point(at)) return false;
+  if (!read_plan(plan) || !reference_point(at)) return false;
   if (call_->digit("GMODE", 3) > 1)
     return fail("not-supported", "CYCLE899: a reference point other than the centre");
   const double unit = scale(), length = std::abs(value("LENG")) * unit;
-  const double b = std::abs(value("WID")) * unit / 2 - radius_ - (l.finish ? 0 : l.side);
+  const double b = std::abs(value("WID")) * unit / 2 - radius_ - (plan.finish ? 0 : plan.side);
   if (length <= 0 || b < -kRounding)
     return fail("value-range", "the cutter is too large for the slot (alarm 61105)");
-  const double half = length / 2 + radius_ + std::abs(l.safe - l.reference);
-  const int n = b < kRounding ? 0 : steps_of(2 * b, l.width);
+  const double half = length / 2 + radius_ + std::abs(plan.safe - plan.reference);
+  const int n = b < kRounding ? 0 : steps_of(2 * b, plan.width);
   const auto point = [&](double u, double v) { return at + turned({u, v}, value("STA")); };
   std::vector<std::pair<Vec2, Vec2>> lines;
   for (int i = 0; i <= n; ++i) {
     const double v = n == 0 ? 0 : -b + 2 * b * i / n;
     lines.emplace_back(point(-half, v), point(half, v));
   }
-  cutter_.tracks(l, lines, false);
+  cutter_.tracks(plan, lines, false);
   return true;
 }
 
 // CYCLE90: a helix with the pitch of the thread, from above the face to the depth. It cuts to the
 // nominal diameter of an inside thread, and to the core of an outside one.
 bool MillCycles::thread() {
-  MillLevels l;
+  MillPlan plan;
   Vec2 at;
-  if (!depth(l) || !reference_point(at)) return false;
+  if (!depth(plan) || !reference_point(at)) return false;
   const double unit = scale(), pitch = std::abs(call_->get("PIT")) * unit;
   const bool outside = call_->get("TYPTH") == 1;
   const double nominal = std::abs(call_->get("DIATH")) * unit / 2;
@@ -305,9 +304,9 @@ bool MillCycles::thread() {
   if (pitch <= 0) return fail("thread-lead", "CYCLE90 needs the pitch of the thread, PIT");
   if (wall <= kRounding) return fail("value-range", "the cutter is too large for the thread");
   const double feed = value("FFR") * feed_scale();
-  const double down = l.bottom < l.reference ? -1 : 1;
+  const double down = plan.bottom < plan.reference ? -1 : 1;
   // The helix has whole turns, so that it begins above the face.
-  const double turns = std::ceil(std::abs(l.bottom - l.safe) / pitch);
+  const double turns = std::ceil(std::abs(plan.bottom - plan.safe) / pitch);
   if (turns > 1e5) return fail("value-range", "more than 100000 turns");
   PlanePiece helix;
   helix.arc = true;
@@ -316,13 +315,13 @@ bool MillCycles::thread() {
   helix.start = helix.end = at + Vec2{wall, 0};
   helix.sweep = 2 * kPi * turns * (call_->get("CDIR") == 2 ? -1 : 1);
   const Vec2 rest = outside ? at + Vec2{wall + nominal + radius_, 0} : at;
-  mover_.rapid_height(l.top);
+  mover_.rapid_height(plan.top);
   mover_.rapid(rest);
-  mover_.rapid_height(l.bottom - down * turns * pitch);
+  mover_.rapid_height(plan.bottom - down * turns * pitch);
   mover_.line(helix.start, feed);
   mover_.piece(helix, down * turns * pitch, feed);
   mover_.line(rest, feed);
-  mover_.rapid_height(l.top);
+  mover_.rapid_height(plan.top);
   return true;
 }
 

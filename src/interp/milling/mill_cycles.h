@@ -31,10 +31,10 @@ class MillCycles : public MillValues {
   bool face();
   bool open_slot();
   bool thread();
-  bool clear(const MillLevels& levels, const MillArea& area);
+  bool clear(const MillPlan& plan, const MillArea& area);
   /// Loops from the middle to the distance `last` from it, turned and moved to the pocket. `make`
   /// gives the loop at a distance.
-  static std::vector<Loop> nested(const MillLevels& levels, double last, Vec2 at, double degrees,
+  static std::vector<Loop> nested(const MillPlan& plan, double last, Vec2 at, double degrees,
                                   const std::function<Loop(double)>& make);
   int count(double& first, double& step, double whole);
 

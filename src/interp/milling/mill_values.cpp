@@ -33,7 +33,7 @@ bool MillValues::begin(const CycleCall& call, const Word& where, bool at_positio
   return radius_ > 0;
 }
 
-bool MillValues::depth(MillLevels& l) {
+bool MillValues::depth(MillPlan& plan) {
   const auto planes = cycle_planes(*call_, call_->digit("AMODE", 0), scale());
   if (!planes)
     return fail("value-missing",
@@ -42,65 +42,72 @@ bool MillValues::depth(MillLevels& l) {
     return fail("value-range",
                 fmt::format("{}: the depth does not lie below the reference plane (alarm 61101)",
                             call_->shown()));
-  l.top = planes->top;
-  l.reference = planes->reference;
-  l.safe = planes->safe;
-  l.bottom = planes->bottom;
+  plan.top = planes->top;
+  plan.reference = planes->reference;
+  plan.safe = planes->safe;
+  plan.bottom = planes->bottom;
   return true;
 }
 
 // The unit of VARI says what is cut, and its ten how the tool goes down. POCKET1, POCKET2 and slots
 // have 0, both roughing and finishing.
-bool MillValues::modes(MillLevels& l) {
+bool MillValues::modes(MillPlan& plan) {
   const double vari = call_->name == "LONGHOLE" ? 0 : value("VARI");  // its VARI is not read
   const int kind = static_cast<int>(vari) % 10;
-  if (kind == 5 && !chamfer(l)) return false;
-  l.rough = kind <= 1;
-  l.finish = kind != 1;
-  if (kind == 0) l.rough = l.finish = true;
-  if (kind >= 4) l.floor = 0;
-  l.entry = static_cast<int>(vari) / 10 % 10;
-  if (!call_->lists("RAD1")) l.entry = call_->name == "SLOT1" && l.entry == 3 ? 3 : 1;
-  if (l.entry > 3) return fail("value-range", "the way of going down is 0 to 3");
-  l.helix = value("RAD1");
-  l.helix_lead = (call_->lists("RAD1") ? value("DP1") : 0) * scale();
+  if (kind == 5 && !chamfer(plan)) return false;
+  plan.rough = kind <= 1;
+  plan.finish = kind != 1;
+  if (kind == 0) plan.rough = plan.finish = true;
+  if (kind >= 4) plan.floor = 0;
+  const int entry = static_cast<int>(vari) / 10 % 10;
+  if (call_->lists("RAD1")) {
+    if (entry > 3) return fail("value-range", "the way of going down is 0 to 3");
+    plan.entry = static_cast<MillEntry>(entry);
+    plan.helix_radius = value("RAD1") * scale();
+    plan.helix_lead = value("DP1") * scale();
+    plan.swing_angle = value("RAD1");  // under MillEntry::swing it is an angle
+  } else if (call_->name == "SLOT1" && entry == 3) {
+    plan.entry = MillEntry::swing;
+    plan.swing_angle = std::abs(value("STA2"));
+  }
   const int direction = static_cast<int>(value("CDIR"));
-  l.clockwise = direction == 1 || direction == 2;
+  plan.clockwise = direction == 1 || direction == 2;
   return true;
 }
 
 // A chamfer is one cut along the wall, FS wide, with the tip of the tool at ZFS (by AMODE a level,
 // or a depth below the edge).
-bool MillValues::chamfer(MillLevels& l) {
+bool MillValues::chamfer(MillPlan& plan) {
   if (!call_->lists("FS"))
     return fail("not-supported",
                 fmt::format("{}: chamfering is not supported yet", call_->shown()));
-  const auto cut = chamfering_.cut(*call_, l.reference, l.top < l.reference ? 1 : -1, where_);
+  const auto cut =
+      chamfering_.cut(*call_, plan.reference, plan.top < plan.reference ? 1 : -1, where_);
   if (!cut) return false;
   radius_ = cut->aside;
-  l.bottom = cut->bottom;
-  l.infeed = l.finish_infeed = l.side = 0;
+  plan.bottom = cut->bottom;
+  plan.infeed = plan.finish_infeed = plan.side = 0;
   return true;
 }
 
-bool MillValues::levels(MillLevels& l) {
-  if (!depth(l)) return false;
+bool MillValues::read_plan(MillPlan& plan) {
+  if (!depth(plan)) return false;
   const double unit = scale();
-  l.infeed = std::abs(value("MID")) * unit;
-  l.finish_infeed = std::abs(value("MIDF")) * unit;
-  l.side = std::abs(value("FAL")) * unit;
-  l.floor = std::abs(value("FALD")) * unit;
-  l.feed = value("FFP1") * feed_scale();
-  l.plunge = value("FFD") * feed_scale();
-  if (l.plunge <= 0) l.plunge = l.feed;
+  plan.infeed = std::abs(value("MID")) * unit;
+  plan.finish_infeed = std::abs(value("MIDF")) * unit;
+  plan.side = std::abs(value("FAL")) * unit;
+  plan.floor = std::abs(value("FALD")) * unit;
+  plan.feed = value("FFP1") * feed_scale();
+  plan.plunge = value("FFD") * feed_scale();
+  if (plan.plunge <= 0) plan.plunge = plan.feed;
   double width = std::abs(value("MIDA")) * unit;
   if (call_->digit("AMODE", 1) == 1)
     width = width / unit * radius_ / 50;  // per cent of the diameter
-  l.width = width > 0 ? std::clamp(width, 0.02 * radius_, kWidest * radius_) : kWidest * radius_;
-  if (l.feed < 0 || l.plunge < 0) return fail("feed-range", "the feeds must be above 0");
-  if (std::abs(l.bottom - l.reference) <= l.floor)
+  plan.width = width > 0 ? std::clamp(width, 0.02 * radius_, kWidest * radius_) : kWidest * radius_;
+  if (plan.feed < 0 || plan.plunge < 0) return fail("feed-range", "the feeds must be above 0");
+  if (std::abs(plan.bottom - plan.reference) <= plan.floor)
     return fail("value-range", "the allowance at the floor is larger than the depth");
-  return modes(l);
+  return modes(plan);
 }
 
 // The reference point is PA PO or CPA CPO; where MCALL runs the cycle, it is the place of the tool.

@@ -24,10 +24,9 @@ class MillValues : public ControlPart {
   /// Reports an error at the call; always false.
   bool fail(const char* code, const std::string& text) { return error(code, text, where_); }
   /// The planes and the depth. False: an error was reported.
-  bool depth(MillLevels& out);
-  /// All levels, feeds and modes; with a chamfer the radius of the cut, too. False: an error was
-  /// reported.
-  bool levels(MillLevels& out);
+  bool depth(MillPlan& out);
+  /// All of the plan; with a chamfer the radius of the cut, too. False: an error was reported.
+  bool read_plan(MillPlan& out);
   /// The reference point in the plane, mm. False: an error was reported.
   bool reference_point(Vec2& out);
   /// The centre of a shape whose reference point may be a corner or an end, mm. False: an error was
@@ -39,8 +38,8 @@ class MillValues : public ControlPart {
   double radius_ = 0;  ///< of the cutter, mm
 
  private:
-  bool modes(MillLevels& out);
-  bool chamfer(MillLevels& out);
+  bool modes(MillPlan& out);
+  bool chamfer(MillPlan& out);
 
   ToolChanger& tools_;
   Chamfering chamfering_;
