@@ -71,11 +71,7 @@ class MachineReader {
  private:
   [[noreturn]] void fail(const toml::source_position& at, const char* code,
                          const std::string& what) const {
-    Diagnostic diagnostic;
-    diagnostic.code = code;
-    diagnostic.text = what;
-    diagnostic.place = {name_, static_cast<int>(at.line), static_cast<int>(at.column)};
-    throw PlacedError(diagnostic);
+    fail_at(at, text_, name_, code, what);
   }
   double number(std::string_view key, const toml::node& node, double least) const {
     const std::optional<double> value = node.value<double>();

@@ -46,6 +46,16 @@ TEST(MachineFile, ReadsThePlacesOfTheMachine) {
   EXPECT_EQ(code_of("[machine]\nsecond = 3"), "machine-value");
 }
 
+TEST(MachineFile, ErrorsShowTheLineThatTheyMean) {
+  try {
+    parse_machine("[machine]\nkind = \"mill\"\nrapid = 0\n", "job.toml");
+    FAIL() << "a rapid of 0 was taken";
+  } catch (const PlacedError& error) {
+    EXPECT_EQ(error.diagnostic().place.line, 3);
+    EXPECT_EQ(error.diagnostic().source_line, "rapid = 0");
+  }
+}
+
 TEST(MachineFile, RefusesWhatItDoesNotUnderstand) {
   EXPECT_EQ(code_of("[machine]\nrapids = 1"), "machine-key");
   EXPECT_EQ(code_of("[machine]\nzero.g54 = [1, 2, 3]"), "machine-key");
