@@ -69,7 +69,7 @@ TEST_F(BadInput, SimdLevelThatDoesNotExist) {
     EXPECT_EQ(run_with(level).code, 0) << level;
 }
 
-TEST_F(BadInput, UnknownTool) {
+TEST_F(BadInput, ToolsThatAreNotKnownAreRefused) {
   write("tool.MPF",
         "G54\nTRANS X50 Y-30 Z10\nT9 M6\nS3200 F200 M3\nG0 X0 Y0 Z5\nG1 Z-2\nG1 X10\nM30\n");
   expect_failure("tool.MPF --stock block.stl -o part.stl", 1, "tool 9");
@@ -79,7 +79,7 @@ TEST_F(BadInput, UnknownTool) {
   expect_failure("PRIMER_2F.MPF --tools missing.toml -o part.stl", 1, "no such file");
 }
 
-TEST_F(BadInput, StlTruncated) {
+TEST_F(BadInput, BadStlFilesAreRefused) {
   const std::string block = read("block.stl");
   write("bad.stl", block.substr(0, block.size() - 25));
   expect_bad_stock("bad.stl");
@@ -118,7 +118,7 @@ TEST_F(BadInput, StlThatIsNoSolid) {
 }
 
 // What welds away, and sizes beyond any machine.
-TEST_F(BadInput, StockOfSlivers) {
+TEST_F(BadInput, AStockOfSliversIsRefused) {
   const std::string faces = "f 1 2 3\nf 1 3 2\n";
   for (const std::string points :
        {"v 0 0 0\nv 10 0 0\nv 1e-6 1e-6 0\n", "v 1000 0 0\nv 1000.0003 0 0\nv 1000 0.0003 0\n",
@@ -130,7 +130,7 @@ TEST_F(BadInput, StockOfSlivers) {
   }
 }
 
-TEST_F(BadInput, NoTemporaryFolder) {
+TEST_F(BadInput, RunsThatFitNeedNoTemporaryFolder) {
   EXPECT_EQ(
       run("PRIMER_2F.MPF --stock block.stl -q --voxel 1 -o part.stl", "TMPDIR=/nonexistent").code,
       0);
@@ -174,7 +174,7 @@ TEST_F(BadInput, OutputThatIsTooLarge) {
 
 // What cannot be printed is an error; closed streams leave their numbers to no file of the run, and
 // nobody who hears no note stops it.
-TEST_F(BadInput, ClosedStreams) {
+TEST_F(BadInput, WhatCannotBePrintedIsAnError) {
   const auto with = [](const char* streams) {
     return std::string("sh -c '\"$0\" \"$@\" ") + streams + "'";
   };

@@ -12,7 +12,7 @@ using namespace mrsim::testing;
 
 using Cli = CliTest;
 
-TEST_F(Cli, HelpAndVersion) {
+TEST_F(Cli, HelpAndVersionArePrinted) {
   const Outcome help = run("--help");
   EXPECT_EQ(help.code, 0);
   for (const char* word : {"Usage:", "--stock", "--voxel", "--tool", "--color", "trace", "check",

@@ -97,7 +97,7 @@ TEST_F(Compare, GougeByOneLine) {
   EXPECT_NEAR(j["part_to_nominal"]["min"], -0.1, 0.005);
 }
 
-TEST_F(Compare, WrongToolDiameter) {
+TEST_F(Compare, AWrongDiameterOfTheToolIsNamed) {
   const Json j = spoiled("N05", "N05", "--tool 4=endmill:d=5.2 --tolerance 0.01");
   EXPECT_EQ(outcome_.code, 4);
   EXPECT_NEAR(j["part_to_nominal"]["min"], -0.1, 0.0101);  // the mesh is within 0.01
@@ -113,7 +113,8 @@ TEST_F(Compare, MissingPassNamesItsNeighbours) {
   EXPECT_EQ(first_line(j["regions"][0]), 8);  // N40, which ends where the missing one began
 }
 
-TEST_F(Compare, ShiftedWorkOffset) {  // of the slot in its block: no move of the part mends it
+TEST_F(Compare,
+       AShiftedWorkOffsetIsNamed) {  // of the slot in its block: no move of the part mends it
   const Json j = spoiled("TRANS X50 Y-30", "TRANS X50.3 Y-30");
   EXPECT_EQ(outcome_.code, 4);
   bool shifted = false;

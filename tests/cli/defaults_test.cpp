@@ -120,7 +120,7 @@ TEST_F(Defaults, ThreadingInsertsWithoutDataFitTheirThreads) {
 }
 
 // The stock that comments state is that of the run.
-TEST_F(Defaults, StockOfComments) {
+TEST_F(Defaults, TheStockThatCommentsStateIsThatOfTheRun) {
   const std::string cut =
       "G21 G90\nT1 M6 (6MM ENDMILL)\nS9000 M3\nG0 X10 Y10 Z2\nG1 Z-2 F100\nX30\nG0 Z2\nM30\n%\n";
   write("a.nc", "%\nO1\n(STOCK/BLOCK, 40, 30, 10, 0, 0, 10)\n" + cut);

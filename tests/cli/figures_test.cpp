@@ -25,7 +25,7 @@ class Figures : public CliTest {
   }
 };
 
-TEST_F(Figures, MilledPart) {
+TEST_F(Figures, AMilledPartHasItsVolume) {
   const Outcome outcome = run("PRIMER_2F.MPF --stock block.stl -o part.stl");
   ASSERT_EQ(outcome.code, 0) << outcome.err;
   EXPECT_NEAR(number_after(outcome.out, "removed"), kRemoved2F, 0.005);
@@ -34,7 +34,7 @@ TEST_F(Figures, MilledPart) {
   EXPECT_TRUE(exists("part.stl"));
 }
 
-TEST_F(Figures, TurnedPart) {
+TEST_F(Figures, ATurnedPartHasItsVolume) {
   const Outcome outcome = run("PRIMER_2S.MPF --stock bar.stl -o part.stl");
   ASSERT_EQ(outcome.code, 0) << outcome.err;
   EXPECT_NEAR(number_after(outcome.out, "volume"), kPart2S, 0.02);

@@ -116,7 +116,7 @@ TEST_F(Limits, MemoryOfEachCommand) {
   }
 }
 
-TEST_F(Limits, MemoryOfReading) {
+TEST_F(Limits, ReadingPastTheMemoryIsRefused) {
   write_raster(60000);
   expect_failure(
       "raster.MPF --stock box:0,0,-8,100,100,0 --tool ballmill:d=6 -o part.stl "

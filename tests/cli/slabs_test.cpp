@@ -46,7 +46,7 @@ TEST_F(Slabs, GiveTheSameBytes) {
   }
 }
 
-TEST_F(Slabs, DropPieces) {
+TEST_F(Slabs, LoosePiecesAreDroppedInSlabsToo) {
   ASSERT_EQ(split("--keep largest -o whole.ply -o whole.stl").code, 0);
   const Outcome outcome =
       split("--keep largest --threads 1 --max-memory " + limit(1) + " -o slabs.ply -o slabs.stl");

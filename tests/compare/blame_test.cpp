@@ -71,7 +71,7 @@ TEST(Blame, FloorLeftTooHighNamesItsLine) {
   EXPECT_FALSE(c.regions[0].lines[0].beside);
 }
 
-TEST(Blame, WrongToolDiameter) {
+TEST(Blame, NamesAWrongDiameterOfTheTool) {
   const Comparison c = judged(slots(kRight, 0.1f));
   EXPECT_NEAR(c.part.min, -0.1, 1e-5);
   ASSERT_GE(c.regions.size(), 6u);
@@ -100,7 +100,7 @@ TEST(Blame, MissingPassNamesItsNeighbours) {
   EXPECT_GE(r.extent.hi.y, 40.9);
 }
 
-TEST(Blame, ShiftedWorkOffset) {
+TEST(Blame, NamesAShiftedWorkOffset) {
   const Cells moved = slots(kRight, 0, 0.3f);
   const Comparison c = judged(moved);
   EXPECT_FALSE(*c.accepted);

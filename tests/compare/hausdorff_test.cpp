@@ -66,7 +66,7 @@ TEST(Hausdorff, AgreesWithCgal) {
   expect_as_cgal(tube, turned(tube, 3, {0, 0.1, 0}));
 }
 
-TEST(Hausdorff, SliversBesideCreases) {
+TEST(Hausdorff, AgreesWithCgalOnSliversBesideCreases) {
   // Rings of a plane, cut into thin triangles in two ways, with chords for circles: the borders
   // run close beside each other all around.
   const TriMesh coarse = testing::tube_mesh(47, 20, 15, 0, 2);

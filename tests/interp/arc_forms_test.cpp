@@ -318,7 +318,7 @@ TEST(ArcForms, CodesysPlaneByNormal) {
   EXPECT_NEAR(degrees(m.sweep), 180, 1e-9);  // clockwise about -Y
 }
 
-TEST(ArcForms, FanucRadius) {
+TEST(ArcForms, OfFanucsRadiusAndCentreTheRadiusCounts) {
   const Program none = read_text("G17 G2 R5 F100\nG1 X1\n", at_origin(Dialect::fanuc));
   EXPECT_EQ(none.motions.size(), 1U);
   EXPECT_EQ(codes(none), "");
@@ -328,7 +328,7 @@ TEST(ArcForms, FanucRadius) {
   EXPECT_EQ(codes(both), "");
 }
 
-TEST(ArcForms, FanucPolarCoordinates) {
+TEST(ArcForms, FanucReadsPolarCoordinates) {
   const Program p = read_text("G17 G90 G16 G1 X10 Y30 F100\nG3 Y120 R10\nG15\nG1 X0 Y0\n",
                               at_origin(Dialect::fanuc));
   ASSERT_EQ(codes(p), "") << listing(p);

@@ -25,7 +25,7 @@ std::string track(const Program& p, std::size_t from = 1) {
 constexpr const char* kSquare =
     "G0 X-20 Y-20\nG41 G1 X0 Y0 D1 F100\nY40\nX40\nY0\nX0\nG40 X-20 Y-20\n";
 
-TEST(Compensation, OutsideCorners) {
+TEST(Compensation, OutsideCornersAreArcsOrIntersections) {
   EXPECT_EQ(track(read_text(kSquare, at_origin(Dialect::sinumerik))),
             "-5,0 -5,40 a0,45 40,45 a45,40 45,0 a40,-5 0,-5 -20,-20");
   EXPECT_EQ(track(read_text(std::string("G451\n") + kSquare, at_origin(Dialect::sinumerik))),
@@ -34,7 +34,7 @@ TEST(Compensation, OutsideCorners) {
             "-5,0 -5,45 45,45 45,-5 0,-5 -20,-20");
 }
 
-TEST(Compensation, SharpOutsideCorner) {
+TEST(Compensation, SharpOutsideCornersDifferByControl) {
   const std::string text =
       "G0 X-20 Y0\nG42 G1 X0 Y0 D1 F100\nX40\nX10 Y30\nG40 X0 Y60\n";  // turn 135
   const double k = 5 / std::sqrt(2.0);
@@ -55,7 +55,7 @@ TEST(Compensation, InsideCornersAreIntersections) {
     EXPECT_EQ(track(read_text(text, at_origin(d))), "5,20 5,35 35,35 35,5 5,5 5,20 20,20");
 }
 
-TEST(Compensation, RegistersAndRadii) {
+TEST(Compensation, TheRadiusIsThatOfTheRegisterOrTheTool) {
   InterpOptions options = at_origin(Dialect::fanuc);
   options.table.offsets.push_back({"D1", 3, 0.5, 0});
   EXPECT_EQ(track(read_text(kSquare, options)),
@@ -115,7 +115,7 @@ TEST(Compensation, RoundedTangentsAreNoCorners) {
     }
 }
 
-TEST(Compensation, SelectionAndEnd) {
+TEST(Compensation, CompensationBeginsAndEndsOnStraightLines) {
   const InterpOptions s = at_origin(Dialect::sinumerik), f = at_origin(Dialect::fanuc);
   EXPECT_EQ(codes(read_text("F100\nG41\nG1 X10\n", s)), "comp-void");
   EXPECT_EQ(codes(read_text("F100\nG41 D1 G2 X10 I5\nG1 X1\n", f)), "comp-start-arc");
@@ -124,7 +124,7 @@ TEST(Compensation, SelectionAndEnd) {
   EXPECT_EQ(track(read_text("G41 D1\nG1 X10 F100\nX20\nG40 Y20\n", f), 0), "10,5 20,5 20,20");
 }
 
-TEST(Compensation, SuspendedRunsShifted) {
+TEST(Compensation, SuspendedCompensationKeepsTheShift) {
   const Program p =
       read_text("G0 X-20 Y0\nG41 G1 X0 Y0 F100\nX20\nCUTCONON\nX30 Y5\nCUTCONOF\nX40\nG40 Y30\n",
                 at_origin(Dialect::sinumerik));
@@ -172,7 +172,7 @@ TEST(Compensation, FanucPocketOfTheSeed) {
   EXPECT_NEAR(p.motions[p.motions.size() - 2].start.z, -25, 1e-9);
 }
 
-TEST(Compensation, TurningNose) {
+TEST(Compensation, TheNoseOfATurningToolIsCompensated) {
   InterpOptions options = at_origin(Dialect::sinumerik, MachineKind::lathe);
   options.table.tools[0].nose_radius =
       0.8;  // orientation 3: the tip is at -X -Z of the nose centre
@@ -198,7 +198,7 @@ TEST(Corners, TheExampleOfTheDocument) {
   EXPECT_LT(p.motions[1].sweep, 0);
 }
 
-TEST(Corners, Lines) {
+TEST(Corners, CornersOfLinesAreRoundedAndCut) {
   const InterpOptions s = at_origin(Dialect::sinumerik);
   EXPECT_EQ(track(read_text("G1 X20 RND=3 F1\nY20\n", s), 0), "17,0 a20,3 20,20");
   EXPECT_EQ(track(read_text("G1 X20 CHR=3 F1\nY20\n", s), 0), "17,0 20,3 20,20");

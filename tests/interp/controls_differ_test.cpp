@@ -179,7 +179,7 @@ TEST(ControlsDiffer, AWearAloneIsAddedToTheToolsRadius) {
 }
 
 // A settable frame that turns about Z: whole, or its part RT.
-TEST(ControlsDiffer, SettableFramesTurn) {
+TEST(ControlsDiffer, SettableFramesMayTurnAboutZ) {
   const auto s = Dialect::sinumerik;
   EXPECT_EQ(mill("TRANS X9\n$P_PFRAME=CTRANS()\nG1 X5 Y0 F10\n", s), "l5,0,0");
   EXPECT_EQ(mill("$P_UIFR[1]=CTRANS(X,10,Y,5):CROT(Z,90)\nG54\nG1 X5 Y0 F10\n", s), "l10,10,0");
@@ -190,7 +190,7 @@ TEST(ControlsDiffer, SettableFramesTurn) {
   EXPECT_EQ(mill("$P_UIFR[1]=CROT(X,90)\n", s), " | variable-unset");
 }
 
-TEST(ControlsDiffer, ComputedScales) {
+TEST(ControlsDiffer, ComputedScalesCountAsWritten) {
   EXPECT_EQ(mill("G51 X0 Y0 P[1500+500]\nG1 X5. F10\n"), "l10,0,0");
   EXPECT_EQ(mill("#1=2\nG51 X0 Y0 I#1 J#1\nG1 X5. F10\n"), "l10,0,0");
 }
@@ -247,7 +247,7 @@ TEST(ControlsDiffer, CompensationOfABoringBarHasItsTipOutside) {
 
 // Okuma: G15 H chooses the work offset, for one block G16 H; behind it G56 H is the length along Z,
 // which G53 ends. Without a G15 H the words are FANUC's.
-TEST(ControlsDiffer, OkumasOffsets) {
+TEST(ControlsDiffer, OkumaChoosesOffsetsByG15AndLengthsByG56) {
   InterpOptions options = at_origin(Dialect::fanuc);
   options.table.work.push_back({"G15 H2", {100, 0, 0}});
   options.table.offsets.push_back({});

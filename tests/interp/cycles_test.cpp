@@ -54,7 +54,7 @@ TEST(Cycles, PecksWithFullRetractAndChipBreaking) {
             "r0,0,5 r0,0,0 l0,0,-3 r0,0,-2.746 l0,0,-5 r0,0,-4.746 l0,0,-6 r0,0,5");
 }
 
-TEST(Cycles, WaysOut) {
+TEST(Cycles, EachCycleHasItsWayOut) {
   for (const char* g : {"G84", "G85", "G89", "G74"})
     EXPECT_EQ(run(Dialect::fanuc, std::string("G0 Z5\nS100 M3\n") + g + " Z-5 R1 F100\n"),
               "r0,0,5 r0,0,1 l0,0,-5 l0,0,1 r0,0,5")
@@ -102,7 +102,7 @@ TEST(Cycles, LathesDrillAlongZOrX) {
             "r25,0,-20 l22,0,-20 r25,0,-20 r22.254,0,-20 l20,0,-20 r26,0,-20");
 }
 
-TEST(Cycles, OtherPlanes) {
+TEST(Cycles, CyclesDrillAcrossThePlaneInForce) {
   EXPECT_EQ(run(Dialect::fanuc, "G0 X5 Y20\nG18 G81 X10 Z3 Y-5 R2 F100\nG80\n"),
             "r5,20,0 r10,20,3 r10,2,3 l10,-5,3 r10,20,3");
   EXPECT_EQ(run(Dialect::fanuc, "G0 X20\nG19 G81 Y10 Z3 X-5 R2 F100\nG80\n"),
@@ -160,7 +160,7 @@ TEST(Cycles, SinumerikCallsAndMcall) {
   EXPECT_EQ(on_circle("180,2,1010"), "r0,0,9 r10,0,9 r-10,0,9 l0,0,9");
 }
 
-TEST(Cycles, SinumerikDeepHoles) {
+TEST(Cycles, Cycle83DrillsInStrokes) {
   const auto s = Dialect::sinumerik;
   // First depth 5, each next one 1 less, chips out.
   EXPECT_EQ(run(s, "G0 Z5\nF100\nCYCLE83(5,0,1,-12,,-5,,1,0,0,1,1)\n"),

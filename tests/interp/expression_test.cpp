@@ -60,7 +60,7 @@ Variables linuxcnc_variables() {
   return v;
 }
 
-TEST(Expression, LinuxCnc) {
+TEST(Expression, LinuxCncExpressionsHaveTheirValues) {
   // clang-format off
   constexpr ExpressionCase kCases[] = {
       {"1", 1}, {"1.5", 1.5}, {".5", 0.5}, {"5.", 5}, {"-3", -3}, {"+3", 3}, {"--5", 5},
@@ -97,7 +97,7 @@ TEST(Expression, LinuxCnc) {
   expect_all(linuxcnc_rules(), variables, kCases);
 }
 
-TEST(Expression, Fanuc) {
+TEST(Expression, FanucExpressionsHaveTheirValues) {
   // clang-format off
   constexpr ExpressionCase kCases[] = {
       {"1", 1}, {"#1", 2}, {"-#1", -2}, {"#1+#2", 7}, {"#1*#2", 10}, {"#2/#1", 2.5}, {"#1-#2", -3},
@@ -151,7 +151,7 @@ Variables sinumerik_variables() {
   return v;
 }
 
-TEST(Expression, Sinumerik) {
+TEST(Expression, SinumerikExpressionsHaveTheirValues) {
   // clang-format off
   constexpr ExpressionCase kCases[] = {
       {"1", 1}, {"R1", 10}, {"r2", 3}, {"R[1]", 10}, {"R[R2-2]", 10}, {"-R1", -10}, {"R1+R2", 13},
@@ -195,7 +195,7 @@ TEST(Expression, Sinumerik) {
 }
 
 // The examples of the 8055's programming manual, and what follows from its table of priorities.
-TEST(Expression, Fagor) {
+TEST(Expression, FagorExpressionsHaveTheirValues) {
   // clang-format off
   constexpr ExpressionCase kCases[] = {
       {"3 + 4", 7}, {"5 - 2", 3}, {"-(2 * 3)", -6}, {"2 * 3", 6}, {"9 / 2", 4.5}, {"7 MOD 4", 3},
@@ -223,7 +223,7 @@ TEST(Expression, Fagor) {
 }
 
 // Angles are in radians, as everywhere in IEC 61131.
-TEST(Expression, Codesys) {
+TEST(Expression, CodesysExpressionsHaveTheirValues) {
   // clang-format off
   constexpr ExpressionCase kCases[] = {
       {"1", 1}, {"1 + 2 * 3", 7}, {"{1 + 2} * 3", 9}, {"10 - 4 - 3", 3}, {"16 / 4 / 2", 2},

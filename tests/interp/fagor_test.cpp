@@ -143,7 +143,7 @@ TEST(FagorLanguage, TablesThatAreSetAreErrors) {
 }
 
 // 8060 to 8070: what changes no path is read over, what does is an error by name.
-TEST(FagorLanguage, InstructionsOfThe8070) {
+TEST(FagorLanguage, InstructionsOfThe8070ThatMoveSomethingAreErrors) {
   EXPECT_EQ(
       fagor(
           "F100\nN10 #HSC ON [CONTERROR 0.01]\nG1 X5\n#MSG[\"HELLO\"]\n#HSC OFF\n#RTCP OFF\nX9\n"),

@@ -20,7 +20,7 @@ void expect_end(const Row& row, const InterpOptions& options) {
   expect_near(p.motions.back().end, row.end);
 }
 
-TEST(Frames, Points) {
+TEST(Frames, FramesMovePoints) {
   constexpr auto s = Dialect::sinumerik, f = Dialect::fanuc, i = Dialect::iso, c = Dialect::codesys;
   const Row rows[] = {
       {s, "TRANS X10 Y20\nG1 X1 Y2 Z3 F1", {11, 22, 3}},
@@ -128,7 +128,7 @@ TEST(Frames, AShiftWithinARotationIsSaid) {
   EXPECT_EQ(run("G68 X0 Y0 R90\nG52 X20 Y0\nG1 X5 Y0 F1\n"), "l20,5,0 | rotation-shift");
 }
 
-TEST(Frames, LatheDiameters) {
+TEST(Frames, XOfALatheIsADiameterOrARadius) {
   constexpr auto s = Dialect::sinumerik, f = Dialect::fanuc;
   const Row rows[] = {
       {s, "G1 X20 Z-5 F.1", {10, 0, -5}},
@@ -144,7 +144,7 @@ TEST(Frames, LatheDiameters) {
   for (const Row& row : rows) expect_end(row, at_origin(row.dialect, MachineKind::lathe));
 }
 
-TEST(Frames, LatheCentres) {
+TEST(Frames, CentresOfALatheAreRadiiUnlessAbsolute) {
   // Quarter circle about X40 (radius 20), Z0: I is a radius, absolute I a diameter.
   for (const char* text :
        {"G1 X20 Z0 F.1\nG3 X40 Z-10 I10 K0", "G1 X20 Z0 F.1\nG3 X40 Z-10 I=AC(40) K=AC(0)",
@@ -189,7 +189,7 @@ TEST(Frames, UnequalScaleOfAnArcIsAnError) {
             "");
 }
 
-TEST(Frames, UnknownStart) {
+TEST(Frames, MotionsFromAnUnknownPlaceAreMarked) {
   InterpOptions options = at_origin(Dialect::iso);
   options.start.reset();
   const Program p = read_text("G1 X10 Y0 F1\nZ5\nX20\n", options);
@@ -205,7 +205,7 @@ TEST(Frames, UnknownStart) {
 }
 
 // Where machine coordinates lead is unknown: no motion, and the axis is unknown until given again.
-TEST(Frames, MachineCoordinates) {
+TEST(Frames, BehindMachineCoordinatesTheAxisIsUnknown) {
   const std::pair<Dialect, const char*> rows[] = {{Dialect::sinumerik, "G0 SUPA Z100"},
                                                   {Dialect::sinumerik, "G53 G0 Z100 D0"},
                                                   {Dialect::sinumerik, "G75 Z1=0"},
@@ -228,7 +228,7 @@ TEST(Frames, MachineCoordinates) {
             "machine-incremental");
 }
 
-TEST(Frames, FeedsAndSpeeds) {
+TEST(Frames, FeedsAndSpeedsHaveTheirUnits) {
   const InterpOptions mill = at_origin(Dialect::sinumerik);
   const Program p = read_text(
       "G95 F0.2 S100 G1 X1\nG94 F50 X2\nG93 F2 X3\nG96 S200 F.1 X4\nG97 S500 X5\n"
@@ -279,7 +279,7 @@ TEST(Frames, ProgramsLimitTheSpindle) {
 }
 
 // The sign of a tap's lead is its hand, into the hole and out of it.
-TEST(Frames, LeftHandTaps) {
+TEST(Frames, TheSignOfATapsLeadIsItsHand) {
   const InterpOptions s = at_origin(Dialect::sinumerik);
   const Program p = read_text("S100 SPOS=0\nG331 Z-9 K-1.25\nG332 Z5 K-1.25\nG331 Z-9 K1.25\n", s);
   ASSERT_EQ(p.motions.size(), 3U) << listing(p);

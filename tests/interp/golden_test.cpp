@@ -77,7 +77,7 @@ std::vector<std::string> cases() {
 
 class Golden : public ::testing::TestWithParam<std::string> {};
 
-TEST_P(Golden, Trace) {
+TEST_P(Golden, TraceIsTheExpectedOne) {
   const fs::path folder = fs::path(MRSIM_DATA_DIR) / "../tests/golden" / GetParam();
   fs::current_path(MRSIM_DATA_DIR);  // paths in the trace are relative to the data
   const std::string actual = trace(read_case(folder / "case.txt"));

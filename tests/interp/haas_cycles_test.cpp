@@ -30,7 +30,7 @@ TEST(HaasCycles, HolesOnACircleAnArcAndALine) {
   EXPECT_EQ(haas_path("G0 Z10.\nG70 I10. L4\n"), "r0,0,10 | value-missing") << "no cycle";
 }
 
-TEST(HaasCycles, PatternsOfMitsubishi) {
+TEST(HaasCycles, MitsubishisPatternsDrillTheirHoles) {
   const std::string start = "G0 X50. Y10. Z10.\nG82 G98 Z-5. R2. F100. L0\n", at = "r50,10,10";
   EXPECT_EQ(haas_path(start + "G34 X0 Y0 I10. J90. K4\nG80\n"),
             at + hole("0,10") + hole("-10,0") + hole("0,-10") + hole("10,0"));
@@ -55,7 +55,7 @@ TEST(HaasCycles, AloneG70AndG71AreTheUnits) {
 }
 
 // Tool radius 5: the path's radii are 3, 7, 10; each circle begins and ends towards +X.
-TEST(HaasCycles, CircularPockets) {
+TEST(HaasCycles, G12AndG13ClearCircularPockets) {
   EXPECT_EQ(haas_path("G0 Z1.\nG13 Z-2. I8. F100. D1\n"), "r0,0,1 l0,0,-2 a3,0,-2 a3,0,-2 a0,0,-2");
   EXPECT_EQ(haas_path("G0 Z0\nG12 G91 Z-2. I8. K15. Q4. L2 D1 F100.\nG90\n"),
             "l0,0,-2 a3,0,-2 a3,0,-2 l7,0,-2 a7,0,-2 l10,0,-2 a10,0,-2 a0,0,-2 "
@@ -77,7 +77,7 @@ TEST(HaasCycles, CircularPockets) {
 }
 
 // Mach: along X by I, round, and back, at the depth where the tool is.
-TEST(HaasCycles, CircleOfMach) {
+TEST(HaasCycles, G12OfMachGoesRoundOnce) {
   const auto mach = [](const std::string& text) {
     return path_text(read_text(text, at_origin(Dialect::iso)));
   };

@@ -49,7 +49,7 @@ TEST(Language, SkippedBlocksAreNotEvaluated) {
   EXPECT_EQ(path_of(read_text("G1 X1 F1\n/X#5\n/GOTO 7\n/#1=#6\nX2\n", options)), "1,0,0 2,0,0 ");
 }
 
-TEST(Owords, ControlStructures) {
+TEST(Owords, OwordsBranchAndLoop) {
   EXPECT_EQ(run(Dialect::ngc,
                 "G1 F100 X1\n#1=0\no1 while [#1 lt 3]\n#1=[#1+1]\no2 if [#1 eq 2]\no1 continue\n"
                 "o2 endif\nX[#1*10]\no1 endwhile\nM2\n"),
@@ -175,7 +175,7 @@ TEST(Language, AnEndOfAnotherLoopIsAnError) {
             "structure 2: nothing begins what ENDFOR goes on with or ends");
 }
 
-TEST(Sinumerik, BranchesAndCases) {
+TEST(Sinumerik, BranchesAndCasesChooseOneWay) {
   const auto s = Dialect::sinumerik;
   const auto branch = [&](int value) {
     return run(s, fmt::format("R1={}\nG1 F100 X1\nIF R1==1\nX10\nELSE\nIF R1==2\nX20\nELSE\nX30\n"
@@ -209,7 +209,7 @@ TEST(Sinumerik, ExpressionsWhereverANumberStands) {
             "1,3,0 10,3,0 10,0,0 ");
 }
 
-TEST(Sinumerik, ProceduresWithParameters) {
+TEST(Sinumerik, ProceduresTakeAndChangeParameters) {
   const Scratch scratch;
   scratch.write("HOLE.SPF",
                 "PROC HOLE(REAL DEPTH, REAL BACK=2, VAR REAL COUNT)\nG1 Z=-DEPTH\nZ=BACK\n"

@@ -6,7 +6,7 @@ namespace {
 
 using namespace mrsim::testing;
 
-TEST(LatheToolReadings, Inserts) {
+TEST(LatheToolReadings, InsertsAreReadFromComments) {
   expect_readings({
       {lathe_mm, "80* ROUGH TURNING TOOL", "turning, insert 80"},
       {lathe_mm, "T0101 DREHMEISSEL 80* R0.8", "turning, insert 80, nose 0.8"},
@@ -169,7 +169,7 @@ TEST(LatheReadings, LeftIsNoHandBesideAPlace) {
 }
 
 // Words for the inside of the work turn the point outwards.
-TEST(LatheToolReadings, Inside) {
+TEST(LatheToolReadings, WordsForTheInsideMakeABoringBar) {
   expect_readings({
       {lathe_mm, "ID ROUGH CNMG 120408", "boring, insert 80, nose 0.8"},
       {lathe_mm, "BORE BAR", "boring, insert 35"},
@@ -219,7 +219,7 @@ TEST(LatheToolReadings, Inside) {
 }
 
 // The style of a holder is its lead: SVVCN stands upright, where 93 degrees left no flank behind.
-TEST(LatheToolReadings, LeadsOfHolders) {
+TEST(LatheToolReadings, TheStyleOfAHolderIsItsLead) {
   const auto lead = [](const char* comment) {
     Tool tool;
     std::string why;

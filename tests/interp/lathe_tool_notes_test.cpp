@@ -154,7 +154,7 @@ TEST(ToolNotes, NoseBesideTheWork) {
 }
 
 // T words of lathes with six and eight digits have half of them for the offset.
-TEST(ToolNotes, StationsOfLathes) {
+TEST(ToolNotes, HalfOfALathesStationIsItsOffset) {
   const auto tools = [](const std::string& program) {
     InterpOptions options;
     options.dialect = Dialect::fanuc;
@@ -199,7 +199,7 @@ TEST(ToolNotes, WorkOfATurretToolInAList) {
 }
 
 // No insert for the outside leaves its cut towards the axis.
-TEST(ToolNotes, BarsWithoutData) {
+TEST(ToolNotes, ACutTowardsTheAxisNeedsDataOfItsBar) {
   const auto told = [](const std::string& work) {
     InterpOptions options = at_origin(Dialect::fanuc, MachineKind::lathe);
     options.table.tools.clear();
@@ -218,7 +218,7 @@ TEST(ToolNotes, BarsWithoutData) {
 }
 
 // Nor does it plunge and go straight back.
-TEST(ToolNotes, BladesWithoutData) {
+TEST(ToolNotes, APlungeAndBackNeedsDataOfItsBlade) {
   const auto told = [](const std::string& work) {
     InterpOptions options = at_origin(Dialect::fanuc, MachineKind::lathe);
     options.table.tools.clear();

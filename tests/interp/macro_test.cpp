@@ -91,7 +91,7 @@ TEST(Macro, RunsOfOneCommandShareTheirVariables) {
 }
 
 // More common variables of the 30i; those of Mitsubishi's begin at #400.
-TEST(Macro, MoreCommonVariables) {
+TEST(Macro, Fanuc30iAndMitsubishiHaveMoreCommonVariables) {
   EXPECT_EQ(run(Dialect::fanuc,
                 "G1 F100\n#98000=1\n#98499=2\n#900000=3\n#907399=4\n#400=5\nM98 P2\n"
                 "X#98000 Y#98499\nX#900000 Y#[907399]\nX#400\nM30\nO2\n#98499=#98499+7\nM99\n"),
@@ -133,7 +133,7 @@ TEST(Macro, FaultsAreToldWithTheirPlace) {
   EXPECT_EQ(deep.diagnostics[0].called_from[0].line, 2);
 }
 
-TEST(Macro, VariablesFromOutside) {
+TEST(Macro, VariablesMayBeSetFromOutside) {
   InterpOptions options = at_origin(Dialect::fanuc);
   options.variables = {{"#100", "2.5"}, {"#1", "4"}};
   EXPECT_EQ(path_of(read_text("G1 F1 X#100 Y#1\n", options)), "2.5,4,0 ");
@@ -298,7 +298,7 @@ TEST(Macro, ArgumentsCountLeastIncrementsToo) {
   EXPECT_EQ(path("G20\nG65 P7 X5000 I0 A0 H2. F100"), "l12.7,0,0 l50.8,0,0");
 }
 
-TEST(Macro, CommentsBetweenOperands) {
+TEST(Macro, CommentsMayStandBetweenOperands) {
   for (const char* const text :
        {"#1=[2+(NOTE)3]", "#1=2(A)+(B]) 3", "#1=(NOTE)5", "#1=SQRT(OF)[25]", "#1=5 (NOTE",
         "IF(A)[1 EQ 1(B)](C)THEN#1=5", "#2=0\nWHILE(A)[#2 EQ 0](B)DO1\n#1=5\n#2=1\nEND1"})

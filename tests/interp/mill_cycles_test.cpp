@@ -67,7 +67,7 @@ void expect_cleared(const std::string& text, double depth, const Shape& shape, d
   EXPECT_EQ(gouged, 0);
 }
 
-TEST(MillCycles, RectangularPockets) {
+TEST(MillCycles, RectangularPocketsAreCleared) {
   const auto pocket = [](double x, double y) { return from_box(x, y, 30, 20, 8); };
   expect_cleared("POCKET3(50,0,2,-6,60,40,8,0,0,0,3,0,0,800,200,0,11)", -6, pocket, -40, 40);
   expect_cleared(
@@ -87,7 +87,7 @@ TEST(MillCycles, RectangularPockets) {
       [](double x, double y) { return from_box(y - 3, x - 5, 30, 20, 8); }, -40, 40);
 }
 
-TEST(MillCycles, CircularPockets) {
+TEST(MillCycles, CircularPocketsAreCleared) {
   const auto pocket = [](double x, double y) { return std::hypot(x - 3, y - 4) - 22; };
   expect_cleared("POCKET4(50,0,2,-6,22,3,4,3,0,0,800,200,0,21,8,,,2,1)", -6, pocket, -30, 30);
   expect_cleared("POCKET2(50,0,2,,6,22,3,4,200,800,3,3,0.1,0)", -6, pocket, -30, 30);
@@ -152,7 +152,7 @@ TEST(MillCycles, SpigotsLeaveTheirShape) {
       -6, round, -35, 35);
 }
 
-TEST(MillCycles, Faces) {
+TEST(MillCycles, FacesAreCleared) {
   const auto face = [](double x, double y) {  // what is asked for lies inside of the face
     return x > 0.01 && x < 50 && y > 0.01 && y < 30 ? -1.0 : 0.0;
   };

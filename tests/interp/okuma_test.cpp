@@ -82,7 +82,7 @@ TEST(Okuma, VariablesHaveNames) {
 
 // As bar work begins and ends: the blank of the control's own picture, the name of a section before
 // its tool, and the way back to the top, which is the next part.
-TEST(Okuma, ProgramsForBars) {
+TEST(Okuma, ABarProgramIsReadUpToTheNextPart) {
   const Program p = read_text(
       "$PART.MIN%\nVGRIN[1]=1 VGRA2[1]=3\nVCHKL=0 VWKR=-602\nM1\nNBAR\nCLEAR\nDEF WORK\nPS "
       "LC,[-400,0],[400,19]\nPS LC, [0,0],[46,9],0\nPT LF,LC,[0,0],[9,9]\n"
@@ -215,7 +215,7 @@ TEST(Okuma, WOfLathesIsAnAxisOfItsOwn) {
             "");
 }
 
-TEST(Okuma, StrokesOfLathes) {
+TEST(Okuma, G73AndG74OfLathesCutInStrokes) {
   EXPECT_EQ(osp_named("G0 X0 Z3\nG74 X0 Z-20 D8 L16 F.1 E1\n"),
             "r0,0,3 l0,0,-5 l0,0,-13 l0,0,-20 r0,0,3");
   EXPECT_EQ(osp_named("G0 X40 Z-5\nG73 X34 Z-9 K2.5 D4 F.1\n"),
@@ -247,7 +247,7 @@ TEST(Okuma, WhatIsNotSetIsEmpty) {
 }
 
 // G94 and G90 are modes; the zero is no variable to be set.
-TEST(Okuma, ModesOfLathes) {
+TEST(Okuma, G90AndG94OfLathesAreModes) {
   EXPECT_EQ(osp_named("G1 X30 Z5 F.2\nG94 X20 F100\nG90 X24 Z-6\n"), "l15,0,5 l10,0,5 l12,0,-6");
   EXPECT_EQ(osp_named("VZOFZ=5\nG1 X2 F1\n"), "l1,0,0 | variable-unset");
 }

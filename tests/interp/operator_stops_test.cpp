@@ -9,7 +9,7 @@ namespace {
 
 using namespace mrsim::testing;
 
-TEST(OperatorStops, WhatCommentsSay) {
+TEST(OperatorStops, CommentsTellThatThePartIsTurnedOver) {
   const auto said = [](const char* comment, bool lathe = false) {
     return says_part_is_turned(comment, lathe);
   };

@@ -48,7 +48,7 @@ TEST(Intersection, LineThenArcFromWithin) {
   EXPECT_NEAR(degrees(p.motions[3].sweep), 90 - angle(x, 1), 1e-9);
 }
 
-TEST(Intersection, ArcThenLine) {
+TEST(Intersection, AnArcMeetsTheLineBehindIt) {
   const Program p =
       run("G451 G0 X40 Y-20\nG42 G1 X22 Y-6 F100\nG3 X20 Y0 I-10 J0\nG1 X0\nG40 X-20\n");
   ASSERT_EQ(p.motions.size(), 5U) << listing(p);
@@ -261,7 +261,7 @@ TEST(Kont, IsNormInFrontOfTheContour) {
 }
 
 // The nose of a turning tool goes round the point too: orientation 9 keeps its centre.
-TEST(Kont, OnALathe) {
+TEST(Kont, TheNoseGoesRoundThePointOnALathe) {
   InterpOptions options = at_origin(Dialect::sinumerik, MachineKind::lathe);
   options.table.tools[0].nose_radius = 1;
   const auto text = [](const char* mode) {

@@ -178,7 +178,7 @@ TEST(Policy, LimitsOfABlock) {
   }
 }
 
-TEST(Policy, ThreePoints) {
+TEST(Policy, CipThroughPointsOnOneLineIsALineOrAnError) {
   const auto run = [](const char* text) {
     return codes(
         read_text(std::string("G1 X1 F100\n") + text + "\n", at_origin(Dialect::sinumerik)));
@@ -227,7 +227,7 @@ TEST(Policy, ACallOfNothingIsNamed) {
   EXPECT_NE(p.diagnostics.back().text.find("PART"), std::string::npos);
 }
 
-TEST(Policy, Labels) {
+TEST(Policy, LabelsHaveTwoTo32Characters) {
   const auto run = [](const std::string& label) {
     return codes(read_text("G1 X1 F1\n" + label + ": X2\n", at_origin(Dialect::sinumerik)));
   };
@@ -260,7 +260,7 @@ TEST(Policy, ACommentInBracketsIsOneFault) {
             "address-without-number address-without-number");
 }
 
-TEST(Policy, Programs) {
+TEST(Policy, FilesThatAreNoProgramsAreRefused) {
   const Scratch scratch;
   const InterpOptions options = at_origin(Dialect::iso);
   EXPECT_THROW(read_program(scratch.write("empty.nc", ""), options), Error);
@@ -278,7 +278,7 @@ TEST(Policy, Programs) {
   EXPECT_EQ(codes(read_text("G0 X5\nM30\n", options)), "program-without-cuts");
 }
 
-TEST(Policy, LongLines) {
+TEST(Policy, LinesOfAnyLengthAreRead) {
   const std::string blanks(3 << 20, ' ');
   const Program p =
       read_text("G1" + blanks + "X1 F100\nG1 X" + std::string(1 << 20, '9') + "\nG1 X2\n",
@@ -288,7 +288,7 @@ TEST(Policy, LongLines) {
 }
 
 // Lines end with LF, CR LF or CR; a byte order mark is no word.
-TEST(Policy, LineEnds) {
+TEST(Policy, LinesEndWithLfCrOrBoth) {
   const InterpOptions options = at_origin(Dialect::iso);
   for (const char* text :
        {"G1 X1 F1\nX2\nX3\n", "G1 X1 F1\r\nX2\r\nX3\r\n", "G1 X1 F1\rX2\rX3\r", "G1 X1 F1\rX2\rX3",

@@ -83,7 +83,7 @@ TEST(PostWords, WordsBehindASemicolonAreToldOf) {
 }
 
 // The letter O for the digit, and the minus of a word processor.
-TEST(PostWords, LettersForDigits) {
+TEST(PostWords, ALetterOForADigitIsNamed) {
   const auto said = [](const std::string& line) {
     const Program p = read_text(line + "\n", at_origin(Dialect::fanuc));
     return p.diagnostics.empty() ? std::string() : p.diagnostics[0].text;
@@ -292,7 +292,7 @@ TEST(PostWords, SmoothingOfCentroidAndMazak) {
 }
 
 // Marlin's display; T1 of such a text is no tool.
-TEST(PostWords, MessagesOfMarlin) {
+TEST(PostWords, MessagesOfMarlinNameNoTool) {
   const Program p =
       read_text("M117 T1 flat end mill\nM0 Put tool 2\nM1 ; stop\nM118 X9\nG1 X5 F100\n",
                 at_origin(Dialect::iso));

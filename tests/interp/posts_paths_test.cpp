@@ -148,7 +148,7 @@ const PathOfPost kPaths[] = {
     {"bom_crlf.nc", Dialect::fanuc, kMill, "1:6", "r0,0,5 l0,0,-1 l10,0,-1 r10,0,5"},
 };
 
-TEST(PostsPaths, AsWorkedOut) {
+TEST(PostsPaths, PathsOfPostsAreAsWorkedOut) {
   for (const PathOfPost& post : kPaths) {
     SCOPED_TRACE(post.file);
     const Program p =

@@ -11,7 +11,7 @@ using namespace mrsim::testing;
 
 std::string data(const std::string& name) { return std::string(MRSIM_DATA_DIR) + "/" + name; }
 
-TEST(Recognise, Dialects) {
+TEST(Recognise, DialectsAreRecognised) {
   struct Row {
     const char* name;
     const char* text;
@@ -53,7 +53,7 @@ TEST(Recognise, Dialects) {
   }
 }
 
-TEST(Recognise, Machines) {
+TEST(Recognise, MachinesAreRecognised) {
   struct Row {
     const char* text;
     MachineKind machine;
@@ -86,7 +86,7 @@ TEST(Recognise, Machines) {
   }
 }
 
-TEST(Recognise, FanucLathes) {
+TEST(Recognise, FanucLathesAreRecognised) {
   const std::pair<const char*, MachineKind> rows[] = {
       {"O1\nG0 X20 Z2\nG1 U-2 W-5 F.1", MachineKind::lathe},
       {"O1\nG92 X18 Z-20 F1.5", MachineKind::lathe},
@@ -110,7 +110,7 @@ TEST(Recognise, FanucLathes) {
     EXPECT_EQ(recognise(scratch.write("a.nc", text), {}).machine, machine) << text;
 }
 
-TEST(ToolComment, InManyTongues) {
+TEST(ToolComment, ToolsAreReadInManyTongues) {
   struct Row {
     const char* text;
     ToolType type;
@@ -198,7 +198,7 @@ TEST(Subprograms, FanucInOneFile) {
   }
 }
 
-TEST(Subprograms, BesideTheProgram) {
+TEST(Subprograms, SubprogramsAreFoundBesideTheProgram) {
   const Scratch scratch;
   scratch.write("POCKET.SPF", "G91 G1 X1\nM17\n");
   scratch.write("L12.SPF", "G91 G1 Y1\nRET\n");
@@ -234,7 +234,7 @@ TEST(Subprograms, OneThatStandsTwiceIsToldOf) {
             "");
 }
 
-TEST(Subprograms, MissingAndEndless) {
+TEST(Subprograms, MissingAndEndlessSubprogramsAreErrors) {
   EXPECT_EQ(codes(read_text("G1 X1 F1\nM98 P99\n", at_origin(Dialect::fanuc))),
             "subprogram-missing");
   EXPECT_EQ(codes(read_text("G1 X1 F1\nNOWHERE\n", at_origin(Dialect::sinumerik))),
@@ -269,7 +269,7 @@ TEST(Flow, SkippedBlocksLabelsAndEnds) {
       "");
 }
 
-TEST(Flow, FanucTape) {
+TEST(Flow, OnlyTheTextBetweenPercentSignsCounts) {
   const Program p =
       read_text("this is no program\n%\nO1;\nG1X1F1;X2;\nG 1 X 3\nM30\n%\nrubbish here\n",
                 at_origin(Dialect::fanuc));
@@ -286,7 +286,7 @@ TEST(Flow, TextBeforeTheTapeMarkMayHoldWords) {
             1U);
 }
 
-TEST(Flow, Workpiece) {
+TEST(Flow, WorkpieceStatesTheStock) {
   const Program p = read_text("WORKPIECE(,\"\",,\"BOX\",112,0,-20,-80,-5,-6,100,60)\nG1 X1 F1\n",
                               at_origin(Dialect::sinumerik));
   ASSERT_TRUE(p.workpiece.has_value());
@@ -299,7 +299,7 @@ TEST(Flow, Workpiece) {
   EXPECT_EQ(c.workpiece->outer_radius, 25);
 }
 
-TEST(Primer, Milling) {
+TEST(Primer, TheMillingPrimerIsReadAsDrawn) {
   const Program p = read_program(data("PRIMER_2F.MPF"), {});
   ASSERT_EQ(codes(p), "") << listing(p);
   EXPECT_EQ(p.dialect, Dialect::sinumerik);
@@ -313,7 +313,7 @@ TEST(Primer, Milling) {
   EXPECT_EQ(p.tools[0].diameter, 5);
 }
 
-TEST(Primer, Turning) {
+TEST(Primer, TheTurningPrimerIsReadAsDrawn) {
   const Program p = read_program(data("PRIMER_2S.MPF"), {});
   ASSERT_EQ(codes(p), "") << listing(p);
   EXPECT_EQ(p.machine, MachineKind::lathe);

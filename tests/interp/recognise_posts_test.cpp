@@ -34,7 +34,7 @@ TEST(RecogniseDialect, SignsAtTheEndsOfBlocks) {
   }
 }
 
-TEST(RecogniseDialect, Posts) {
+TEST(RecogniseDialect, OutputOfPostsIsRecognised) {
   struct Row {
     const char* text;
     Dialect dialect;
@@ -135,7 +135,7 @@ TEST(RecognisePosts, AnArcWithRIsNotSinumeriks) {
             Dialect::sinumerik);
 }
 
-TEST(RecogniseForeign, NamedAndRefused) {
+TEST(RecogniseForeign, ForeignLanguagesAreNamedAndRefused) {
   EXPECT_NE(refusal("0 BEGIN PGM PART MM\n1 BLK FORM 0.1 Z X+0 Y+0 Z-20\n").find("Heidenhain"),
             std::string::npos);
   EXPECT_NE(

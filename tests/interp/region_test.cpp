@@ -92,7 +92,7 @@ TEST(Region, ANeckTooNarrowDividesThePocket) {
   EXPECT_NEAR(signed_area(loops[0]), 0, 1e-9);
 }
 
-TEST(Region, StraightWays) {
+TEST(Region, StraightWaysKeepToTheRegion) {
   const Region region(box(0, 0, 60, 60), {circle_loop(10)});
   EXPECT_TRUE(region.keeps({20, 5}, {50, 50}, 5));
   EXPECT_FALSE(region.keeps({5, 30}, {30, 5}, 12));

@@ -68,7 +68,7 @@ TEST(SinumerikContours, AllowanceAndQuarterCircles) {
 
 const char* const kShaft = "M30\nONE:\nG1 X20 Z0\nZ-20\nX40 Z-30\nX44\nTWO:\n";
 
-TEST(SinumerikContours, StockRemoval) {
+TEST(SinumerikContours, Cycle95RemovesStockInPasses) {
   // From radius 22 to 10 in three passes of 4; the allowance of 0 leaves the contour itself.
   EXPECT_EQ(turned("F0.2 G0 X50 Z2\nCYCLE95(\"ONE:TWO\",4,0,0,,0.3,0.2,0.1,1,,,1)\n" +
                    std::string(kShaft)),
@@ -155,7 +155,7 @@ TEST(SinumerikContours, StockRemovalThatIsNotRead) {
   EXPECT_EQ(found("2101311,0.3,0.15,0,0"), "r25,2 value-missing");
 }
 
-TEST(SinumerikContours, Thread) {
+TEST(SinumerikContours, Cycle97CutsAThreadInPasses) {
   // M20 x 2: two rough cuts of equal cross-section, one finishing cut, one spare.
   EXPECT_EQ(turned("S500 M3 G0 X30 Z10\nCYCLE97(2,,0,-20,20,20,4,2,1.2,0.2,0,0,2,1,3,1,2)\n"),
             "r15,10 r12,10 r12,4 r9.29289,4 l9.29289,-22 r12,-22 r12,4 r9,4 l9,-22 r12,-22 r12,4 "
@@ -168,7 +168,7 @@ TEST(SinumerikContours, Thread) {
 
 // VARI's ten thousands: on the contour it makes no difference to what is cut; beside it, which side
 // RL counts from is not certain.
-TEST(SinumerikContours, Cycle72Backwards) {
+TEST(SinumerikContours, Cycle72MayRunBackwards) {
   const auto run_along = [](const char* vari, int rl) {
     return path_text(read_text(
         fmt::format("T1 D1 M6\nG0 X0 Y0 Z50\nCYCLE72(\"BEG:FIN\",50,0,2,-5,9,0,0,800,400,{},{},1,5,"

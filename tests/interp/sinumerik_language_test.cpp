@@ -107,7 +107,7 @@ TEST(SinumerikProc, ArgumentsHaveTheTypeOfTheirParameter) {
 }
 
 // Back by levels, and there to the block of a label or behind it.
-TEST(SinumerikProc, RetWithValues) {
+TEST(SinumerikProc, RetReturnsByLevelsAndToLabels) {
   const std::string main = "SUB\nX1\nLEND: X5\nN50 X6\n";
   EXPECT_EQ(moves(main, {{"SUB.SPF", "PROC SUB\nX3\nRET()\n"}}), "l3,0,0 l1,0,0 l5,0,0 l6,0,0");
   EXPECT_EQ(moves(main, {{"SUB.SPF", "PROC SUB\nX3\nRET(\"LEND\")\n"}}), "l3,0,0 l5,0,0 l6,0,0");
@@ -272,7 +272,7 @@ TEST(SinumerikLanguage, ALengthThatChangesBetweenCuts) {
 }
 
 // Of a path the last part counts: no other folder is opened.
-TEST(SinumerikLanguage, CallsByPath) {
+TEST(SinumerikLanguage, OfAPathTheLastPartIsCalled) {
   const std::string sub = "\nM30\n%_N_HOLES_SPF\nG1 X1 F9\nM17\n";
   for (const std::string call :
        {"CALL \"/_N_WKS_DIR/_N_PART_WPD/_N_HOLES_SPF\"", "CALL \"/_N_SPF_DIR/\"<<\"_N_HOLES_SPF\"",

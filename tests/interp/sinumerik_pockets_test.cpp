@@ -35,7 +35,7 @@ TEST(SinumerikPockets, ASquareInTwoInfeeds) {
             path);
 }
 
-TEST(SinumerikPockets, FloorAndWall) {
+TEST(SinumerikPockets, FloorAndWallAreFinishedApart) {
   // The floor in one cut, 1 mm from the wall; conventional: clockwise.
   EXPECT_EQ(pocketed("CYCLE62(\"SQUARE\",0,,)\nCYCLE63(\"\",3,50,0,2,-5,500,200,5,2,1,1,1,0,0,0,0,"
                      "0,0,0,\"\",1,0,0,101,0)\n" +
@@ -47,7 +47,7 @@ TEST(SinumerikPockets, FloorAndWall) {
             kStart + "r15,15,50 r15,15,2 l15,15,-5 " + at_level(kRound, "-5") + "r15,15,50");
 }
 
-TEST(SinumerikPockets, ASpigot) {
+TEST(SinumerikPockets, ASpigotIsMilledAlongItsWall) {
   // Its wall alone: clockwise about the square, arcs about its corners.
   EXPECT_EQ(
       pocketed("CYCLE62(\"BLANK\",0,,)\nCYCLE62(\"SQUARE\",0,,)\nCYCLE63(\"\",4,50,0,2,-5,500,"
@@ -74,7 +74,7 @@ TEST(SinumerikPockets, ASpigot) {
 }
 
 // A cone of 90 degrees 3 mm deep, a chamfer of 1: the axis runs 2 mm from the wall.
-TEST(SinumerikPockets, Chamfers) {
+TEST(SinumerikPockets, AChamferRunsBesideTheWall) {
   InterpOptions options = at_origin(Dialect::sinumerik);
   options.table.tools[0].type = ToolType::chamfer;
   options.table.tools[0].tip_angle = radians(90);

@@ -60,7 +60,7 @@ TEST(Sinumerik, WordsThatMoveNothing) {
   EXPECT_EQ(run("CUTMOD=1\n" + path), "1,0,0 not-supported");
 }
 
-TEST(Sinumerik, EnvelopeOfPosts) {
+TEST(Sinumerik, WordsThatPostsWriteAroundProgramsAreRead) {
   EXPECT_EQ(run("G17 G90\nORIWKS\nORIAXES\nCOMPCAD\nDYNFINISH\nGROUP_BEGIN(0,\"FACE\",0,0)\n"
                 "SPOS[2]=90\nPOLF[Z]=100\nLFPOS\nWALIMON\nFA[X]=200\nSPOS=DC(90)\n"
                 "BRISKA(X)\nSOFTA(X,Y)\nDRIVEA(X)\nTCARR=0\nTCOABS\nTOFFL=0\nTOFFR=0.0\n"
@@ -134,7 +134,7 @@ TEST(Sinumerik, CyclesTakeExpressions) {
   EXPECT_EQ(run("F100 G0 Z50\nCYCLE82(50,0,2,-R9,,0.5)\n"), "0,0,50 variable-unset");
 }
 
-TEST(Sinumerik, DefinitionsFromFiles) {
+TEST(Sinumerik, DefinitionsAreReadFromFiles) {
   const Scratch scratch;
   const std::string defs = scratch.write(
       "UGUD.DEF",

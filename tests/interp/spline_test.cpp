@@ -66,7 +66,7 @@ TEST(Threads, RigidTapGoesInAndOut) {
   EXPECT_EQ(p.motions[2].lead, 0.5);
 }
 
-TEST(Polar, LinuxCnc) {
+TEST(Polar, AtAndCaretArePolarOnLinuxCnc) {
   const Program p = read_text("F100\nG1 @10 ^90\nG1 ^180\nG91 @5\n", at_origin(Dialect::ngc));
   EXPECT_EQ(codes(p), "");
   ASSERT_EQ(p.motions.size(), 3U);

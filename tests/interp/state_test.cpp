@@ -153,7 +153,7 @@ TEST(Sinumerik, RetAloneAndAmpersands) {
   EXPECT_EQ(ends(read_text("G1 X&5 F1 & Y2\n", s)), "5,2,0");
 }
 
-TEST(Sinumerik, WhatIsMeant) {
+TEST(Sinumerik, ErrorsSayWhatIsPerhapsMeant) {
   const InterpOptions s = at_origin(Dialect::sinumerik);
   for (const char* text : {"G1 X=. F1\n", "G1 X=-\n"})
     EXPECT_EQ(codes(read_text(text, s), Severity::error).substr(0, 16), "number-malformed") << text;

@@ -19,7 +19,7 @@ std::string stock(const std::string& head, InterpOptions options = {}) {
                      hi.z);
 }
 
-TEST(StockComment, CarbideCreate) {
+TEST(StockComment, CarbideCreatesStockIsRead) {
   EXPECT_EQ(stock("(stockMin:-50.00mm, -45.00mm, 0.00mm)\n(stockMax:50.00mm, 45.00mm, 12.70mm)\n"
                   "(STOCK/BLOCK,100.00, 90.00, 12.70,50.00, 45.00, 0.00)\nG21\n"),
             "-50 -45 0 to 50 45 12.7");
@@ -30,7 +30,7 @@ TEST(StockComment, CarbideCreate) {
             "0 0 -12.7 to 50 45 0");
 }
 
-TEST(StockComment, Vectric) {
+TEST(StockComment, VectricsStockIsRead) {
   const std::string size = "( Material Size)\n( X= 300.000, Y= 200.000, Z= 18.000)\n";
   const std::string z = "( Z Origin for Material  = Material Surface)\n";
   EXPECT_EQ(stock(size + z + "( XY Origin for Material = Bottom Left Corner)\n"),
@@ -47,7 +47,7 @@ TEST(StockComment, Vectric) {
 }
 
 // Where something is missing nothing is guessed.
-TEST(StockComment, Incomplete) {
+TEST(StockComment, AnIncompleteStockIsNotGuessed) {
   const std::string size = "( Material Size)\n( X= 300.000, Y= 200.000, Z= 18.000)\n";
   const std::string z = "( Z Origin for Material = Material Surface)\n";
   const std::string xy = "( XY Origin for Material = Bottom Left Corner)\n";

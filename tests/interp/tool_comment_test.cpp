@@ -49,7 +49,7 @@ void expect_rows(const std::vector<Row>& rows, double unit) {
 
 using enum ToolType;
 
-TEST(ToolComment, PostsInMillimetres) {
+TEST(ToolComment, CommentsOfPostsInMillimetresAreRead) {
   expect_rows(
       {{"T01 10. FLAT ENDMILL", endmill, 10, 0, "1"},
        {"TOOL : END MILL D 10", endmill, 10, 0, ""},
@@ -112,7 +112,7 @@ TEST(ToolComment, BoringBarsOfLathes) {
   EXPECT_EQ(made("T2 BORING BAR").why, "gives no diameter");
 }
 
-TEST(ToolComment, PostsInInches) {
+TEST(ToolComment, CommentsOfPostsInInchesAreRead) {
   expect_rows(
       {{"TOOL 1: .500 ROUGH EM, TUFF-KUT COOLANT", endmill, 12.7, 0, "1"},
        {"T1 | 1/4 FLAT ENDMILL | H1 ", endmill, 6.35, 0, "1"},
@@ -156,7 +156,7 @@ TEST(ToolComment, DoubtIsSaid) {
   EXPECT_FALSE(made("T1 | 10 FLAT ENDMILL | H1", 25.4).ok);  // 254 mm?
 }
 
-TEST(ToolComment, WholeWordsOnly) {
+TEST(ToolComment, PartsOfWordsNameNoTool) {
   for (const char* text : {"SPINDLE TURNING CW",
                            "RETURNING TO HOME",
                            "GLOBALLY VALID",
@@ -181,7 +181,7 @@ TEST(ToolComment, WholeWordsOnly) {
     EXPECT_FALSE(read_tool_comment(text)) << text;
 }
 
-TEST(ToolComment, Inserts) {
+TEST(ToolComment, CodesOfInsertsAreRead) {
   struct Insert {
     const char* comment;
     double angle, nose, edge;

@@ -57,7 +57,7 @@ TEST(ToolCommentDoubts, SizesOfTheWork) {
 }
 
 // No end mill is as wide as that: the number is of a name.
-TEST(ToolCommentDoubts, NumbersOfNames) {
+TEST(ToolCommentDoubts, NumbersOfNamesAreNoDiameters) {
   expect_readings({
       {mm, "365_endmill001", "? gives the diameter 365 without a unit, in a program in mm"},
       {mm, "200 FACE MILL", "endmill 200"},
@@ -140,7 +140,7 @@ TEST(ToolCommentDoubts, InchSizesInMillimetres) {
 }
 
 // A point left out, or a leading zero.
-TEST(ToolCommentDoubts, PaddedRadii) {
+TEST(ToolCommentDoubts, RadiiWithoutAPointAreDoubted) {
   expect_readings({
       {mm, "EM 12 R05", "? can be read as radius 5 or 0.5"},
       {mm, "EM 12 R0.5", "bullmill 12, corner 0.5"},
@@ -241,7 +241,7 @@ TEST(ToolCommentDoubts, SizesThatHaveChanged) {
 }
 
 // Estlcam numbers what is done.
-TEST(ToolCommentDoubts, NumbersOfWork) {
+TEST(ToolCommentDoubts, NumbersOfOperationsAreNoSizes) {
   expect_readings({
       {mm, "No. 1 Engraving 1", "-"},
       {mm, "ENGRAVING 2", "-"},

@@ -24,7 +24,7 @@ std::string diameters(const std::string& text, Dialect dialect = Dialect::fanuc)
   return errors.empty() ? out : out + " " + errors;
 }
 
-TEST(ToolNotes, AboveTheCall) {
+TEST(ToolNotes, TheCommentAboveTheCallNamesTheTool) {
   const std::string cut = kCut;
   // FreeCAD: the operation's comment, modes, then the call.
   EXPECT_EQ(diameters("(begin operation: TC: 5mm Endmill)\n(machine units: mm/min)\n"
@@ -47,7 +47,7 @@ TEST(ToolNotes, AboveTheCall) {
       "1:6 2:0 tool-unknown");
 }
 
-TEST(ToolNotes, BelowTheCall) {
+TEST(ToolNotes, TheCommentBelowTheCallNamesTheTool) {
   const std::string cut = kCut;
   EXPECT_EQ(diameters("T1 M6\n(6MM FLAT ENDMILL)\nT2\n" + cut + "T2 M6\n(10MM DRILL)\n" + cut),
             "1:6 2:10");
@@ -92,7 +92,7 @@ TEST(ToolNotes, ANumberBehindWhatItNumbers) {
 }
 
 // T6 of an alloy is no tool.
-TEST(ToolNotes, TempersOfAlloys) {
+TEST(ToolNotes, TheTemperOfAnAlloyIsNoTool) {
   const std::string cut = kCut;
   EXPECT_EQ(diameters("(10MM ENDMILL)\n(MATERIAL 6061-T6)\nT1 M6\n" + cut), "1:10");
   EXPECT_EQ(diameters("(MATERIAL 7075 T6)\n(10MM ENDMILL)\nT1 M6\n" + cut + "T6 M6\n" + cut),
@@ -135,7 +135,7 @@ TEST(ToolNotes, UnitsOfTheProgram) {
       "239:10");
 }
 
-TEST(ToolNotes, ByName) {
+TEST(ToolNotes, TheNameOfAToolMayTellItsSize) {
   EXPECT_EQ(diameters("T=\"ENDMILL_D10\"\nM6\nG90 G0 X0 Y0 Z5\nG1 Z-1 F100\n", Dialect::sinumerik),
             "ENDMILL_D10:10");
   EXPECT_EQ(diameters("T=\"CUTTER 10\"\nM6\nG90 G0 X0 Y0 Z5\nG1 Z-1 F100\n", Dialect::sinumerik),
@@ -172,7 +172,7 @@ TEST(ToolNotes, TipsThatAreNotToldAreSaidToBeSharp) {
 }
 
 // Mach has four digits for both on its lathes; tool 101 of LinuxCNC has to be given.
-TEST(ToolNotes, StationsOfMach) {
+TEST(ToolNotes, FourDigitsOfMachAreToolAndOffset) {
   InterpOptions options;
   options.dialect = Dialect::ngc;
   options.machine = MachineKind::lathe;

@@ -6,7 +6,7 @@ namespace {
 
 using namespace mrsim::testing;
 
-TEST(ToolCommentReadings, Threads) {
+TEST(ToolCommentReadings, TapsAreAsWideAsTheirThreads) {
   expect_readings({
       {mm, "M8 X 1.25 TAP", "endmill 8"},
       {mm, "M6X1 TAP", "endmill 6"},
@@ -92,7 +92,7 @@ TEST(ToolCommentReadings, SizesJoinedByX) {
   });
 }
 
-TEST(ToolCommentReadings, NumbersWithNames) {
+TEST(ToolCommentReadings, NumbersBelongToTheNamesBesideThem) {
   expect_readings({
       {inch, "EM 0.375 LOC 1.0", "endmill 9.525"},
       {inch, "3/8 BEM 1.0 LOC 2.5 OAL", "ballmill 9.525"},
@@ -217,7 +217,7 @@ TEST(ToolCommentReadings, WhatWouldBeLost) {
   });
 }
 
-TEST(ToolCommentReadings, Quotes) {
+TEST(ToolCommentReadings, QuotesAreNamesOrInches) {
   expect_readings({
       {mm, "T=\"CUTTER_10\" D=10 endmill", "endmill 10"},
       {mm, "TOOL : T=\"BALL_8_R4\" D1 BALL D=8", "ballmill 8"},
@@ -226,7 +226,7 @@ TEST(ToolCommentReadings, Quotes) {
   });
 }
 
-TEST(ToolCommentReadings, Radii) {
+TEST(ToolCommentReadings, RadiiAreHalvesOrCorners) {
   expect_readings({
       {inch, ".375 BEM", "ballmill 9.525"},
       {mm, "R3 BALL", "ballmill 6"},
@@ -253,7 +253,7 @@ TEST(ToolCommentReadings, Radii) {
   });
 }
 
-TEST(ToolCommentReadings, Angles) {
+TEST(ToolCommentReadings, AnglesArePointsOrSides) {
   expect_readings({
       {inch, ".250 X 45 CHAMFER", "chamfer 6.35, side 45"},
       {inch, "CHAMFER MILL 1/2 X 45", "chamfer 12.7, side 45"},
@@ -343,7 +343,7 @@ TEST(ToolCommentReadings, OneToolOrTwo) {
 }
 
 // How many tools, files or parts there are is no size.
-TEST(ToolCommentReadings, NumbersThatCount) {
+TEST(ToolCommentReadings, NumbersThatCountThingsAreNoSizes) {
   expect_readings({
       {mm, "This file uses 2 drill bit sizes.", "-"},
       {mm, "USES 2 END MILL SIZES", "-"},

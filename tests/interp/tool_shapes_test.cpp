@@ -9,7 +9,7 @@ namespace {
 
 using namespace mrsim::testing;
 
-TEST(ToolShapes, RouterBits) {
+TEST(ToolShapes, RouterBitsAreMills) {
   expect_readings({
       {mm, "T1 6MM O-FLUTE", "endmill 6"},
       {mm, "1/8\" SINGLE FLUTE ENDMILL", "endmill 3.175"},
@@ -69,7 +69,7 @@ TEST(ToolShapes, ShanksBeforeTheSize) {
   });
 }
 
-TEST(ToolShapes, Chamfers) {
+TEST(ToolShapes, ChamferMillsHaveTheirAngle) {
   expect_readings({
       {mm, "T5 CHAMF. 10MM", "chamfer 10, point 90"},
       {mm, "CHAMF. MILL 10MM 90 DEG", "chamfer 10, point 90"},
@@ -164,7 +164,7 @@ TEST(ToolShapes, ThousandthsAskForTheirUnitInMm) {
   });
 }
 
-TEST(ToolShapes, Tapers) {
+TEST(ToolShapes, TapersHaveTipAndSide) {
   expect_readings({
       {mm, "TAPERED BALL NOSE R0.5 D=6 5 DEG", "taper 6, corner 0.5, side 5, tip 1"},
       {mm, "TAPERED BALL R0.25 5.4 DEG", "taper 0.5, corner 0.25, side 5.4"},
@@ -207,7 +207,7 @@ TEST(ToolShapes, WhatACommentCanNotGive) {
   });
 }
 
-TEST(ToolShapes, HeadsAndBlades) {
+TEST(ToolShapes, HeadsAndBladesHaveTheirWidth) {
   expect_readings({
       {mm, "T-SLOT CUTTER 20MM X 4MM", "tslot 20, width 4"},
       {mm, "T-SLOT 25 X 11 NECK 12", "tslot 25, width 11"},

@@ -6,7 +6,7 @@ namespace {
 
 using namespace mrsim::testing;
 
-TEST(ToolCommentReadings, Tongues) {
+TEST(ToolCommentReadings, EachTongueHasItsWords) {
   expect_readings({
       {mm, "FRÄSER Ø 20", "endmill 20"},
       {mm, "HPC-FRAESER 12 Z4", "endmill 12"},

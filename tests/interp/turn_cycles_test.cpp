@@ -32,7 +32,7 @@ Tool grooving_tool(double width, int tip) {
   return tool;
 }
 
-TEST(TurnCycles, CornerRoughed) {
+TEST(TurnCycles, Cycle951RoughsACorner) {
   EXPECT_EQ(lathe_path("CYCLE951(60,0,40,-20,0,0,1,4,2,0.5,11,0,0,0,1,0.3,0,2,1110000)"),
             "r31,1 r26,1 l26,-19.5 r27,-18.5 r27,1 r22,1 l22,-19.5 r23,-18.5 r23,1 r31,1 ");
   // A face, beyond its centre; and a bore.
@@ -42,7 +42,7 @@ TEST(TurnCycles, CornerRoughed) {
             "r9,1 r15,1 l15,-15 r14,-14 r14,1 r9,1 ");
 }
 
-TEST(TurnCycles, CornerFinished) {
+TEST(TurnCycles, Cycle951FinishesACorner) {
   EXPECT_EQ(lathe_path("CYCLE951(60,0,40,-20,0,0,1,1,2,0.5,21,0,0,0,1,0.3,0,2,1110000)"),
             "r31,1 r20,1 l20,-20 l31,-20 r31,1 ");
   EXPECT_EQ(lathe_path("CYCLE951(60,0,40,-20,0,0,1,1,0,0,22,0,0,0,1,0.3,0,2,1110000)"),
@@ -79,7 +79,7 @@ TEST(TurnCycles, GrooveInEqualPlunges) {
             "r19,-10 r19,-30 l25,-30 r19,-30 ");
 }
 
-TEST(TurnCycles, GrooveWithAllowances) {
+TEST(TurnCycles, Cycle93LeavesAllowances) {
   EXPECT_EQ(lathe_path("CYCLE93(60,-20,10,5,0,0,0,0,0,0,0,1,0.5,2,0,5,1)", grooving_tool(4, 3)),
             "r31,-10 r31,-24.5 l28,-24.5 r29,-24.5 l26,-24.5 r31,-24.5 r31,-27 l28,-27 r29,-27 "
             "l26,-27 r31,-27 r31,-29.5 l28,-29.5 r29,-29.5 l26,-29.5 r31,-29.5 r31,-24 l25,-24 "
@@ -87,7 +87,7 @@ TEST(TurnCycles, GrooveWithAllowances) {
 }
 
 // Chamfers by their length (VARI 1) or leg (11), radii, at the edge (RCO) and at the bottom (RCI).
-TEST(TurnCycles, GrooveWithCorners) {
+TEST(TurnCycles, Cycle93CutsCorners) {
   const Tool sharp = grooving_tool(4, 3);
   const double leg = std::sqrt(2.0);
   EXPECT_EQ(lathe_path("CYCLE93(60,-20,10,5,0,0,0,-1,-2,0,0,0,0,,,15)", sharp),
@@ -137,7 +137,7 @@ TEST(TurnCycles, CornersOfRoundBladesKeepTheirSize) {
 }
 
 // LCYC95 and LCYC97 of 802S and 802C; G22 and G23 are its radius and diameter.
-TEST(TurnCycles, CyclesOf802) {
+TEST(TurnCycles, TheCyclesOf802AreThoseOf840) {
   const std::string contour = "\nM2\n%_N_KONT1_SPF\nG1 X30 Z0\nZ-30\nX60 Z-40\nM17";
   const std::string by_list =
       lathe_path("CYCLE95(\"KONT1\",2,0,0,0.3,0.25,0.25,0.1,9,,,0.5)" + contour);
@@ -168,7 +168,7 @@ TEST(TurnCycles, GroovesThatAreNotRead) {
             "not-supported not-supported not-supported not-supported not-supported");
 }
 
-TEST(TurnCycles, PartingOff) {
+TEST(TurnCycles, Cycle92PartsOff) {
   // The part ends at Z-30: the blade of 3 stands left of it, its point at the left corner; the feed
   // falls at Ø10, the cut ends beyond the axis.
   EXPECT_EQ(
@@ -185,7 +185,7 @@ TEST(TurnCycles, PartingOff) {
   EXPECT_EQ(lathe_path("CYCLE92(40,-30,10,-1,0,2)"), "tool-unknown");
 }
 
-TEST(TurnCycles, ChainOfThreads) {
+TEST(TurnCycles, Cycle98CutsAChainOfThreads) {
   // The manual's example: five cuts of equal cross-section and one more, 10 before and behind.
   const std::string text =
       lathe_path("S500 M3\nCYCLE98(0,30,-30,30,-60,36,-80,50,10,10,0.92,,,,5,1,1.5,2,2,3,1)");

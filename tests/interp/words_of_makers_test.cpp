@@ -88,7 +88,7 @@ TEST(WordsOfMakers, SafeStartsOfMachAndPathPilot) {
 }
 
 // What senders write between the lines: $H homes, settings do nothing, $J= moves.
-TEST(WordsOfMakers, CommandsOfGrbl) {
+TEST(WordsOfMakers, SettingsOfGrblAreReadOverAndItsJogsRefused) {
   const auto run = [](const std::string& text) { return read_text(text, at_origin(Dialect::ngc)); };
   const Program p = run("$X\n$32=0\n$$ (all)\n?\nG1 X5 F100\n$H\nG0 X0 Y0 Z5\nG1 X6 F100\nM2\n");
   EXPECT_EQ(codes(p), "") << listing(p);
@@ -124,7 +124,7 @@ TEST(WordsOfMakers, TurningCyclesOfCodeSystemB) {
 
 // G41.1 of FANUC turns a knife along the path: no compensation. What ends it, and polygon turning,
 // stands in the heads of programs.
-TEST(WordsOfMakers, NormalDirectionControl) {
+TEST(WordsOfMakers, NormalDirectionControlIsNoCompensation) {
   const InterpOptions mill = at_origin(Dialect::fanuc);
   EXPECT_EQ(codes(read_text("G40.1\nG41.1\nG1 X5. F100\n", mill)), "not-supported");
   EXPECT_EQ(path_text(read_text("G40 G40.1 G50.2\nG1 X5. F100\n", mill)), "l5,0,0");

@@ -49,7 +49,7 @@ TEST(WordsTogether, CornersOfFagorBesideMoves) {
 }
 
 // Words of CODESYS are split by blanks or tabs.
-TEST(WordsTogether, TabsBehindSubprogram) {
+TEST(WordsTogether, TabsMaySplitWordsOfCodesys) {
   EXPECT_EQ(
       mill("N1 SUB{2}\nN2 G1 X9 F9\nSUBPROGRAM\tSUB{#A : LREAL}\nN1 G1 Y#A F9\nEND_SUBPROGRAM\n",
            Dialect::codesys),

@@ -8,8 +8,7 @@
 #include "removal/part/part_field.h"
 #include "support/crossed_slots.h"
 #include "support/moves.h"
-
-#include <filesystem>
+#include "support/temp_folder.h"
 
 #include <gtest/gtest.h>
 
@@ -51,7 +50,6 @@ std::string encoded(const MeshSource& mesh, MeshFormat format, bool ascii) {
 /// Counts how often the mesh began anew.
 class CountingSpill final : public MeshSink {
  public:
-  CountingSpill() : spilled(std::filesystem::temp_directory_path().string()) {}
   void take(const MeshBlock& block) override {
     ++blocks;
     spilled.take(block);
@@ -61,7 +59,8 @@ class CountingSpill final : public MeshSink {
     blocks = 0;
     spilled.restart();
   }
-  SpilledMesh spilled;
+  TempFolder temporary;
+  SpilledMesh spilled{temporary.folder().string()};
   int blocks = 0, restarts = 0;
 };
 

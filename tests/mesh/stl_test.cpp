@@ -3,6 +3,7 @@
 #include "mesh/solid/check.h"
 #include "support/mesh_asserts.h"
 #include "support/shapes.h"
+#include "support/temp_folder.h"
 
 #include <algorithm>
 #include <cstdio>
@@ -41,7 +42,8 @@ TEST(Stl, ReadsBackWhatItWrites) {
 }
 
 TEST(Stl, StreamGivesTheSameBytes) {
-  const std::string path = ::testing::TempDir() + "mrsim-stream.stl";
+  const testing::TempFolder temporary;
+  const std::string path = temporary.path("stream.stl");
   for (const int threads : {1, 2}) {
     DraftFile draft(path);
     StlStream stream(draft, threads);
@@ -56,7 +58,6 @@ TEST(Stl, StreamGivesTheSameBytes) {
     draft.publish();
     EXPECT_EQ(read_file(path), binary(kBox));
   }
-  std::remove(path.c_str());
 }
 
 TEST(Stl, HasTheSizeOfItsTriangles) { EXPECT_EQ(binary(kBox).size(), 84u + 12 * 50); }

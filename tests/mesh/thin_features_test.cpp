@@ -204,7 +204,7 @@ TEST_F(Lost, WallThatIsNotThere) {
   EXPECT_GE(lost(cuts), shown());  // edges beside it, too
 }
 
-TEST_F(Lost, WallElsewhere) {
+TEST_F(Lost, AWallElsewhereIsNotTheWall) {
   Place moved = place(1, 0);
   moved.middle.y += 2 * kTolerance;
   EXPECT_GE(lost(wall(moved)), shown());

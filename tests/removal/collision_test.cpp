@@ -145,7 +145,7 @@ TEST(Collisions, WhatLaterMotionsRemoveIsStillThere) {
   EXPECT_EQ(report.lines[0].motion, 0u);
 }
 
-TEST(Collisions, TiltedHolder) {
+TEST(Collisions, ATiltedHolderMeetsTheBlock) {
   Tool tool = endmill(10, 0, 10);
   tool.holder = {{40, 40, 40}};
   Moves m = Moves({-10, 30, -1}).cut({110, 30, -1});
@@ -243,7 +243,7 @@ TEST(Collisions, OneLineOfManyMotionsIsOnePlace) {
 }
 
 // Random moves in a block: threads do not matter, and a larger threshold finds no more.
-TEST(Collisions, ThreadsAndThresholds) {
+TEST(Collisions, ThreadsDoNotMatterAndALargerThresholdFindsNoMore) {
   std::mt19937 random(testing::salted(7));
   const auto pick = [&](double lo, double hi) {
     return lo + (hi - lo) * static_cast<double>(random() % 1000) / 999;

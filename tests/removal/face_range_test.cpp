@@ -176,7 +176,7 @@ TEST(FaceRange, BallsOnSlantedLinesAndUprightArcs) {
   }
 }
 
-TEST(FaceRange, TurnedFaces) {
+TEST(FaceRange, RangesOfTurnedFacesHoldTheirSamples) {
   StockShape shape;
   shape.kind = StockShape::Kind::cylinder;
   shape.outer_radius = 25;
@@ -223,7 +223,7 @@ TEST(FaceRange, FacesOfTubesAndBoxes) {
   }
 }
 
-TEST(FaceRange, TiltedTools) {
+TEST(FaceRange, RangesOfTiltedToolsHoldTheirSamples) {
   Random random(5);
   for (const ToolType type : {ToolType::endmill, ToolType::ballmill}) {
     Count count;

@@ -59,7 +59,7 @@ TEST(RecogniseStock, BarsOffTheAxisToo) {
   EXPECT_EQ(s.box.lo.z, -3.3);
 }
 
-TEST(RecogniseStock, TubesToo) {
+TEST(RecogniseStock, TubesBecomeTubes) {
   const StockShape s = recognise_stock(tube_mesh(400, 25, 10.05, 0, 51));
   EXPECT_EQ(s.kind, ShapeKind::tube);
   EXPECT_EQ(s.outer_radius, 25);

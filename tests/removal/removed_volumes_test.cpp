@@ -48,15 +48,15 @@ TEST(RemovedVolumes, HalfImmersionSideCut) {
   const VolumeScene scene{kBlock, endmill(10), {line({-10, 0, -5}, {110, 0, -5})}};
   expect_closed_form(scene, 5 * 5 * 100.0, 0.25);
 }
-TEST(RemovedVolumes, FullPlunge) {
+TEST(RemovedVolumes, APlungeRemovesACylinder) {
   const VolumeScene scene{kBlock, endmill(10), {line({50, 30, 5}, {50, 30, -8})}};
   expect_closed_form(scene, kPi * 25 * 8, 0.25);
 }
-TEST(RemovedVolumes, BallSlot) {
+TEST(RemovedVolumes, ABallRemovesAHalfCylinder) {
   const VolumeScene scene{kBlock, ballmill(6), {line({-10, 30, -3}, {110, 30, -3})}};
   expect_closed_form(scene, kPi * 9 / 2 * 100, 0.25);
 }
-TEST(RemovedVolumes, TurningPass) {
+TEST(RemovedVolumes, ATurningPassRemovesARing) {
   Tool tool = mill(ToolType::turning, 0);
   tool.insert = "R", tool.nose_radius = 0, tool.diameter = 4;
   const VolumeScene scene{round_stock(30, 0, 0, 80), tool, {line({27, 0, 90}, {27, 0, -10})}};
@@ -118,7 +118,7 @@ TEST(RemovedVolumes, GrooveOfAVTool) {
 }
 
 // Slots as wide as a few columns: columns are halved at their walls.
-TEST(RemovedVolumes, NarrowSlots) {
+TEST(RemovedVolumes, NarrowSlotsKeepTheirVolumes) {
   VolumeScene scene{kBlock, endmill(1), {}};
   for (int i = 0; i < 20; ++i)
     scene.motions.push_back(line({10, 3 + 2.7 * i, -2}, {90, 3.4 + 2.7 * i, -2}, i));
@@ -130,7 +130,7 @@ TEST(RemovedVolumes, NarrowSlots) {
 
 // A slanted pass over another one, in a round stock: both by the definition, column by column.
 // Walls that lie anywhere between the columns, along them, across and round.
-TEST(RemovedVolumes, WallsBetweenColumns) {
+TEST(RemovedVolumes, WallsMayLieBetweenColumns) {
   constexpr double kColumn = 0.49;
   const auto error = [&](std::vector<Motion> moves, double exact) {
     const std::vector<double> removed =

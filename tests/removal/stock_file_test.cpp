@@ -5,7 +5,9 @@
 #include "removal/part/stock_grid.h"
 #include "removal/vdb/level_set.h"
 #include "support/random.h"
+#include "support/temp_folder.h"
 
+#include <fstream>
 #include <random>
 #include <sstream>
 
@@ -13,8 +15,6 @@
 #include <openvdb/io/Stream.h>
 #include <openvdb/openvdb.h>
 #include <openvdb/tools/LevelSetSphere.h>
-#include <stdlib.h>
-#include <unistd.h>
 
 namespace mrsim {
 namespace {
@@ -78,21 +78,12 @@ std::string rewritten(const std::string& bytes, bool changed, bool with_metadata
   return out.str();
 }
 
-class TemporaryFile {
- public:
-  explicit TemporaryFile(const std::string& bytes) {
-    const int file = ::mkstemps(path_.data(), 4);
-    EXPECT_EQ(::write(file, bytes.data(), bytes.size()), static_cast<ssize_t>(bytes.size()));
-    ::close(file);
-  }
-  ~TemporaryFile() { ::unlink(path_.c_str()); }
-  TemporaryFile(const TemporaryFile&) = delete;
-  TemporaryFile& operator=(const TemporaryFile&) = delete;
-  const std::string& path() const { return path_; }
-
- private:
-  std::string path_ = ::testing::TempDir() + "mrsim-XXXXXX.vdb";
-};
+LevelSetSurface surface_in(const std::string& bytes) {
+  const testing::TempFolder temporary;
+  const std::string path = temporary.path("a.vdb");
+  std::ofstream(path, std::ios::binary) << bytes;
+  return read_level_set(path);
+}
 
 TEST(StockFile, KeepsTheRecipe) {
   const StockRecipe recipe = recipe_of_a_slot();
@@ -111,12 +102,12 @@ TEST(StockFile, IsStillOursWhenAnotherProgramHasWrittenItAgain) {
   ASSERT_TRUE(file.recipe);
   EXPECT_TRUE(file.rewritten);
   EXPECT_EQ(encode_recipe(*file.recipe), encode_recipe(recipe));
-  EXPECT_EQ(read_level_set(TemporaryFile(bytes).path()).hash, file.voxels);
+  EXPECT_EQ(surface_in(bytes).hash, file.voxels);
 }
 
 TEST(StockFile, TellsThatItsVoxelsHaveBeenChanged) {
   const std::string bytes = rewritten(saved(recipe_of_a_slot()), true);
-  EXPECT_NE(read_level_set(TemporaryFile(bytes).path()).hash, read_vdb(bytes, "a.vdb").voxels);
+  EXPECT_NE(surface_in(bytes).hash, read_vdb(bytes, "a.vdb").voxels);
 }
 
 TEST(StockFile, OthersHaveNoRecipe) {
@@ -126,7 +117,7 @@ TEST(StockFile, OthersHaveNoRecipe) {
 
 // A slot of 4 by 2 mm through 20 x 10 x 5 mm: 1000 - 160 mm^3 but for the edges.
 TEST(LevelSet, SurfaceIsClosedAndHasTheVolumeOfThePart) {
-  const LevelSetSurface found = read_level_set(TemporaryFile(saved(recipe_of_a_slot())).path());
+  const LevelSetSurface found = surface_in(saved(recipe_of_a_slot()));
   EXPECT_EQ(found.grid, "distance");
   EXPECT_EQ(found.voxel, 0.5);
   double volume = 0;
@@ -168,7 +159,7 @@ TEST(LevelSet, FileWithoutOneIsRefused) {
     std::ostringstream out;
     openvdb::io::Stream(out).write(grids);
     try {
-      read_level_set(TemporaryFile(out.str()).path());
+      surface_in(out.str());
     } catch (const Error& error) {
       return error.code();
     }

@@ -20,6 +20,7 @@ namespace {
 using namespace testing;
 
 constexpr double kLow = -20, kHigh = 20;
+constexpr double kWide = 6;  // mm: moves lie in a square of this half width
 
 std::vector<Tool> rising_tools() {
   std::vector<Tool> t = {endmill(6), endmill(6, 1), ballmill(6)};
@@ -32,24 +33,6 @@ std::vector<Tool> rising_tools() {
   t.push_back(mill(ToolType::form, 0));  // corner rounding: not convex
   t.back().profile = {{0, 0, 0}, {2, 0, 0}, {2, 1, -std::tan(kPi / 8)}, {5, 4, 0}};
   return t;
-}
-
-Motion any_move(Random& r, int kind) {
-  const Vec3 a = {r(-6, 6), r(-6, 6), r(-5, 5)}, b = {r(-6, 6), r(-6, 6), r(-5, 5)};
-  switch (kind) {
-    case 0:
-      return line(a, {b.x, b.y, a.z});
-    case 1:
-      return line(a, {a.x, a.y, b.z});
-    case 2:
-      return line(a, b);
-    case 3:
-      return arc(a, {b.x, b.y, a.z}, {0, 0, 1}, r(-7, 7));
-    case 4:  // helix
-      return arc(a, {a.x + r(-6, 6), a.y + r(-6, 6), a.z}, {0, 0, 1}, r(-20, 20), r(-9, 9));
-    default:  // G18
-      return arc(a, {b.x, a.y, b.z}, {0, 1, 0}, r(-6, 6));
-  }
 }
 
 // Moves of one kind: the distances that the slanted ones of tools that are not convex are asked by
@@ -66,7 +49,7 @@ TEST_P(EveryRisingTool, BottomIsWhereTheDistanceIsZero) {
   for (int kind = 0; kind < 6; ++kind) {
     Random r(10 + kind);
     for (unsigned round = 0; round < moves_of(kind, tool); ++round) {
-      const Motion m = any_move(r, kind);
+      const Motion m = move_of_kind(r, kind, kWide);
       const SweepTable s({&m, 1}, {&tool, 1});
       ASSERT_TRUE(is_upward(s, 0));
       const SweepUndersides tools(s);
@@ -96,7 +79,7 @@ TEST_P(EveryRisingTool, BoundsHoldOverASquare) {
   for (int kind = 0; kind < 6; ++kind) {
     Random r(30 + kind);
     for (unsigned round = 0; round < moves_of(kind, tool); ++round) {
-      const Motion m = any_move(r, kind);
+      const Motion m = move_of_kind(r, kind, kWide);
       const SweepTable s({&m, 1}, {&tool, 1});
       const SweepUndersides tools(s);
       SweepHeights heights(s, tools, kLow, kHigh);
@@ -158,7 +141,7 @@ TEST_P(EveryRisingTool, BoundsOfASmallSquareAreSharp) {
   int sharp = 0, all_of_them = 0;
   Random r(50);
   for (int round = 0; round < 200; ++round) {
-    const Motion m = any_move(r, round % kinds);
+    const Motion m = move_of_kind(r, round % kinds, kWide);
     const SweepTable s({&m, 1}, {&tool, 1});
     const SweepUndersides tools(s);
     SweepHeights heights(s, tools, kLow, kHigh);

@@ -44,6 +44,32 @@ inline double least(const std::function<double(double)>& f, int samples = 4000) 
   return best;
 }
 
+/// A move between two places at most `wide` mm from the Z axis in x and in y: 0 a level line, 1 a
+/// plunge, 2 a slanted line, 3 an arc, 4 a helix, 5 an arc in G18, 6 a helix about a leaning axis.
+inline Motion move_of_kind(Random& r, int kind, double wide = 10) {
+  const Vec3 a = {r(-wide, wide), r(-wide, wide), r(-5, 5)};
+  const Vec3 b = {r(-wide, wide), r(-wide, wide), r(-5, 5)};
+  switch (kind) {
+    case 0:
+      return line(a, {b.x, b.y, a.z});
+    case 1:
+      return line(a, {a.x, a.y, b.z});
+    case 2:
+      return line(a, b);
+    case 3:
+      return arc(a, {b.x, b.y, a.z}, {0, 0, 1}, r(-7, 7));
+    case 4:
+      return arc(a, {a.x + r(-6, 6), a.y + r(-6, 6), a.z}, {0, 0, 1}, r(-20, 20), r(-9, 9));
+    case 5:
+      return arc(a, {b.x, a.y, b.z}, {0, 1, 0}, r(-6, 6));
+    default: {
+      const Vec3 n = normalized(Vec3{r(-1, 1), r(-1, 1), r(0.1, 1)});
+      const Vec3 w = b - a;
+      return arc(a, a + (w - dot(w, n) * n), n, r(-6, 6), r(-12, 12));
+    }
+  }
+}
+
 /// An arc in an upright plane, of any radius; some end on an axis of their plane.
 inline Motion upright_arc(Random& r) {
   const double turned = r.pick(3) == 0 ? 0 : r(0, kTwoPi), radius = r(0.3, 12);

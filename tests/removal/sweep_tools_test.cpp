@@ -60,30 +60,6 @@ std::vector<Tool> form_tools() {
   return t;
 }
 
-Motion move_of_kind(Random& r, int kind) {
-  const Vec3 a = {r(-10, 10), r(-10, 10), r(-5, 5)};
-  Vec3 b = {r(-10, 10), r(-10, 10), r(-5, 5)};
-  switch (kind) {
-    case 0:
-      return line(a, {b.x, b.y, a.z});
-    case 1:
-      return line(a, {a.x, a.y, b.z});
-    case 2:
-      return line(a, b);
-    case 3:
-      return arc(a, {b.x, b.y, a.z}, {0, 0, 1}, r(-7, 7));
-    case 4:  // helix
-      return arc(a, {a.x + r(-6, 6), a.y + r(-6, 6), a.z}, {0, 0, 1}, r(-20, 20), r(-9, 9));
-    case 5:  // G18
-      return arc(a, {b.x, a.y, b.z}, {0, 1, 0}, r(-6, 6));
-    default: {  // helix about a leaning axis
-      const Vec3 n = normalized(Vec3{r(-1, 1), r(-1, 1), r(0.1, 1)});
-      const Vec3 w = b - a;
-      return arc(a, a + (w - dot(w, n) * n), n, r(-6, 6), r(-12, 12));
-    }
-  }
-}
-
 double brute(const Profile& tool, const Motion& m, const Vec3& p) {
   return least(
       [&](double t) {

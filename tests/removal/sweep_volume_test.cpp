@@ -34,7 +34,7 @@ double turned_volume(const SweepTable& s, double outer, double h = 0.05) {
   return sum * h * h;
 }
 
-TEST(SweepVolume, HorizontalLines) {
+TEST(SweepVolume, HorizontalLinesHaveTheClosedForm) {
   const Motion m = line({0, 0, 0}, {6, 8, 0});
   const double l = 10, r = 3, h = 4;
   EXPECT_NEAR(volume(table(m, endmill(6)), h), (kPi * r * r + 2 * r * l) * h, 2);
@@ -49,7 +49,7 @@ TEST(SweepVolume, HorizontalLines) {
 }
 
 // Minkowski sum of a convex body and a segment: body + length * shadow along the segment.
-TEST(SweepVolume, SlantedLines) {
+TEST(SweepVolume, SlantedLinesHaveTheClosedForm) {
   const Motion m = line({0, 0, 0}, {6, 6, 3});
   const double l = 9, r = 3, h = 5, plan = std::sqrt(72), rise = 3;
   EXPECT_NEAR(volume(table(m, endmill(6, 0, h)), 100),
@@ -59,7 +59,7 @@ TEST(SweepVolume, SlantedLines) {
   EXPECT_NEAR(volume(table(m, pop), 100), 4 * kPi * r * r * r / 3 + kPi * r * r * l, 3);
 }
 
-TEST(SweepVolume, CirclesAndHelices) {
+TEST(SweepVolume, CirclesAndHelicesHaveTheClosedForm) {
   const double big = 7, r = 2, h = 3;
   const Motion full = arc({big, 0, 0}, {0, 0, 0}, {0, 0, 1}, kTwoPi);
   EXPECT_NEAR(volume(table(full, endmill(2 * r)), h), 4 * kPi * big * r * h, 3);
@@ -86,7 +86,7 @@ TEST(SweepVolume, PlungesOfDrillsAndEndmills) {
   EXPECT_NEAR(volume(table(m, endmill(6, 0, 2)), 100, 0.1), kPi * r * r * 11, 1);
 }
 
-TEST(SweepVolume, TurningByPappus) {
+TEST(SweepVolume, TurnedVolumesAreThoseOfPappus) {
   Tool button;
   button.id.assign(1, '1');
   button.type = ToolType::turning;

@@ -22,7 +22,7 @@ const Tool& tool(const ToolLibrary& library, const std::string& id) {
   return kNone;
 }
 
-TEST(ToolLibrary, LinuxCnc) {
+TEST(ToolLibrary, TablesOfLinuxCncAreRead) {
   const ToolLibrary l = parse_library(
       "; my tools\nT1 P1 D6.000 Z-51.2 ;6mm flat end mill\r\nT2 P2 D+3.0 Q0\nT12 P3 D0.8 I85 J5 "
       "Q2 "
@@ -106,7 +106,7 @@ TEST(ToolLibrary, MeasuresOfFusionPlainAndZipped) {
 }
 
 // The neck of a reduced shank; the taper of a face mill, whose DC is at its tip; a boring bar.
-TEST(ToolLibrary, ShapesOfFusion) {
+TEST(ToolLibrary, ShapesOfFusionAreRead) {
   const ToolLibrary l = parse_library(R"({"data":[
   {"type":"flat end mill","unit":"millimeters","geometry":{"DC":6,"LB":40,"LCF":10,"SFDM":6,"shoulder-diameter":5.6,"shoulder-length":30},"post-process":{"number":1}},
   {"type":"face mill","unit":"millimeters","geometry":{"DC":50,"LCF":5,"TA":45},"post-process":{"number":2}},
@@ -149,7 +149,7 @@ TEST(ToolLibrary, OtherTablesAreNamed) {
 
 using ToolLibraryFiles = testing::TempFolderTest;
 
-TEST_F(ToolLibraryFiles, FreeCad) {
+TEST_F(ToolLibraryFiles, BitsOfFreeCadAreRead) {
   const auto write = [&](const std::string& name, const std::string& text) {
     std::ofstream(path(name)) << text;
     return path(name);

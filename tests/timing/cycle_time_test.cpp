@@ -95,7 +95,7 @@ TEST(CycleTime, CornerOfNinetyDegrees) {
   EXPECT_NEAR(t.cutting, 2 * each, 1e-12);
 }
 
-TEST(CycleTime, ReversalStops) {
+TEST(CycleTime, AReversalStopsTheAxes) {
   const CycleTime t =
       cycle_time(program_of({line({0, 0, 0}, {50, 0, 0}, 3000), line({50, 0, 0}, {0, 0, 0}, 3000)}),
                  machine());
@@ -188,7 +188,7 @@ TEST(CycleTime, FeedsAreLimitedByTheirAxes) {
   EXPECT_NEAR(cycle_time(program_of({round}), machine()).cutting, way / 100 + 100.0 / 500, 1e-3);
 }
 
-TEST(CycleTime, InverseTime) {
+TEST(CycleTime, InverseTimeIsSharesOfAMinute) {
   Motion m = line({0, 0, 0}, {10, 0, 0}, 12);  // a twelfth of a minute
   m.feed_unit = FeedUnit::inverse_time;
   MachineData fast = machine();
