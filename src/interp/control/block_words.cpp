@@ -6,7 +6,7 @@ namespace mrsim {
 
 void BlockWords::begin() {
   ++epoch_;
-  groups = 0;
+  groups_ = 0;
   places.clear();
   motion_code = oneshot = frame_code = ends_cycle = lap_begins = call_word = m98 = home = set_tool =
       comp_word = pause = nullptr;

@@ -73,6 +73,9 @@ class BlockWords : public Block {
                                    static_cast<std::size_t>(std::min(word.length, 40))));
   }
 
+  /// Whether a word of this modal group stands in the block.
+  bool has_group(Group group) const { return (groups_ & bit_of(group)) != 0; }
+  void add_group(Group group) { groups_ |= bit_of(group); }
   bool changes_frames() const { return frame_code || ends_rotation || ends_scaling; }
   /// Whether an N word stands behind `word`: it is an argument ("G25 N50"), not the block's number.
   bool number_behind(const Word& word) const { return number_after(word).has_value(); }
@@ -85,7 +88,6 @@ class BlockWords : public Block {
   std::size_t number = 0;  ///< running number of the blocks with words
 
   // What the function words of the block ask for.
-  std::uint64_t groups = 0;  ///< modal groups that have a word, a bit each
   const Word* motion_code = nullptr;
   const Word* oneshot = nullptr;
   const Word* frame_code = nullptr;
@@ -118,6 +120,10 @@ class BlockWords : public Block {
   std::vector<Vec3> places;           ///< of Fagor's G60 to G64, in the frame in force
 
  private:
+  static std::uint64_t bit_of(Group group) {
+    return std::uint64_t(1) << static_cast<unsigned>(group);
+  }
+
   // A slot counts only if it has the epoch of this block, so that begin() need not clear the slots.
   struct Slot {
     std::uint32_t epoch = 0;
@@ -126,6 +132,7 @@ class BlockWords : public Block {
   };
   std::array<Slot, static_cast<std::size_t>(Address::count)> slots_;
   std::uint32_t epoch_ = 0;
+  std::uint64_t groups_ = 0;  ///< modal groups that have a word, a bit each
 };
 
 }  // namespace mrsim

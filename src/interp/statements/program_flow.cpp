@@ -161,7 +161,7 @@ bool ProgramFlow::z_home(const Word& word) {
   if (lathe() || is(Dialect::sinumerik) || is(Dialect::codesys)) return false;
   for (const char c : {'X', 'Y', 'Z', 'I', 'J', 'K'})
     if (peek(c)) return false;
-  const bool named = (block_.groups >> static_cast<unsigned>(Group::length) & 1U) != 0;
+  const bool named = block_.has_group(Group::length);
   centroid_ = centroid_ || (named && modal_.length == Code::length_off);
   block_.home = &word;
   block_.home_guessed = !centroid_;

@@ -61,9 +61,7 @@ bool CompensationWords::allows_block() {
   return !(shifts || work_selected()) || refused("another zero");
 }
 
-bool CompensationWords::work_selected() const {
-  return (block_.groups >> static_cast<unsigned>(Group::work) & 1U) != 0;
-}
+bool CompensationWords::work_selected() const { return block_.has_group(Group::work); }
 
 bool CompensationWords::begin_move(const Motion& motion, const Word& where) {
   if (modal_.comp == Code::comp_off && !started_) return true;

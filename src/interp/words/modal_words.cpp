@@ -68,9 +68,8 @@ bool ModalWords::claim_group(const Word& word, const CodeEntry& entry) {
   if (entry.group == Group::none || entry.group == Group::other ||
       (dynamics && !is(Dialect::sinumerik)))
     return true;
-  const std::uint64_t bit = std::uint64_t(1) << static_cast<unsigned>(entry.group);
-  if ((block_.groups & bit) == 0) {
-    block_.groups |= bit;
+  if (!block_.has_group(entry.group)) {
+    block_.add_group(entry.group);
     return true;
   }
   if (is(Dialect::fanuc)) return true;

@@ -174,7 +174,7 @@ bool ValueWords::beeps() const {
 
 // Whether D stands beside LinuxCNC's G96.
 bool ValueWords::d_limits_speed() const {
-  const bool speeds = (block_.groups >> static_cast<unsigned>(Group::speed) & 1U) != 0;
+  const bool speeds = block_.has_group(Group::speed);
   return is(Dialect::ngc) && speeds && modal_.surface_speed;
 }
 
@@ -195,7 +195,7 @@ bool ValueWords::speed() {
     modal_.speed_limit = word->value;
   }
   if (is(Dialect::ngc)) take('$');  // the number of the spindle
-  const bool speeds = (block_.groups >> static_cast<unsigned>(Group::speed) & 1U) != 0;
+  const bool speeds = block_.has_group(Group::speed);
   if (is(Dialect::fanuc) && lathe() && speeds) take('P');  // the axis to which G96 refers
   const Word* word = take('S');
   if (word && beeps()) return true;
@@ -269,8 +269,8 @@ bool ValueWords::length_register() {
     return true;
   }
   if (modal_.length == Code::length_off) {
-    const bool named = (block_.groups >> static_cast<unsigned>(Group::length) & 1U) != 0;
-    const bool work = (block_.groups >> static_cast<unsigned>(Group::work) & 1U) != 0;
+    const bool named = block_.has_group(Group::length);
+    const bool work = block_.has_group(Group::work);
     if (is(Dialect::fanuc) && work && !named && word && word->value != 0)
       return error("not-supported",
                    "H beside a work offset and without G43 is a tool length of Okuma's OSP, which "
@@ -340,7 +340,7 @@ bool ValueWords::codesys() {
   if (d) {
     if (d->value < 0) return error("value-range", "D is a radius and must not be negative", *d);
     // The radius is the tool's beside G41 and G42, and that of smoothing anywhere else.
-    const bool named = (block_.groups >> static_cast<unsigned>(Group::comp) & 1U) != 0;
+    const bool named = block_.has_group(Group::comp);
     if (named && modal_.comp != Code::comp_off) modal_.edge_radius = d->value;
   }
   return true;
