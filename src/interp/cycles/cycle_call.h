@@ -1,4 +1,4 @@
-// A call of a SINUMERIK cycle: its name, its values, its place. Private to src/interp.
+// A call of a SINUMERIK cycle: its name, its values, its place, its levels. Private to src/interp.
 #pragma once
 
 #include "interp/cycles/cycle_lists.h"
@@ -12,8 +12,7 @@
 
 namespace mrsim {
 
-/// Its values. One that the list of the cycle does not have, or that the program leaves out, is not
-/// given.
+/// A value counts as given only if the cycle's list has it and the program does not leave it out.
 struct CycleCall {
   std::string name;
   std::string written;  ///< how the program writes the cycle, if not by its name: G87 of Fagor
@@ -38,5 +37,18 @@ struct CycleCall {
  private:
   const Value* find(ValueName value) const;
 };
+
+/// The levels at the beginning of a cycle's list: RTP RFP SDIS DP, and DPR where it has one.
+/// Heights along the normal of the plane, mm.
+struct CyclePlanes {
+  double top = 0, reference = 0, safe = 0, bottom = 0;
+  double up = 1;  ///< sign of the way out of the part
+  bool cuts() const { return (reference - bottom) * up > 0; }
+};
+
+/// `mode` is the unit of AMODE: 0, DPR holds where it is not 0; 1, the depth counts from the
+/// reference plane; 2, the depth is a level. `unit`: mm of a length of 1. Nothing: a value is
+/// missing.
+std::optional<CyclePlanes> cycle_planes(const CycleCall& call, int mode, double unit);
 
 }  // namespace mrsim

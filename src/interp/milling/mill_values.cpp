@@ -1,7 +1,6 @@
 #include "interp/milling/mill_values.h"
 
 #include "core/numbers/trig.h"
-#include "interp/cycles/cycle_planes.h"
 
 #include <algorithm>
 #include <cmath>

@@ -3,7 +3,6 @@
 #include "core/numbers/rounding.h"
 #include "core/numbers/trig.h"
 #include "core/numbers/units.h"
-#include "interp/cycles/cycle_planes.h"
 #include "interp/path/stroke_font.h"
 
 #include <algorithm>
