@@ -16,7 +16,7 @@
 namespace mrsim {
 namespace {
 
-constexpr int kMostGrids = 4;  ///< that are tried where pieces in a cell meet
+constexpr int kMostGrids = 4;  ///< tried one after the other where pieces meet
 
 // By default a grid whose cells can not be split far enough gives way to one that is a little
 // finer.

@@ -26,7 +26,7 @@ bool is_program_word(std::string_view name);
 /// Whether a control has a work offset of that name, as the program selects it: G54, "G54.1 P2",
 /// G505, "G15 H2", E3, EXT. Another one would count for nothing.
 bool is_work_offset(std::string_view name);
-/// What is to be said of another one.
+/// The fault of a name that is no work offset.
 std::string no_offset(std::string_view name);
 
 }  // namespace mrsim

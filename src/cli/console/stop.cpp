@@ -49,7 +49,7 @@ void end_line() {
   using Clock = std::chrono::steady_clock;
   const auto end = Clock::now() + std::chrono::milliseconds(20);
   while (::ftrylockfile(stdout) != 0)  // kept: nobody prints from here on
-    if (Clock::now() > end) return;    // its reader takes nothing
+    if (Clock::now() > end) return;    // the reader of the output takes nothing
   pollfd out{STDOUT_FILENO, POLLOUT, 0};
   if (::poll(&out, 1, 0) == 1) std::fflush(stdout);
 }

@@ -9,8 +9,8 @@ namespace mrsim::cli {
 struct CommandLine;
 class TypedOptions;
 
-/// One sentence each: what the option would need. The reader of a program reports what depends on
-/// it.
+/// A sentence for each option that has no effect in this run: what the option would need. What
+/// depends on the program is reported by the program's reader.
 std::vector<std::string> idle_options(const CommandLine& line, const TypedOptions& typed);
 
 /// Prints them as notes, unless --quiet was typed.

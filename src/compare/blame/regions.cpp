@@ -60,7 +60,7 @@ class Clusters {
     return std::int32_t(std::clamp(std::floor(x / size_), -2e9, 2e9));
   }
 
-  // One group a cell and side, then neighbouring cells are united.
+  // Makes one group of each cell and side, then unites the groups of neighbouring cells.
   void join() {
     std::vector<std::uint32_t> firsts;
     for (std::uint32_t i = 0; i < members_.size(); ++i) {
@@ -196,7 +196,7 @@ void blame_neighbours(const std::vector<std::uint32_t>& members, const Both& bot
     const auto [at, is_new] = found.emplace(near.line, near.distance);
     if (!is_new) at->second = std::min(at->second, near.distance);
   };
-  region.lines.clear();  // what borders the material is not what left it there
+  region.lines.clear();  // the lines that border left material did not leave it
   look(region.place);
   for (std::size_t i = 0; i < members.size(); i += step) look(both.point(members[i]));
   std::vector<std::pair<double, LineKey>> ranked;

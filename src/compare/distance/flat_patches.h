@@ -32,9 +32,9 @@ class FlatPatches {
 
   /// How a piece lies over a patch.
   struct Overlay {
-    bool inside = false;          ///< all of it is over the patch
-    double height = 0;            ///< inside: no point of it is farther from the surface
-    std::optional<CutPlane> cut;  ///< else: a border of the patch that runs through it
+    bool inside = false;          ///< the whole piece is over the patch
+    double height = 0;            ///< if inside: no point of the piece is farther away
+    std::optional<CutPlane> cut;  ///< if not: a border of the patch that divides the piece
   };
   /// Whether the patch of `triangle` has more triangles; overlay() is for those.
   bool is_joined(std::uint32_t triangle) const { return joined_[triangle]; }

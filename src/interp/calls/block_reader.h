@@ -24,7 +24,7 @@ struct CallRequest {
   Place begin;
   std::uint64_t end = std::numeric_limits<std::uint64_t>::max();  ///< offset of its end
   long repeats = 1;
-  bool counts_as_call = true;      ///< it counts in levels() and in the places of findings
+  bool counts_as_call = true;      ///< counts in levels() and in the places of findings
   std::function<void()> on_start;  ///< before every run
   std::function<void()> on_end;    ///< after every run
   std::function<void()> on_left;   ///< after the last run, when the caller is read again

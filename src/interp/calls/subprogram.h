@@ -17,7 +17,7 @@ namespace mrsim {
 struct SubprogramName {
   long number = -1;
   std::string text;       ///< the name as written, or the number as it is shown
-  bool own_file = false;  ///< it is not looked for in the main program's file
+  bool own_file = false;  ///< the main program's file is not searched for it
 };
 
 struct SubprogramPlace {

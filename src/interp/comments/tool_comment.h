@@ -72,7 +72,7 @@ struct PlainFacts {
 };
 
 struct ToolHint : PlainFacts {
-  bool firm = false;  ///< its kind names a tool and nothing else: "END MILL"
+  bool firm = false;  ///< the words of the kind can only mean a tool: "END MILL"
   std::optional<ToolType> type;
   std::optional<ToolTrade> trade;
   std::optional<ToolType> operation;  ///< "GROOVE 3MM": names the work, perhaps not the tool
@@ -82,7 +82,7 @@ struct ToolHint : PlainFacts {
   double corner_radius = 0, nose_radius = 0;  ///< values of corner and nose
   double taper_angle = 0, tip_angle = 0;      ///< radians; per side, and included
   bool assumed_angle = false;                 ///< the angle follows from the kind alone
-  bool rivals = false;                        ///< it names another kind of tool, too
+  bool rivals = false;                        ///< the comment names another kind of tool, too
   std::string gauge;                          ///< "7" of a number drill, "Q" of a letter drill
   std::string insert;                         ///< "CNMG"
   double insert_angle = 0, lead_angle = 0;    ///< radians
@@ -94,21 +94,21 @@ struct ToolHint : PlainFacts {
   bool size_of_work = false;  ///< a size of the work perhaps, and no kind: "BORE D30", "D30 POCKET"
   bool at_call = false;       ///< in the block of the change or right behind it
   std::string work;  ///< other comments at the tool that are about the work: 'ROUGH T-SLOT'
-  bool rounds_edges = false;  ///< one of them rounds edges: "ROUND OVER EDGES"
+  bool rounds_edges = false;  ///< a line about the work says so: "ROUND OVER EDGES"
   std::string doubt;  ///< why no tool can be made of it, after "the comment ... "; empty: it can
   std::string text;   ///< the comment, UTF-8, for the report
-  /// It is about another tool than the one at hand.
+  /// Whether the comment is about another tool than the one at hand.
   bool of_other_tool() const { return id.empty() && (last_tool || (next_tool && at_call)); }
   explicit operator bool() const { return type || diameter > 0 || !doubt.empty(); }
   /// A thread mill, of which nothing but a cylinder is known.
   bool plain_teeth() const { return trade == ToolTrade::thread_mill; }
-  /// It may be another kind of tool than the end mill that it is taken to be.
+  /// Whether the tool may be another than the end mill for which it is taken.
   bool may_be_another() const { return !type && unknown_word; }
-  /// It adds a corner radius to what other comments say of the tool.
+  /// Whether the comment only adds a corner radius to what others say of the tool.
   bool only_corner() const { return !type && diameter == 0 && id.empty() && corner; }
-  /// It adds a diameter to them.
+  /// Whether it only adds a diameter.
   bool only_diameter() const { return diameter_line && !type && id.empty(); }
-  /// It adds an angle, which means what the kind of tool says.
+  /// Whether it only adds an angle. The kind of the tool says which angle that is.
   bool only_angle() const { return angle_line; }
 };
 

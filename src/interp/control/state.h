@@ -166,7 +166,7 @@ struct Frames {
   Vec3 mirror_at;
   AxisSet mirrored;          ///< axes under G51.1
   AxisSet local_axes;        ///< axes with a word in Okuma's G11 in force
-  bool local_angle = false;  ///< that G11 has the angle P
+  bool local_angle = false;  ///< Okuma's G11 in force has the angle P
   Frame total;
 
   /// Whether Okuma's G11 is in force.

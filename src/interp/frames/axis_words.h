@@ -10,7 +10,7 @@ namespace mrsim {
 struct Target {
   Vec3 programmed;
   AxisSet named;     ///< the axes with a word
-  AxisSet absolute;  ///< those of them whose value is absolute
+  AxisSet absolute;  ///< the named axes whose value is absolute
   const Word* first = nullptr;
 };
 

@@ -37,7 +37,7 @@ class Region {
   bool contains(Vec2 p, const std::vector<std::vector<Vec2>>& polygons) const;
   double distance_from_contours(Vec2 p, double enough) const;
 
-  std::vector<Loop> contours_;  ///< the area to their left; the outer one first, where there is one
+  std::vector<Loop> contours_;       ///< with the area to their left; an outer one comes first
   std::vector<PieceBounds> bounds_;  ///< of the contours' pieces
   bool has_outer_ = false;
 };

@@ -91,7 +91,7 @@ bool LevelCuts::falls(std::size_t i, double level) {
 
 bool LevelCuts::arc_falls(std::size_t i, double level) {
   const ProfilePiece& piece = pieces_[i];
-  if (at_.x - piece.end.x <= kSameTurnPlace) {  // it has been cut
+  if (at_.x - piece.end.x <= kSameTurnPlace) {  // this piece has been cut
     at_ = piece.end;
     return true;
   }

@@ -112,7 +112,7 @@ bool ToolData::infer(const std::string& id, Tool& out, std::string& why, Severit
   if (said_of_it && lacks_size(*said_of_it) && !is_kind_of(hint, *said_of_it)) return false;
   if (!hint.type || !fill_tool(hint, scale(), lathe(), out, ignored)) {
     const bool asks = hint.type == ToolType::grooving || hint.insert == "R" || hint.padded_radius;
-    if (why.empty() && hint.type && asks)  // it is no turning insert
+    if (why.empty() && hint.type && asks)  // the name is not that of a turning insert
       why = fmt::format("its name \"{}\" {}", id, ignored);
     return false;
   }

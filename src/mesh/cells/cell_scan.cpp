@@ -125,7 +125,7 @@ class Scan {
   const Points& points_;
   const Judge& judge_;
   std::unique_ptr<ExactField::Descent> descent_;
-  std::deque<Candidates> lists_;  ///< by tier; they stay where they are
+  std::deque<Candidates> lists_;  ///< by tier; a deque, so that spans of them stay valid
 };
 
 // Half of the diagonal of the box that two opposite corners span, whichever these are.

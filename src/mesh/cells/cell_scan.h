@@ -37,10 +37,10 @@ struct CellView {
   std::int32_t voxels = 1;  ///< to a side
   bool is_inside = false;   ///< the first corner
   const CellSurface& surface;
-  std::span<const std::uint32_t> candidates;  ///< what can decide d in it
-  std::span<const std::uint32_t> seen;        ///< those of them that do where it was looked at
-  bool all_seen = false;                      ///< no candidate is missing in `seen`
-  bool stock_seen = true;                     ///< or the stock can not decide d in the cell
+  std::span<const std::uint32_t> candidates;  ///< sweeps that can decide d in the cell
+  std::span<const std::uint32_t> seen;        ///< candidates that decide d at a sampled point
+  bool all_seen = false;                      ///< `seen` has all candidates
+  bool stock_seen = true;                     ///< or the stock cannot decide d in the cell
 };
 
 /// What the points of the lattice may show at most if the cell is to stay whole.

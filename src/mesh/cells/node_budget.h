@@ -78,7 +78,7 @@ class NodeBudget {
   }
 
  private:
-  static constexpr double kSplitNodes = 8;     ///< that a failed cell adds
+  static constexpr double kSplitNodes = 8;     ///< nodes that a failed cell adds
   static constexpr double kRaisedShare = 0.7;  ///< of the most nodes, once it has been raised
   static constexpr double kGrown = 1.25;     ///< times the present nodes, which it may grow by then
   static constexpr double kFullRounds = 4;   ///< with the most nodes: what all rounds may take

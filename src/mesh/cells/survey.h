@@ -10,11 +10,11 @@ namespace mrsim::detail {
 
 /// Cubes that the surface may pass and in which a sweep may decide it.
 struct SurfaceSurvey {
-  double block = 0;        ///< mm: their edge
-  std::size_t blocks = 0;  ///< how many they are
-  double sweeps = 0;       ///< that matter in one of them, on average
-  double creasing = 0;     ///< such sweeps, where a block without a crease counts as one
-  double sheets = 1;       ///< of surface that lines along x, y and z meet in one, on average
+  double block = 0;        ///< edge of a cube, mm
+  std::size_t blocks = 0;  ///< how many cubes there are
+  double sweeps = 0;       ///< sweeps that matter in a cube, on average
+  double creasing = 0;     ///< the same, but 1 for each cube without a crease
+  double sheets = 1;       ///< how often a line along x, y or z meets the surface in a cube
   /// Layers of surface in a cube of a quarter of the longest side, by the area of the cube's side:
   /// the mean over all of the surface.
   double layers = 0;

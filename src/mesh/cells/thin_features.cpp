@@ -14,7 +14,7 @@ namespace {
 
 constexpr int kSearchSteps = 14;
 constexpr int kBeside = 4;        ///< lines beside an edge are apart by this share of its length
-constexpr int kMostPassages = 4;  ///< on one edge, one after the other, that a mesh may hold
+constexpr int kMostPassages = 4;  ///< of the surface through one edge that a mesh may hold
 constexpr int kHiddenSteps = 24;
 constexpr double kGridDepth = 1.0 / 16;  ///< of a voxel: of what a grid holds beside its edges
 

@@ -128,7 +128,7 @@ void CellTile::sample_node(const LatticePoint& origin, std::span<const std::uint
   constexpr std::size_t kPoints = std::size_t(kSize) * kSize * kSize;
   std::int32_t number = 0;
   if (list.empty()) {
-    if (is_box_) return mark_stock_node<kSize>(origin);  // its lists are 0 from the start
+    if (is_box_) return mark_stock_node<kSize>(origin);  // list 0, which all cells have at first
   } else {
     number = static_cast<std::int32_t>(lists_.size());
     add_list(list);
@@ -334,7 +334,7 @@ std::vector<MinimalEdge> CellTile::doubtful_edges() const {
     for (std::int32_t y = kFirstTested; y < kEndOwned; ++y) {
       const TileColumn& own = column(x, y);
       if (own.near == 0) continue;
-      // One of two ends whose offsets come to no more than a voxel is within half of it.
+      // Where the offsets of two ends add up to at most a voxel, one is at most half a voxel.
       const auto alike = [&](int axis, const TileColumn& end, int shift) {
         if (!is_tested(x, axis == 0) || !is_tested(y, axis == 1)) return std::uint64_t(0);
         return own.near & end.near >> shift & (own.very_near | end.very_near >> shift) &

@@ -59,7 +59,7 @@ class RayImage {
 
   const RayImageInput& in_;
   Picture& picture_;
-  Rows rows_;  // that are held
+  Rows rows_;  // the rows of pixels that surfels_ holds
   int width_, height_;
   Studio studio_;
   Box3 box_;

@@ -176,7 +176,7 @@ TriMesh parse_ascii(std::string_view bytes, const std::string& name) {
     if (word.empty()) break;
     if (detail::equals_ignoring_case(word, in_solid ? "endsolid" : "solid")) {
       in_solid = !in_solid;  // several solids in one file are one stock
-      scan.rest_of_line();   // its name
+      scan.rest_of_line();   // the name of the solid
     } else if (in_solid && detail::equals_ignoring_case(word, "facet")) {
       parse_facet(scan, name, solid);
     } else {

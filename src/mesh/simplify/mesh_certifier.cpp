@@ -12,7 +12,7 @@ namespace mrsim::detail {
 namespace {
 
 constexpr double kMissed = 1e-4;  ///< mm: a vertex farther off its face has missed a crease
-constexpr int kCreaseCells = 8;   ///< on both sides of one that has missed it
+constexpr int kCreaseCells = 8;   ///< on each side of a cell that has missed a crease
 
 int longest_axis(const Vec3& v) {
   const Vec3 size{std::abs(v.x), std::abs(v.y), std::abs(v.z)};

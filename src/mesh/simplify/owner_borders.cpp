@@ -247,7 +247,8 @@ class BorderCutter {
   // ends.
   std::optional<Vec3> border_on(std::uint32_t h) const {
     const Vec3 &a = cut_.position(cut_.from(h)), &b = cut_.position(cut_.to(h));
-    const double end = std::max(kEndShare, tolerance_ / distance(a, b));  // that near, ends will do
+    const double end =
+        std::max(kEndShare, tolerance_ / distance(a, b));  // nearer, the edge's end will do
     if (end > 0.25) return {};
     const double height = cut_.height(h / 3);
     if (height < 4 * kInward) return {};

@@ -16,8 +16,8 @@ using Surfaces = std::vector<SurfaceComponent>;
 
 // Whether a component winds about a point off it.
 struct WindingQuestion {
-  std::uint32_t outer = 0;   // the component
-  std::uint32_t search = 0;  // that asks
+  std::uint32_t outer = 0;   // number of the component
+  std::uint32_t search = 0;  // number of the search that asks
   Vec3 point;
   double angle = 0;
   bool is_yes() const { return std::fabs(angle) > kTwoPi; }  // half of the full 4 pi
@@ -132,7 +132,7 @@ class Nesting {
       if (contains(surfaces_[outer].bounds, surfaces_[inner].bounds) && may_hold_(outer, inner))
         searches_[search_of[inner]].offer(rank_[outer], most);
     };
-    std::vector<std::uint32_t> passed, asking;  // those of the boxes passed that have a search
+    std::vector<std::uint32_t> passed, asking;  // `asking`: the passed ones with a search
     for (const std::uint32_t c : by_place_) {
       const double low = component(surfaces_[c].bounds.lo, axis_);
       const auto is_behind = [&](std::uint32_t other) {

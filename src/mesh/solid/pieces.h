@@ -30,7 +30,7 @@ std::vector<Piece> find_pieces(const TriMesh& mesh);
 /// A surface of a mesh that contradicts those around it.
 struct MisplacedBody {
   Vec3 place;           ///< on it, mm
-  bool within = false;  ///< it looks outwards within a body; else inwards where no body is
+  bool within = false;  ///< true: it looks outwards within a body; false: inwards outside of all
 };
 /// The first of them. Requires: a closed mesh whose surfaces do not cross.
 std::optional<MisplacedBody> find_misplaced_body(const TriMesh& mesh);

@@ -34,7 +34,7 @@ using Face = std::array<std::size_t, 3>;
 
 constexpr double kUsualGap = 10;  // distances
 constexpr double kOffset = 0.5;   // of the distance: where the wrap is made
-constexpr double kLeft = 0.02;    // of the offset: what stays of it, so that no triangle collapses
+constexpr double kLeft = 0.02;  // of the offset: at least this stays, so that no triangle collapses
 constexpr double kMostTriangles = 2e6;
 constexpr std::size_t kMostCorners = 2000;  // of an opening: larger ones take long to triangulate
 

@@ -16,7 +16,7 @@ namespace mrsim::detail {
 struct BaseMesh {
   std::vector<Vec3> vertices;
   std::vector<std::array<std::uint32_t, 3>> triangles;
-  std::vector<std::int32_t> crossings;  ///< of each triangle: the one whose edge it surrounds
+  std::vector<std::int32_t> crossings;  ///< by triangle: the crossing of the edge that it surrounds
   /// Triangles that lie on another face of the part than their crossing, ascending.
   std::vector<std::pair<std::uint32_t, FieldSample>> moved;
 };

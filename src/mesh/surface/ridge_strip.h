@@ -84,7 +84,7 @@ class RidgeStrip {
   std::vector<std::uint32_t> first_, stars_;        ///< triangles about each, before joining
   std::vector<char> fresh_;               ///< moved, joined or put back since the last test
   std::vector<char> touched_, reset_;     ///< at any time; put back at any time
-  std::vector<char> is_back_, has_slid_;  ///< to where it was; to its neighbour
+  std::vector<char> is_back_, has_slid_;  ///< back to its old place; to its neighbour's
   std::vector<std::uint32_t> near_;       ///< triangles about all of them, ascending
 };
 

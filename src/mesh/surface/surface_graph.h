@@ -48,8 +48,8 @@ struct Segment {
               to_quadrant = 0;       ///< of the face, about the edges of these crossings
   std::int32_t low = -1, high = -1;  ///< loops of the cells on both sides of the face
   bool is_crease = false;            ///< its ends lie on faces of the part that meet in a crease
-  std::int32_t crease = -1;          ///< where it is one
-  std::int32_t vertex = -1;          ///< its own one, -1 where the mesh needs none
+  std::int32_t crease = -1;          ///< index of the crease, where it is one
+  std::int32_t vertex = -1;          ///< of the segment itself, -1 where it needs none
 };
 
 /// Where a crease passes a face of a cell.

@@ -9,8 +9,8 @@ namespace {
 
 // What the signs at the corners of a cell (bits 4 x + 2 y + z) tell of it.
 struct CellCase {
-  std::uint16_t edges = 0;  ///< crossed ones, by kCellEdges
-  bool is_plain = false;    ///< they are one loop
+  std::uint16_t edges = 0;  ///< the crossed edges, by kCellEdges
+  bool is_plain = false;    ///< these edges make one loop
 };
 
 constexpr CellCase cell_case(unsigned corners) {

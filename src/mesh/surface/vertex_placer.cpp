@@ -52,7 +52,7 @@ void VertexPlacer::find_creases() {
     is_known[k] = known != nullptr;
     results[k] = known ? *known : place_crease(s);
   };
-  // Those of cells with the same candidates follow each other.
+  // Creases of cells with the same candidates follow each other.
   std::vector<std::int32_t> all(creases_.size());
   std::iota(all.begin(), all.end(), 0);
   const Groups groups(all, cells_.lists(), [&](std::int32_t k) {

@@ -31,7 +31,7 @@ class KeptTiles {
   };
   void drop(Kept& kept);
 
-  std::size_t room_;  ///< that is left
+  std::size_t room_;  ///< bytes that are left
   std::vector<Kept> tiles_;
   mutable std::mutex mutex_;
 };

@@ -71,7 +71,7 @@ class TileMaker {
   const CommonLists& common_;
   const bool measure_;
   std::mutex mutex_;
-  std::vector<std::unique_ptr<Memory>> memories_;  ///< those that no thread has
+  std::vector<std::unique_ptr<Memory>> memories_;  ///< memories that no thread uses now
 };
 
 }  // namespace mrsim::detail

@@ -75,7 +75,7 @@ class TileMerger {
     std::uint32_t index = kUnused;  ///< in this block, with kBorrowed where it is an earlier one
   };
   struct UnmatchedEdge {
-    int count = 0;  ///< of triangles along it, less those against it
+    int count = 0;  ///< triangles that run along the edge, less those against
     std::array<float, 3> end{};
   };
   std::uint32_t index_of(SharedVertex& vertex, const std::array<float, 3>& point);

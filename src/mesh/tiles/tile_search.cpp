@@ -9,7 +9,7 @@
 namespace mrsim::detail {
 namespace {
 
-constexpr std::int64_t kLargeParts = 32;  ///< that the tiles are looked for in at once
+constexpr std::int64_t kLargeParts = 32;  ///< how many parts are searched at once
 
 // Boxes of tiles, halved until they are single ones.
 struct TileRange {

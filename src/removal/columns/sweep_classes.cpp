@@ -140,7 +140,8 @@ void classify(SweepColumns& c, int threads) {
   HeightNumbers numbers;
   Key last{-2, {}, 0, 0};
   std::uint32_t last_class = 0;
-  const std::size_t told = are_alike(c, threads) ? 1 : c.refs.size();  // one tells all
+  const std::size_t told =
+      are_alike(c, threads) ? 1 : c.refs.size();  // where all are alike, one tells the class of all
   c.class_of.resize(told);
   for (std::size_t i = 0; i < told; ++i) {
     const SweepRef& ref = c.refs[i];

@@ -70,9 +70,9 @@ inline SingleForm single_form(std::uint32_t tag) {
 }
 
 struct SweepColumns {
-  std::uint64_t serial = 0;  ///< no other table of the process has it
+  std::uint64_t serial = 0;  ///< differs from that of any other table of the process
   std::vector<SweepRef> refs;
-  std::vector<std::int32_t> motions;  ///< that make the sweeps
+  std::vector<std::int32_t> motions;  ///< by sweep: the motion that makes it
   std::vector<std::uint32_t> tags;    ///< form and row of each sweep, all that lists have to read
   std::vector<Box3> bounds[kSweepKinds];  ///< by kind and row; lines have none: bounds_of
   std::vector<LineRecord> ball_lines, plane_lines;
@@ -86,8 +86,8 @@ struct SweepColumns {
   std::vector<ChainTool> chain_tools;    ///< by shape, likewise
   std::vector<SlantRecord> slant_lines;  ///< by row of paths; empty when there are none
   std::vector<UprightRecord> upright_quarters;
-  std::vector<std::uint32_t> first_quarter;  ///< of them, by row of paths, and the end; empty when
-                                             ///< there are none
+  std::vector<std::uint32_t> first_quarter;  ///< by row of paths: its first quarter, and the end;
+                                             ///< empty when there are none
   std::vector<TurnSweep> turns;
   std::vector<ToolShape> shapes;
   std::vector<ToolFrame> frames;

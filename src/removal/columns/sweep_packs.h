@@ -22,8 +22,8 @@ inline constexpr std::uint32_t kFirstPack = 1u << 31;
 inline constexpr double kLeastSquare = 1e-30;
 
 struct SweepPack {
-  std::uint32_t first = 0, last = 0;   ///< its sweeps, inclusive
-  std::uint32_t child = 0, count = 0;  ///< its child packs; count = 0: the children are the sweeps
+  std::uint32_t first = 0, last = 0;   ///< sweeps of the pack, inclusive
+  std::uint32_t child = 0, count = 0;  ///< child packs; count = 0: the children are the sweeps
   std::uint32_t class_index = 0;       ///< into SweepColumns::classes
   /// mm: largest distance between path and chord; for packs of paths, in plan (the vertical part is
   /// stored with the chord).

@@ -31,7 +31,7 @@ void least_of(TurnRows turns, std::span<const TurnMember> members, PointColumns&
 /// A member with those of its sides that matter to points of one stretch of rho.
 struct FacingMember {
   TurnMember member;
-  std::uint32_t first = 0, count = 0;  ///< its sides in a list; none: an arc, or a point
+  std::uint32_t first = 0, count = 0;  ///< sides in the list; none: an arc, or a point
   double round = 0;
 };
 using TurnSides = std::vector<ConvexPolygon::Side>;

@@ -83,7 +83,7 @@ class TurnTree {
     std::uint32_t sides = 0, first = 0;  // of sides_; the item or the pack of lane 0
     std::uint16_t side_count = 0;
     std::uint8_t lanes = 0;   // of the children
-    std::uint8_t behind = 0;  // of those that also count beyond the axis
+    std::uint8_t behind = 0;  // of the members that also count beyond the axis
     std::uint8_t curved = 0;  // of sweeps that are not polygons
     bool leaf = false;
   };

@@ -19,7 +19,7 @@ class ConeHelix {
 
   struct Minimum {
     PathSample least;
-    bool is_exact = false;  ///< else a bound from below, and about where the least distance lies
+    bool is_exact = false;  ///< false: `least` is a lower bound, its place about the nearest
   };
   /// The least distance over the positions from `begin` to `end`, up to 1e-12 of the size; not
   /// exact where a corner, a ball or a torus may be nearest. If it is at least `limit`, the result

@@ -28,7 +28,7 @@ class ColumnWalker {
 
  private:
   static constexpr int kSide = 8;                       // columns of a leaf each way
-  static constexpr std::size_t kLanes = kSide * kSide;  // its columns
+  static constexpr std::size_t kLanes = kSide * kSide;  // columns of a leaf
   static constexpr int kDeep = 64;                      // voxels of a column
 
   using List = std::vector<std::uint32_t>;  // indices into sweeps_, ascending
@@ -82,7 +82,7 @@ class ColumnWalker {
   std::array<double, kLanes> floor_;        // ... and no lower than this, mm
   std::array<Falling, kLanes> falling_;
   std::size_t falling_count_ = 0;
-  std::int32_t motion_ = 0;                            // that cuts now
+  std::int32_t motion_ = 0;                            // the motion that cuts now
   std::array<std::array<float, kDeep>, kLanes> left_;  // share of each voxel that is still there
   std::array<std::array<std::int32_t, kDeep>, kLanes> cut_;
 };

@@ -67,7 +67,7 @@ class HeightWalker {
 
  private:
   static constexpr int kFiner = 3;      // halvings of a column where a wall passes
-  static constexpr int kLinesFrom = 2;  // of them, where walls are met by lines
+  static constexpr int kLinesFrom = 2;  // halvings from which on walls are met by lines
   static constexpr std::size_t kLevels = 6 + kFiner;
 
   using List = std::vector<std::uint32_t>;  // indices into the list of sweeps

@@ -25,8 +25,8 @@ class RingPlanes {
   /// question i.
   static constexpr std::int32_t kAsk = -3;
   struct Question {
-    std::vector<std::uint32_t> sweeps;  ///< those that may be the first, ascending
-    bool in_stock = false;              ///< all of the ring
+    std::vector<std::uint32_t> sweeps;  ///< sweeps of which one is the first, ascending
+    bool in_stock = false;              ///< the whole ring lies in the stock
   };
 
   /// Planes `first` to first + count - 1 of a lattice in space. `count`: a power of two.

@@ -32,7 +32,7 @@ class Stock {
   double memory_expected() const;     ///< bytes of the run, as in MemoryPlan
   double memory_whole() const;        ///< bytes of the run, were it not cut into slabs
   std::size_t memory_limit() const;
-  bool in_slabs() const;  ///< so that memory suffices, the mesh may not be held as a whole
+  bool in_slabs() const;  ///< to save memory: the mesh must not be held as a whole
   const StockGrid& grid() const { return *grid_; }
 
   /// The mesh will be one on voxels of that size after all, whose cut surface passes about

@@ -73,7 +73,7 @@ class PackExpander {
 
  private:
   static SliceEntries& scratch() {
-    static thread_local SliceEntries entries;  // its memory serves all lists
+    static thread_local SliceEntries entries;  // static: its memory serves all lists
     return entries;
   }
   bool is_large(std::uint32_t pack) const {

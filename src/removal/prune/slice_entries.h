@@ -13,7 +13,7 @@ struct SliceEntry {
   std::uint32_t class_index = 0;  ///< into SweepColumns::classes
   std::uint32_t number = 0;
   std::uint32_t first = 0;  ///< sweep
-  bool children = false;    ///< those of the pack, not itself
+  bool children = false;    ///< the pack stands for its children
 };
 using SliceEntries = std::vector<SliceEntry>;
 /// Sorts by merging: each sequence that was appended to the entries ascends already.

@@ -142,7 +142,7 @@ void BoundedSweeps::nearest(std::span<const std::uint32_t> list, double enough,
     bounds.find(some, best.distance + kBoundError);
     for (std::size_t k = 0; k < some.size(); ++k) {
       if (!(bounds[k] <= best.distance + kBoundError) || (has_last && some[k] == last)) continue;
-      if (bounds[k] < enough)  // it may well hold p
+      if (bounds[k] < enough)  // the sweep may hold p
         take(some[k], best.distance, best);
       else
         memory.singles.emplace_back(bounds[k], some[k]);

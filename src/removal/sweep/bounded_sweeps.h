@@ -68,7 +68,7 @@ class BoundedSweeps {
 
   const SweepColumns& c_;
   Vec3 p_;
-  std::uint32_t line_ = ~0u;  // the nearest so far, and where on it
+  std::uint32_t line_ = ~0u;  // the nearest line so far, and the place on it
   double t_ = 0;
 };
 

@@ -213,13 +213,14 @@ const SortedList& sorted(const SweepColumns& c, std::span<const std::uint32_t> l
   return last;
 }
 
-// All are of one form, whose rows are their numbers.
+// Whether all sweeps have one form, so that a sweep's number is its row.
 bool is_one_form(const SweepColumns& c) {
   return c.uniform && (c.refs.front().kind == SweepKind::ball_line ||
                        c.refs.front().kind == SweepKind::plane_line);
 }
 
-// Those whose bounds meet the box, ascending. A pack and its mirror image hold the same sweeps.
+// Keeps the sweeps whose bounds meet the box, ascending. A pack and its mirror image hold the same
+// sweeps.
 void keep_bounded(const SweepColumns& c, const Box3& box, std::vector<std::uint32_t>& sweeps) {
   std::erase_if(sweeps, [&](std::uint32_t i) {
     const Box3 b = c.bounds_of(c.refs[i]);

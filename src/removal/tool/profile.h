@@ -81,7 +81,7 @@ class Profile {
   std::span<const Profile> convex_pieces() const {
     return pieces_ ? std::span<const Profile>(*pieces_) : std::span<const Profile>();
   }
-  /// The one of them that has a face of this profile. Requires: they are not empty.
+  /// The convex piece that has this face. Requires: convex_pieces() is not empty.
   const Profile& piece_of_patch(std::int32_t patch) const;
   const Profile& piece_of_corner(int corner) const;
   /// An edge of the patch is a concave arc, which no piece has.

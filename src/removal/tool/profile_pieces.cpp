@@ -29,7 +29,7 @@ double wide_from(const Chain& chain, double r) {
   return std::numeric_limits<double>::infinity();
 }
 
-// The largest height up to which it is.
+// The largest height up to which the chain is at least `r` wide.
 double wide_up_to(const Chain& chain, double r) {
   for (auto e = chain.rbegin(); e != chain.rend(); ++e) {
     if (std::isinf(e->b.y)) return e->a.x >= r ? e->b.y : e->a.y;

@@ -165,7 +165,7 @@ class BlockCarver : LeafWriter {
   Lists& lists_;
   std::vector<LeafPair> leaves_;
   LeafPair leaf_;
-  LeafView view_;  // of it
+  LeafView view_;  // of leaf_
   PartField::Quarters quarters_;
 };
 

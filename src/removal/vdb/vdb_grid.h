@@ -19,7 +19,7 @@ struct VdbGrid final : VoxelGrid {
   openvdb::FloatGrid::Ptr distance;  ///< narrow band of kBandVoxels voxels each way, mm, level set
   openvdb::Int32Grid::Ptr owner;     ///< same topology; kStockOwner or the index of a motion
   std::size_t active = 0;            ///< voxels
-  int threads = 0;                   ///< that may take it down, 0 = all cores
+  int threads = 0;                   ///< for taking the grid down, 0 = all cores
   /// What the two trees own, in the order in which it was made.
   std::vector<std::pair<FloatLeaf*, OwnerLeaf*>> leaves;
 

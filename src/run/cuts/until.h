@@ -10,10 +10,11 @@
 
 namespace mrsim {
 
-/// So many of a program's motions and events.
+/// A moment of a program, by how many motions and events lie before it.
 struct Moment {
   std::size_t motions = 0, events = 0;
-  double dwell = 0;  ///< s that the last event has come to, where it is a dwell of several blocks
+  double dwell =
+      0;  ///< s of the last event that have passed, where it is a dwell of several blocks
 };
 
 /// The moment `until`:

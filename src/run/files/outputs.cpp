@@ -92,7 +92,7 @@ void PreparedFiles::publish(JobResult& result) {
 struct Outputs::File {
   explicit File(const std::string& path) : draft(std::make_unique<DraftFile>(path)) {}
   std::unique_ptr<DraftFile> draft;
-  std::unique_ptr<StlStream> stream;  ///< that has taken the blocks
+  std::unique_ptr<StlStream> stream;  ///< has taken the blocks; null: another format
 };
 
 Outputs::Outputs(const std::vector<std::string>& paths, const MeshFileOptions& options, int threads)

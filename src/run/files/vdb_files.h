@@ -10,7 +10,7 @@
 
 namespace mrsim {
 
-/// One of the two.
+/// What a .vdb file holds: a recipe of our own, else a surface.
 struct VdbContent {
   std::optional<StockRecipe> recipe;
   TriMesh surface;       ///< not yet checked as a solid
