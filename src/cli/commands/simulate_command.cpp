@@ -219,8 +219,8 @@ std::size_t beside(const JobResult& whole, std::size_t max_memory) {
   return std::max<std::size_t>(max_memory - std::min(held, max_memory), 1);
 }
 
-// Frames, if any, whose files appear with those of the whole run: an earlier moment each. The files
-// of the whole are listed with theirs; where one fails, that is the result.
+// Makes the frames, each the part at an earlier moment, whose files appear together with those of
+// the whole run. `whole` lists the files of all; where a frame fails, its result replaces `whole`.
 bool prepare_frames(const std::vector<Arguments>& frames, PreparedFiles& files, bool hash_files,
                     JobResult& whole) {
   std::vector<WrittenFile> written;

@@ -18,9 +18,9 @@
 namespace mrsim::cli {
 namespace {
 
-// ns in which the run may end in order, then say its last words, which wait for the disk. What is
-// left of the second goes to the system, which takes the memory back: 0.1 s for each GB on an idle
-// machine. So a large run, whose way out in order is as long, has less.
+// A stop takes at most a second. kGrace, ns: time for the run to end in order. kWords, ns: time for
+// its last words, which wait for the disk. The rest is for the system, which takes the memory back:
+// 0.1 s for each GB on an idle machine. So a run with much memory has less grace.
 constexpr long kGrace = 200'000'000, kWords = 300'000'000;
 
 timespec grace() {

@@ -77,8 +77,8 @@ Box3 box_about(const Vec3& a, const Vec3& b) {
 }
 
 // Goes through the points until it finds what `Judge` looks for, and leaves out whole ranges that
-// `Judge` finds to be far from it. Lists of candidates become shorter on the way; they hold for all
-// d from -Judge::band() up; of what lies deeper they give no more than that it does.
+// `Judge` finds to be far from it. Lists of candidates become shorter on the way. They give d
+// exactly where it is -Judge::band() or more; where it is less, they only show that it is less.
 template <class Judge>
 class Scan {
  public:

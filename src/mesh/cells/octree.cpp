@@ -195,9 +195,9 @@ void CellOctree::sample_corners(const std::vector<std::int32_t>& pending) {
   }
 }
 
-// Only the stock's box decides d in the cell, and no two opposite sides of it pass: then the
-// corners show all of the surface, one sheet with a single vertex of three sides at most, which lie
-// where the mesh has them however large the cell is.
+// Whether only the stock's box decides d in the cell, and no two opposite sides of the box pass the
+// cell. Then the corners show the whole surface: one sheet of at most three planes and one vertex,
+// which a mesh has exactly, however large the cell is.
 bool CellOctree::shows_box(std::int32_t n) const {
   if (!is_box_ || !candidates(n).empty()) return false;
   const Box3 cell = inflated(box(n), kSurfaceBand), stock = field_.bounds();

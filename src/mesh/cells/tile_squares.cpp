@@ -133,8 +133,8 @@ void TileSquares::merge(std::span<const TileColumn> columns, const TileStock& st
   }
 }
 
-// A tile in which the stock alone decides d, and whose cells and those next to them lie within a
-// side of the box, has all of its own in one square. Tiles about it know the same.
+// A tile where the stock alone decides d, and whose cells and their neighbours lie within a side of
+// the box, has one square for all its cells. The tiles about it find the same square.
 std::vector<CellSquare> TileSquares::whole_squares(int axis, const TileStock& stock,
                                                    const BareTiles& bare) const {
   std::vector<CellSquare> out;

@@ -24,8 +24,9 @@ constexpr Rgb kText = {62, 70, 80};
 constexpr double kDefaultCrease = 25;  // degrees, for shading where no edges are drawn
 constexpr std::size_t kMostEntries = 14;
 
-// Bytes, as measured. Of a triangle: its shape for the light, Embree's tree; with the lines of its
-// edges. Of a pixel: its light; in the band that is drawn what its ray met, then lines.
+// Bytes, as measured. A triangle takes its shape for the light and its share of Embree's tree, and
+// more where edges are drawn. A pixel takes its light; in the band that is being drawn also what
+// its ray met; and more where edges are drawn.
 constexpr double kTriangleBytes = 200, kLinedTriangleBytes = 260;
 constexpr double kPixel = 12, kBandPixel = 112, kLinedPixel = 13;
 

@@ -28,10 +28,10 @@ bool misses_crease(const LabelledMesh& mesh, std::size_t t, double tolerance,
   });
 }
 
-// How finely the surface about a crossing has to be drawn in the same cells, where a triangle there
-// misses the tolerance by `factor`: with the square of the length of its edges the distance falls
-// by two from step to step. Flat: cells must be split; so they are in the end, since detail about
-// one edge can need detail about the next one, all along a curve.
+// How finely the surface about a crossing has to be drawn where a triangle there is `factor` times
+// too far off. Each step of detail halves the distance, which falls with the square of the length
+// of edges. Flat: no detail is enough, and the cells must be split. In late rounds they always are,
+// because detail about one edge can need detail about the next, all along a curve.
 Detail detail_for(const Crossing& crossing, double factor, const FailureRules& rules) {
   if (!rules.may_draw) return Detail::flat;
   if (crossing.detail == Detail::flat && factor <= 2 && !rules.is_late) return Detail::fan;

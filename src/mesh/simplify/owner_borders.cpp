@@ -218,9 +218,9 @@ class BorderCutter {
     }
   }
 
-  // Flips the edges of the triangles that a cut has left, and those of what changes by that: long
-  // triangles would cross many borders each, and be cut at all of them. All triangles of a plane
-  // among these, once each.
+  // Flips edges of the triangles that a cut has left, then those of the triangles that this has
+  // changed: a long triangle would cross many borders, and be cut at each. Returns all of these
+  // triangles that lie on a plane, once each.
   std::vector<std::uint32_t> with_flips(std::vector<std::uint32_t> parts) {
     std::erase_if(parts, [&](std::uint32_t t) { return plane_[t] == Plane::no; });
     std::vector<std::uint32_t> open = parts;

@@ -30,9 +30,8 @@ struct Spoke {
   std::uint32_t triangle, next, last;
 };
 
-// The mesh while vertices go. Blocks share it: a vertex may be removed by one of them only when it
-// and its neighbours all are the block's, and then nothing that another block reads or writes
-// changes.
+// The mesh from which vertices are removed. Blocks share it: a block removes a vertex only if the
+// vertex and all its neighbours are its own, so nothing changes that another block reads or writes.
 struct Simplified {
   Simplified(const LabelledMesh& from, const std::vector<char>& locked_vertices)
       : mesh(from),

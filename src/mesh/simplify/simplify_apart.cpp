@@ -57,9 +57,9 @@ Box3 box_in_plane(const Corners3& t, const Corners3& other) {
   return box;
 }
 
-// Locks the vertices of the first mesh about the places where triangles of the small one meet: on
-// the line in which their planes do, so that of long triangles no more is locked than there is
-// need.
+// Locks the vertices of the first mesh about the places where triangles of the small mesh meet.
+// Where two triangles meet is bounded by the line in which their planes meet, so that long
+// triangles lock no more vertices than necessary.
 void lock_about(const LabelledMesh& small, const Pairs& pairs, double margin,
                 const SortedVertices& vertices, std::vector<char>& locked) {
   const auto corners = [&](std::uint32_t t) {

@@ -68,8 +68,8 @@ Quarters quarters(const Corners3& t) {
   return {m, {t[0], m[2], m[1]}, {m[2], t[1], m[0]}, {m[1], m[0], t[2]}};
 }
 
-// Encloses the quarters of a triangle, and theirs, until they are within the limit or a value of g
-// shows that it is not. Infinite where a part is left for which nothing is known.
+// Encloses the quarters of a triangle, then the quarters of these, until all enclosures are within
+// the limit or a value of g exceeds it. Infinite where nothing is known of a part.
 double refined(FaceDistances& distances, const FieldSample& face, const Corners3& t, double limit,
                int depth) {
   const Quarters parts = quarters(t);

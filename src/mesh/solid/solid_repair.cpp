@@ -229,8 +229,9 @@ void refuse_folds(const SurfaceMesh& surface, const std::string& name) {
   }
 }
 
-// CGAL finds by rays which body lies in which. A triangle without area is in one plane with any
-// ray, which is then drawn anew, without an end where the triangle's box holds the point.
+// Whether CGAL may never end. It finds by rays which body lies in which, and casts a new ray where
+// one lies in the plane of a triangle. A triangle without area lies in one plane with every ray, so
+// CGAL goes on for ever where the box of such a triangle holds the point.
 bool rays_may_fail(const SurfaceMesh& surface) {
   const auto faces = surface.faces();
   return std::any_of(faces.begin(), faces.end(), [&](SurfaceMesh::Face_index f) {

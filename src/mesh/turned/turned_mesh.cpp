@@ -204,9 +204,9 @@ double volume_excess(const std::vector<Outline>& outlines, const TriMesh& mesh) 
   return signed_volume(mesh) - kPi * exact;
 }
 
-// What is done so that thin walls do not meet. `sides`: all rings have equally many sides, so every
-// section through the axis is the outline, drawn in a little. `all`: the outline keeps all its
-// points as well, with which it does not meet itself.
+// What is done so that the sides of thin walls do not meet. `sides`: all rings have equally many
+// sides, so every section through the axis is the outline, a little narrower. `all`: the outline
+// also keeps all its points; with them it does not meet itself.
 enum class Care : std::uint8_t { none, sides, all };
 
 class TurnedMesher {

@@ -47,9 +47,9 @@ struct Likely {
   bool is_kink;
 };
 
-// Where the minimum lies by what is known at both ends of a bracket, of which `x` was found last:
-// Newton's step from it, or the kink where the tangent at `y` would be above. `cut`: where both
-// tangents meet.
+// Where the minimum probably lies, from what is known at both ends of a bracket. `x` is the end
+// that was found last. It is where Newton's step from `x` leads, unless the tangent at `y` lies
+// above that place: then it is a kink. `cut`: where both tangents meet.
 Likely likely_minimum(const Place& x, const Place& y, double cut) {
   if (x.at.bend > 0) {
     const double t = x.t - x.at.slope / x.at.bend;
@@ -61,9 +61,9 @@ Likely likely_minimum(const Place& x, const Place& y, double cut) {
   return {slope_x * slope_y < 0 ? cut - apart / (slope_x - slope_y) : cut, true};
 }
 
-// A place beyond the likely minimum, as the end `x`, found last, came from the same side `same`
-// times in a row before: by as much as x misses a smooth minimum, or as the other end may miss a
-// kink.
+// A place beyond the likely minimum, tried because the last `same` places all lay on the side of
+// the end `x`. It lies beyond by as much as x is off a smooth minimum, or by a share of what the
+// other end is off a kink.
 double beyond(const Likely& likely, const Place& x, double other, int same) {
   const double left = other - likely.t;
   const double share = std::min(kAcross, std::ldexp(std::fabs(left), 2 * (same - 1)));
@@ -71,7 +71,7 @@ double beyond(const Likely& likely, const Place& x, double other, int same) {
   return likely.t + (left > 0 ? std::max(step, kLeastAcross) : std::min(step, -kLeastAcross));
 }
 
-// Until both ends are so near that the tangents at them leave no room below the better one.
+// Narrows the bracket until the tangents at its ends leave no room below the better end.
 Bracket narrowed(const PathObjective& F, Bracket in, double limit) {
   bool is_low = std::fabs(in.a.slope) < std::fabs(in.b.slope);  // the end that was found last
   double wide = in.hi - in.lo;
