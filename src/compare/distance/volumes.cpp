@@ -178,9 +178,9 @@ Lengths lengths_along(std::span<const RayCrossing> ray) {
   return out;
 }
 
-// The mean of a length over the rays, given that of another one whose true mean is known: what the
-// rays miss of the one they mostly miss of the other (a control variate). An upright wall 0.05 mm
-// thick is met by few rays, but both volumes are known.
+// The mean of a length over the rays, corrected by another length whose true mean is known (a
+// control variate): rays that miss some of the one mostly miss as much of the other. An upright
+// wall 0.05 mm thick is met by few rays, but both volumes are known.
 class ControlledMean {
  public:
   void add(double length, double known) {

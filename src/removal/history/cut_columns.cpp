@@ -95,8 +95,9 @@ void ColumnWalker::distribute(const List& list, double radius, std::array<Part, 
   }
 }
 
-// Whether a sweep, at distance d from the centre of a part, can remove anything of it that is left;
-// and what is left after it. Distances are 1-Lipschitz and do not grow upwards.
+// Whether a sweep, at distance d from the centre of a part, can remove anything of what is left of
+// the part. Notes in `part` what is left after the sweep. Distances are 1-Lipschitz and do not grow
+// upwards.
 bool ColumnWalker::reaches(std::uint32_t index, double d, double reach, const Vec3& center,
                            Part& part) const {
   if (d > reach || lowest_[index] >= part.floor) return false;
@@ -201,8 +202,9 @@ bool ColumnWalker::take(std::uint32_t index) {
   return kept > 0;
 }
 
-// Down the columns of falling_, as far as the sweep reaches. Shares do not fall downwards: where
-// two voxels have the same, those between them have it too, so steps grow while they do.
+// Removes downwards in the columns of falling_, as far as the sweep reaches. The share of a voxel
+// never falls on the way down, so where two voxels have the same share, all between them have it,
+// too: steps grow while shares stay the same.
 double ColumnWalker::cut_down(std::uint32_t index) {
   double gone = 0;
   for (std::size_t k = 0; k < falling_count_; ++k)

@@ -128,9 +128,9 @@ bool works_outside(const Motion& m, std::span<const Tool> tools) {
   return is_turning(tool.type) && !is_inside_tool(tool);
 }
 
-// The radius that the tool comes from to the widest of the passes, which cuts something: the least
-// one beyond where a feed leads in from, of one pass alone that of a rapid; or where a way off it
-// leads to, if that is more. 0: nothing tells.
+// The radius from which the tool comes to the widest pass, which cuts something. It is the least
+// radius beyond the pass from which a feed leads in (from which a rapid does, if there is only one
+// pass), or the radius to which a way off the pass leads, if that is more. 0: nothing tells it.
 double approach_radius(std::span<const Motion> motions, std::span<const Tool> tools,
                        const std::vector<bool>& links, const TurnedCuts& cuts) {
   double least = -kNoHeight, off = 0;
@@ -175,8 +175,8 @@ class CutPlaces {
   std::vector<Place> places_;
 };
 
-// The least radius behind `front` that a rapid leads to where nothing has been cut: the bar is
-// thinner. Radii at which nothing of a groove or of the part is left say nothing.
+// The least radius behind `front` to which a rapid leads where nothing has been cut: the bar must
+// be thinner than that. Radii within the part, or where a cut has passed, say nothing.
 double entered_radius(std::span<const Motion> motions, std::span<const Tool> tools,
                       const TurnedCuts& cuts, double front) {
   const double part = std::max(cuts.along, cuts.narrowest) + kSameHeight;

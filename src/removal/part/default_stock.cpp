@@ -148,17 +148,18 @@ double distance_in_plan(const Motion& m, const Vec3& p) {
   return std::hypot(m.start.x + t * dx - p.x, m.start.y + t * dy - p.y);
 }
 
-// A place where a rapid goes down below the stock's top before anything is cut there, or straight
-// down below what has been cut: beside it. So does one to the next pass, horizontal and below the
-// top.
+// A place beside the stock: a rapid goes down there below the stock's top before anything is cut
+// there, or straight down below what has been cut. A rapid to the next pass, horizontal and below
+// the top, also leads to such a place.
 struct WayDown {
   Vec3 place, from;
   double radius = 0;
   bool is_horizontal = false;
 };
 
-// Whether a cut has made way for this rapid: down to its end where it goes straight down. Rapids
-// aside from row to row of a raster follow the surface that the next row cuts.
+// Whether a cut has made way for this rapid. Where the rapid goes straight down, the cut must reach
+// down to its end. Other rapids, from row to row of a raster, follow the surface that the next row
+// cuts.
 bool is_cut_before(std::span<const Motion> motions, std::size_t index, double radius) {
   const Vec3 &from = motions[index].start, &place = motions[index].end;
   const bool is_straight = from.x == place.x && from.y == place.y;

@@ -30,10 +30,10 @@ constexpr double kSearchedColumns = 100;
 // Cost of a column below such a cutter's other moves: both ends of the head are evaluated.
 constexpr double kHeadColumns = 3;
 
-// Of the stock in plan, where the sweeps leave heights: as much time.
+// Columns of the stock in plan, where the sweeps leave heights: they take as much time.
 constexpr double kHeightColumns = 60e3, kHeightColumnsPerCut = 0.3;
-// Those columns, counted once for each sweep over them: up to 0.02 us of one core each. Short moves
-// of a wide tool side by side reach that; each of them passes over many columns.
+// The same columns, each counted once for each sweep over it: up to 0.02 us of one core each. Short
+// moves of a wide tool side by side come to so many, because each passes over many columns.
 constexpr double kColumnsSwept = 25e6, kColumnsSweptPerCut = 20;
 // Cost of a column below a cone or a bull-nosed mill, whose bottom takes longer.
 constexpr double kSlowBottom = 6;
@@ -49,10 +49,10 @@ constexpr double kNothing = 1e-3;
 // Share of a column or voxel to which the ends of a band are known.
 constexpr double kWidthError = 0.125;
 
-// Cuts are sampled in pieces, so that a cut that leaves the material counts as air from there:
-// half a diameter long, so that they do not add many samples. A plunge is short and begins in the
-// air: an eighth, and where heights give the history nothing is sampled along it.
-// 60 000 pieces take some 30 MB.
+// Cuts are sampled in pieces, so that a cut that leaves the material counts as air from there on.
+// Pieces are half a diameter long, so that they add few samples. A plunge is short and begins in
+// the air, so its pieces are an eighth of a diameter long; where heights give the history, nothing
+// is sampled along it. 60 000 pieces take some 30 MB.
 constexpr PieceRule kPieces{{0.5, 2}, 64, 60000, true, {0.125, 2}};
 constexpr PieceRule kHeightPieces{{0.5, 2}, 64, 60000, true, {0.125, 0.25}};
 

@@ -47,9 +47,10 @@ constexpr double kMostGrooveCells = 4e6;
 // Share of a pointed tool's radius below which its grooves are narrow, and nodes of the octree for
 // a piece of such a groove that is as long as wide (text of 6 m by a V-bit took 40).
 constexpr double kNarrow = 0.5, kGrooveNodes = 40;
-// Average number of creasing sweeps in a block above which no tolerance is tried: cells would be
-// halved too often. Unless they are few in all blocks together, as on a large sheet whose blocks
-// are large, and no pointed tool has left grooves; more of them where most cuts are level.
+// Average number of creasing sweeps in a block above which no tolerance is tried, because cells
+// would be halved too often. It is tried after all where all blocks together have few such sweeps,
+// as on a large sheet whose blocks are large, and no pointed tool has left grooves. Where most cuts
+// are level, more sweeps count as few.
 constexpr double kMostCreasing = 9, kFewCreasing = 1e5, kFewLevelCreasing = 3e5;
 // Sweeps in all blocks together above which no tolerance is tried: kMostSweeps where a block has
 // more than kFewSweeps on average, kMostSearched where points of helices are searched, which costs
@@ -58,14 +59,15 @@ constexpr double kFewSweeps = 20, kMostSweeps = 6.5e5, kMostSearched = 6e4;
 // Average number of creasing sweeps in a block up to which a part counts as plain (pockets, holes):
 // its cells take half the time.
 constexpr double kPlainSweeps = 1.5;
-// Cells of the wished size, and creasing sweeps in a block, up to which another octree is worth its
-// time where the first one has too many nodes: above them it mostly has as well.
+// Cells of the wished size, and creasing sweeps in a block, up to which a second octree is worth
+// its time where the first one has too many nodes. Above these numbers the second one mostly has
+// too many, too.
 constexpr double kMostRetried = 1.2e5, kMostRetriedCreasing = 6;
 // Share of the cuts above which helices, or upright arcs, are many, and level cuts are most.
 constexpr double kManyOfCuts = 0.25, kMostOfCuts = 0.8;
-// Nodes of the octree, made in some five seconds of two cores, after which the grid takes its
-// place. Those about the crests of a winding helix, or cut by flat mills on upright arcs, take
-// three times as long.
+// Nodes of the octree above which the grid takes its place: as many as two cores make in some five
+// seconds. Nodes about the crests of a winding helix, or on upright arcs of flat mills, take three
+// times as long, so there are fewer of them.
 constexpr std::size_t kMostNodes = 250'000, kMostLevelNodes = 350'000, kMostPlainNodes = 450'000,
                       kMostHelixNodes = 200'000, kMostWindingNodes = 80'000,
                       kMostSearchedNodes = 60'000;
@@ -115,8 +117,9 @@ double smallest_radius(const CutList& cuts, double stock_top) {
   return least;
 }
 
-// Grooves of pointed tools, narrower than half of their diameter: their lengths, each by its width
-// at the stock's top, together. Three creases run along each of them, within that width.
+// The sum of length / width of all grooves of pointed tools that are narrower than half of the
+// tool's diameter, with the width at the stock's top. Three creases run along each groove, within
+// that width.
 double groove_lengths(const CutList& cuts, double stock_top) {
   std::vector<ToolShape> shapes;
   for (const Tool& tool : cuts.tools()) shapes.push_back(make_tool_shape(tool));
