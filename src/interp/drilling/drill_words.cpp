@@ -154,24 +154,33 @@ bool DrillWords::bores_down() const {
          level && bottom && bottom->value < level->value;
 }
 
+// Reports cycles that are not read. True: this is one.
+bool DrillWords::refuses(const Word& where) {
+  const DrillCycle& cycle = modal_.drill;
+  const auto refuse = [&](const char* code, const std::string& text) {
+    return !error(code, text, where);
+  };
+  if ((cycle.number == 87 && cycle.plane != 2) || (is(Dialect::ngc) && cycle.number == 88))
+    return refuse(
+        "not-supported",
+        fmt::format("G{} ({}) is not supported yet", cycle.number,
+                    cycle.number == 87 ? "back boring" : "boring with a way out by hand"));
+  if (is(Dialect::ngc) && (cycle.number == 74 || cycle.number == 84) && modal_.plane != 0)
+    return refuse("not-supported",
+                  fmt::format("G{} outside of G17: LinuxCNC exchanges its axes, and does not tap "
+                              "where the hole is",
+                              cycle.number));
+  if (is(Dialect::ngc) && modal_.comp != Code::comp_off)
+    return refuse("cycle-compensation", "a canned cycle under radius compensation");
+  return false;
+}
+
 bool DrillWords::drill() {
   DrillCycle& cycle = modal_.drill;
   const Basis b = basis();
   const Word& where = block_.motion_code ? *block_.motion_code : block_.words.front();
   if (cycle.number == 87 && bores_down()) cycle.number = 88;
-  if ((cycle.number == 87 && cycle.plane != 2) || (is(Dialect::ngc) && cycle.number == 88))
-    return error("not-supported",
-                 fmt::format("G{} ({}) is not supported yet", cycle.number,
-                             cycle.number == 87 ? "back boring" : "boring with a way out by hand"),
-                 where);
-  if (is(Dialect::ngc) && (cycle.number == 74 || cycle.number == 84) && modal_.plane != 0)
-    return error("not-supported",
-                 fmt::format("G{} outside of G17: LinuxCNC exchanges its axes, and does not tap "
-                             "where the hole is",
-                             cycle.number),
-                 where);
-  if (is(Dialect::ngc) && modal_.comp != Code::comp_off)
-    return error("cycle-compensation", "a canned cycle under radius compensation", where);
+  if (refuses(where)) return false;
   if (!cycle.begun) cycle.initial = holes_.level();
   cycle.begun = true;
   long count = 1;

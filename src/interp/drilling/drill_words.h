@@ -25,6 +25,7 @@ class DrillWords : public ControlPart {
  private:
   bool drill();
   bool bores_down() const;
+  bool refuses(const Word& where);
   void read_level(const Word* word, CycleLevel& out);
   bool depth_in_i() const;
   bool read_fagor(const Basis& b);

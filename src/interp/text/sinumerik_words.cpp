@@ -86,34 +86,36 @@ void SinumerikWords::read(Block& block) {
   std::size_t sign = p_;
   while (sign < line_.size() && blank(line_[sign])) ++sign;
   if (at(sign) == '=' && at(sign + 1) != '=') p_ = sign;  // "R1 = 5"
-  if (at(p_) == '=') {                                    // a numbered address: I1= X1= S2= M2= R5=
-    const int index = static_cast<int>(word.value);
-    ++p_;
-    if (c == 'R' && language_) return assignment(block, from);
-    if (c == 'R') return unsupported(block, line_.substr(from, p_ - from), "a variable", from);
-    if (index == 1 && c == 'T') {  // T1= names a tool of the first spindle, as M1=6 changes it
-      if (value(block, word)) push(block, word, from);
-      return;
-    }
-    if (index == 1 && (c == 'I' || c == 'J' || c == 'K'))
-      word.address = c == 'I' ? Address::i1 : c == 'J' ? Address::j1 : Address::k1;
-    else if (index >= 2 && index <= 7 && c >= 'A' && c <= 'C')
-      word.address = Address::data;  // the direction of the tool
-    else if (c == 'S' || c == 'M' || c == 'H' || c == 'X' || c == 'Y' || c == 'Z')
-      word.address = Address::data;
-    else
-      fault(block, "address-unknown",
-            fmt::format("unknown address {}", line_.substr(from, p_ - from - 1)), from, p_);
-    word.code = static_cast<Code>(c);  // the letter, which matters for a few
-    if (!value(block, word) || word.address == letter(c)) return;
-    if (index == 1 && c == 'M' && word.value == 6) {
-      word.address = letter(c);
-      word.code = Code::unknown;
-    }
-    push(block, word, from);
+  if (at(p_) == '=') return numbered_address(block, word, from, c);
+  if (c == 'N') return block_number(block, from);
+  push(block, word, from);
+}
+
+// I1= X1= S2= M2= R5=: `word` has the number, the place is at the "=".
+void SinumerikWords::numbered_address(Block& block, Word& word, std::size_t from, char c) {
+  const int index = static_cast<int>(word.value);
+  ++p_;
+  if (c == 'R' && language_) return assignment(block, from);
+  if (c == 'R') return unsupported(block, line_.substr(from, p_ - from), "a variable", from);
+  if (index == 1 && c == 'T') {  // T1= names a tool of the first spindle, as M1=6 changes it
+    if (value(block, word)) push(block, word, from);
     return;
   }
-  if (c == 'N') return block_number(block, from);
+  if (index == 1 && (c == 'I' || c == 'J' || c == 'K'))
+    word.address = c == 'I' ? Address::i1 : c == 'J' ? Address::j1 : Address::k1;
+  else if (index >= 2 && index <= 7 && c >= 'A' && c <= 'C')
+    word.address = Address::data;  // the direction of the tool
+  else if (c == 'S' || c == 'M' || c == 'H' || c == 'X' || c == 'Y' || c == 'Z')
+    word.address = Address::data;
+  else
+    fault(block, "address-unknown",
+          fmt::format("unknown address {}", line_.substr(from, p_ - from - 1)), from, p_);
+  word.code = static_cast<Code>(c);  // the letter, which matters for a few
+  if (!value(block, word) || word.address == letter(c)) return;
+  if (index == 1 && c == 'M' && word.value == 6) {
+    word.address = letter(c);
+    word.code = Code::unknown;
+  }
   push(block, word, from);
 }
 
@@ -218,8 +220,9 @@ void SinumerikWords::program_name(Block& block, std::size_t from, std::string_vi
   push(block, word, from);
 }
 
-// NAME( ... ): a call with arguments. Quotes hide brackets.
-void SinumerikWords::call(Block& block, std::size_t from, std::string_view token) {
+// Moves the place from a "(" behind the ")" that closes it. Quotes hide brackets. False: there is
+// none, which is reported.
+bool SinumerikWords::skip_brackets(Block& block) {
   const std::size_t open = p_;
   int depth = 0;
   bool quoted = false;
@@ -231,12 +234,20 @@ void SinumerikWords::call(Block& block, std::size_t from, std::string_view token
     if (c == ')' && --depth == 0) break;
   }
   if (quoted)
-    return fault(block, "string-unterminated", "a text is not closed with \" (alarm 12080)", open,
-                 open + 1);
-  if (depth != 0)
-    return fault(block, "bracket", "the ( here is not closed (alarm 12080)", open, open + 1);
-  const std::string_view argument = line_.substr(open + 1, p_ - open - 1);
-  ++p_;
+    fault(block, "string-unterminated", "a text is not closed with \" (alarm 12080)", open,
+          open + 1);
+  else if (depth != 0)
+    fault(block, "bracket", "the ( here is not closed (alarm 12080)", open, open + 1);
+  else
+    ++p_;
+  return !quoted && depth == 0;
+}
+
+// NAME( ... ): a call with arguments.
+void SinumerikWords::call(Block& block, std::size_t from, std::string_view token) {
+  const std::size_t open = p_;
+  if (!skip_brackets(block)) return;
+  const std::string_view argument = line_.substr(open + 1, p_ - open - 2);
   const std::string name = upper_case(token.substr(0, 33));
   for (const std::string_view harmless : kHarmlessCalls)
     if (name == harmless) return;

@@ -148,7 +148,15 @@ void CompensationWords::set_radius(const Word& where) {
   radius_ = reg ? reg->radius + reg->wear
                 : (comp == CompRadius::wear ? 0 : own) + control_.bare_wear(edge);
   if (comp == CompRadius::off) radius_ = 0;
-  if (!reg && (own > 0 || turning) && modal_.edge_given && comp == CompRadius::automatic)
+  if (!reg && comp == CompRadius::automatic) warn_of_register(where, tool, own);
+  if (turning && !tool->tip_is_nose_centre) tip_ = tip_vector(*tool, radius_);
+}
+
+// The tool table has no register, so that the radius `own` of the tool itself is used.
+void CompensationWords::warn_of_register(const Word& where, const Tool* tool, double own) {
+  const bool turning = tool && is_turning(tool->type);
+  if ((own > 0 || turning) && modal_.edge_given) {
+    const std::string edge = edge_name();
     reporter_.once(
         Severity::warning, "register-missing",
         fmt::format("{} is not in the tool table: {} radius {:g} mm is used; {}", edge,
@@ -159,16 +167,15 @@ void CompensationWords::set_radius(const Word& where) {
                                       edge)
                         : "if the program holds the path of the tool's centre (wear "
                           "compensation), say --comp wear"),
-        control_.edge_word, key);
-  if (!reg && own > 0 && !modal_.edge_given && comp == CompRadius::automatic && !lathe() &&
-      is(Dialect::fanuc))
+        control_.edge_word, key_);
+  }
+  if (own > 0 && !modal_.edge_given && !lathe() && is(Dialect::fanuc))
     reporter_.once(Severity::warning, "register-missing",
                    fmt::format("G41 and G42 stand without D, which FANUC reads as D0: nothing is "
                                "offset; as many programs mean it, the tool's own radius {:g} mm is "
                                "used; say --comp radius if that is right, else --comp off",
                                own),
-                   where, key);
-  if (turning && !tool->tip_is_nose_centre) tip_ = tip_vector(*tool, radius_);
+                   where, key_);
 }
 
 // The way from the programmed point to the centre of the nose, in the plane (first axis Z, second

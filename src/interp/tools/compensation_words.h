@@ -38,6 +38,7 @@ class CompensationWords : public ControlPart {
 
  private:
   void set_radius(const Word& where);
+  void warn_of_register(const Word& where, const Tool* tool, double own);
   bool work_selected() const;
   std::string edge_name() const;
   const Tool* tool_of_edge() const;

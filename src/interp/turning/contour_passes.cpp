@@ -74,6 +74,37 @@ void ContourPasses::leave_out_return() {
   contour_.pop_back();
 }
 
+// Where the passes begin, at `top`, and in which directions they go.
+ContourPasses::Rough ContourPasses::directions(const Vec3& top, const Vec3& shift) const {
+  Rough r;
+  r.u = cut_.number == 72 ? 2 : 0;
+  r.v = 2 - r.u;
+  r.top = component(top, r.u);
+  r.start = component(top, r.v);
+  r.down = -1;
+  double farthest = 0;
+  for (const Motion& m : contour_) {
+    const double travel = component(m.end + shift, r.u) - r.top;
+    if (std::abs(travel) <= farthest) continue;
+    farthest = std::abs(travel);
+    r.down = travel > 0 ? 1 : -1;
+  }
+  r.along = component(contour_.back().end + shift, r.v) > r.start ? 1 : -1;
+  return r;
+}
+
+// Reports that the contour runs back in this motion.
+void ContourPasses::refuse_way_back(std::size_t motion) {
+  const Motion& m = contour_[motion];
+  const bool home = m.kind == MotionKind::rapid && motion + 1 == contour_.size();
+  reporter_.add_at(Severity::error, "not-supported",
+                   home ? "the last block of the contour goes back with a rapid, where controls "
+                          "stop (alarm 064): let Q name the block before it"
+                        : "the contour of the cycle runs back here (an undercut), which is not "
+                          "supported yet",
+                   m);
+}
+
 // G71 cuts along Z, G72 along X: passes at levels down to the contour, then in its pockets, then
 // once along it.
 bool ContourPasses::rough() {
@@ -91,20 +122,7 @@ bool ContourPasses::rough() {
   if (cut_.lap) orient_allowance();
   const Vec3 from = position_.physical, shift = cut_.allowance;
   const Vec3 top = cut_.lap ? from : from + shift;
-  Rough r;
-  r.u = cut_.number == 72 ? 2 : 0;
-  r.v = 2 - r.u;
-  r.top = component(top, r.u);
-  r.start = component(top, r.v);
-  r.down = -1;
-  double farthest = 0;
-  for (const Motion& m : contour_) {
-    const double travel = component(m.end + shift, r.u) - r.top;
-    if (std::abs(travel) <= farthest) continue;
-    farthest = std::abs(travel);
-    r.down = travel > 0 ? 1 : -1;
-  }
-  r.along = component(contour_.back().end + shift, r.v) > r.start ? 1 : -1;
+  const Rough r = directions(top, shift);
   if (component(shift, r.u) * r.down > kRounding)
     warning("cycle-allowance",
             fmt::format("{} of G{} leads into the finished shape, which is cut too deep: of a bore "
@@ -116,15 +134,7 @@ bool ContourPasses::rough() {
     pieces.push_back(turned_piece(contour_[i], r.u, r.v, shift + cut_.semi_finish));
   const RoughContour shape(std::move(pieces), -r.down, r.along);
   if (const int bad = shape.runs_back(); bad >= 0) {
-    const Motion& m = contour_[static_cast<std::size_t>(bad) + 1];
-    const bool home =
-        m.kind == MotionKind::rapid && static_cast<std::size_t>(bad) + 2 == contour_.size();
-    reporter_.add_at(Severity::error, "not-supported",
-                     home ? "the last block of the contour goes back with a rapid, where controls "
-                            "stop (alarm 064): let Q name the block before it"
-                          : "the contour of the cycle runs back here (an undercut), which is not "
-                            "supported yet",
-                     m);
+    refuse_way_back(static_cast<std::size_t>(bad) + 1);
     return false;
   }
   go(top, kRapid);

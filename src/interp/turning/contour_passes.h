@@ -42,6 +42,8 @@ class ContourPasses : public ControlPart {
 
   bool repeat();
   bool rough();
+  Rough directions(const Vec3& top, const Vec3& shift) const;
+  void refuse_way_back(std::size_t motion);
   void leave_out_return();
   void orient_allowance();
   bool levels(const Rough& rough, const RoughContour& shape);
