@@ -76,6 +76,26 @@ void take_corner(const std::string& remark, double unit, Tool& tool) {
   tool.corner_radius = said.corner_radius;
 }
 
+// Makes a turning tool of a table's row. What the remark says of its shape counts, before the row.
+void complete_linuxcnc_turning(Tool& tool, const ToolHint& hint, double unit) {
+  const Tool listed = tool;
+  Tool said;
+  std::string why;
+  if (fill_tool(hint, unit, true, said, why) && is_turning(said.type)) {
+    said.id = tool.id;
+    said.tip = tool.tip;
+    said.tip_is_nose_centre = tool.tip_is_nose_centre;
+    said.origin = tool.origin;
+    tool = said;
+    if (hint.insert.empty() && hint.insert_angle == 0 && listed.insert_angle > 0) {
+      tool.insert_angle = listed.insert_angle;
+      tool.lead_angle = listed.lead_angle;
+    }
+  }
+  if (listed.nose_radius > 0) tool.nose_radius = listed.nose_radius;
+  complete_turning_tool(tool);
+}
+
 // Why no tool can be made of a table's row; empty: it is made. A remark that names a kind whose
 // shape it does not give is no end mill.
 std::string complete_linuxcnc(LibraryTool& entry, double unit) {
@@ -86,21 +106,7 @@ std::string complete_linuxcnc(LibraryTool& entry, double unit) {
   const ToolHint hint = read_remark(entry.remark, tool.diameter);
   Tool said;
   if (is_turning(tool.type)) {
-    const Tool listed = tool;
-    std::string why;
-    if (fill_tool(hint, unit, true, said, why) && is_turning(said.type)) {
-      said.id = tool.id;
-      said.tip = tool.tip;
-      said.tip_is_nose_centre = tool.tip_is_nose_centre;
-      said.origin = tool.origin;
-      tool = said;
-      if (hint.insert.empty() && hint.insert_angle == 0 && listed.insert_angle > 0) {
-        tool.insert_angle = listed.insert_angle;
-        tool.lead_angle = listed.lead_angle;
-      }
-    }
-    if (listed.nose_radius > 0) tool.nose_radius = listed.nose_radius;
-    complete_turning_tool(tool);
+    complete_linuxcnc_turning(tool, hint, unit);
     return "";
   }
   if (tells_mill(hint, unit, tool.diameter, said)) {
