@@ -96,7 +96,7 @@ void Engine::tell_unused_options() {
   if (statements_) statements_->tell_unread_presets();
   std::string levels;
   for (int level = 0; level < 10; ++level)
-    if ((options_.block_skip & ~skip_levels_) >> level & 1U)
+    if (skips_level(options_.block_skip & ~skip_levels_, level))
       levels += fmt::format("{}{}", levels.empty() ? "" : ",", level);
   if (!levels.empty())
     reporter_.add_general(
@@ -116,7 +116,7 @@ void Engine::execute() {
   BlockWords& block = control_.block;
   for (const int level : {block.skip_level, block.inner_skip})
     if (level >= 0) skip_levels_ |= 1U << level;
-  if (block.skip_level >= 0 && (options_.block_skip >> block.skip_level & 1U) != 0) return;
+  if (skips_level(options_.block_skip, block.skip_level)) return;
   block.begin();
   if (control_.unread_end != 0 && UnreadModes(control_).skips_iso_mode()) return;
   if (block.statement != Block::kNoStatement) return statements_->run();

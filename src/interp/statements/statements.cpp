@@ -299,7 +299,7 @@ bool Statements::is_whole(const FlowEntry& entry) {
   const ProgramOutline& all = places_.outline();
   for (int i = entry.first; i >= 0; i = all.entry(i).next) {
     const FlowEntry& part = all.entry(i);
-    if (part.skip < 0 || (options_.block_skip >> part.skip & 1U) == 0) continue;
+    if (!skips_level(options_.block_skip, part.skip)) continue;
     reporter_.set_place(block_.file, part.at.line + 1, block_.call, {});
     return fail("structure",
                 "--block-skip leaves out this part of a branch or loop, and not all of it",

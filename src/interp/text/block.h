@@ -64,6 +64,12 @@ struct Word {
   std::string_view text;  ///< the string, the name; else empty
 };
 
+/// Whether block skip leaves out blocks of this level: `levels` has a bit for each one that is in
+/// force. -1 is the level of a block without "/".
+inline bool skips_level(unsigned levels, int level) {
+  return level >= 0 && (levels >> level & 1U) != 0;
+}
+
 struct Block {
   std::vector<Word> words;                 ///< in program order; capacity is reused
   std::vector<std::string_view> comments;  ///< without their brackets

@@ -164,7 +164,7 @@ bool WordReader::head_of_block(Block& block) {
   } else if (c == '/' && block.skip_level < 0) {
     ++p_;
     block.skip_level = is_digit(at(p_)) ? at(p_++) - '0' : 0;
-    if ((skip_ >> block.skip_level & 1U) != 0) p_ = line_.size();
+    if (skips_level(skip_, block.skip_level)) p_ = line_.size();
   } else if (c == ':' && is_digit(at(p_ + 1))) {
     const bool program = dialect_ != Dialect::sinumerik && names_program(line_, p_);
     ++p_;
@@ -191,7 +191,7 @@ bool WordReader::skip_rest(Block& block) {
   if (!is_letter(at(end))) return false;
   warn_of_division(block, end);
   block.inner_skip = level;
-  p_ = (skip_ >> level & 1U) != 0 ? line_.size() : end;
+  p_ = skips_level(skip_, level) ? line_.size() : end;
   return true;
 }
 
@@ -257,6 +257,28 @@ void WordReader::bare_number(Block& block) {
         from, p_);
 }
 
+// The word of the letter `c` at `from`, whose number, or whose expression that begins with a
+// number, is at the place.
+void WordReader::numbered_word(Block& block, std::size_t from, char c) {
+  Word word;
+  word.address = letter(c);
+  const std::size_t digits = p_;
+  const bool plain = plain_number(word, false), whole = dialect_ == Dialect::codesys;
+  if (plain ? whole && operator_follows() : expression_follows(p_)) {
+    p_ = digits;
+    if (expression(block, word, whole)) push(block, word, from);
+    return;
+  }
+  if (!plain && !number(block, word, false)) return;
+  if (c == 'S' && at(p_) == '=' && special_.spindle_speed(block, word))
+    return push(block, word, from);
+  if (glued_blanks_) strange_.check_inner_blanks(digits);
+  if (c == 'N') return block_number(block, from);
+  push(block, word, from);
+  if (c == 'G' && word.value == 84 && !block.contour.empty()) return okuma_.skip_conditions(block);
+  if (c == 'M' && special_.has_message(word)) p_ = std::min(line_.find(';', p_), line_.size());
+}
+
 void WordReader::letter_word(Block& block) {
   const std::size_t from = p_;
   const char c = upper(line_[p_]);
@@ -270,27 +292,7 @@ void WordReader::letter_word(Block& block) {
   const bool fadal = c == 'R' && at(p_) == '0' && (at(p_ + 1) == '+' || at(p_ + 1) == '-');
   if (fadal && dialect_ == Dialect::fanuc) ++p_;  // "R0+.1": the level of a cycle is a parameter
   const char n = at(p_);
-  if (starts_number(n)) {
-    Word word;
-    word.address = letter(c);
-    const std::size_t digits = p_;
-    const bool plain = plain_number(word, false), whole = dialect_ == Dialect::codesys;
-    if (plain ? whole && operator_follows() : expression_follows(p_)) {
-      p_ = digits;
-      if (expression(block, word, whole)) push(block, word, from);
-      return;
-    }
-    if (!plain && !number(block, word, false)) return;
-    if (c == 'S' && at(p_) == '=' && special_.spindle_speed(block, word))
-      return push(block, word, from);
-    if (glued_blanks_) strange_.check_inner_blanks(digits);
-    if (c == 'N') return block_number(block, from);
-    push(block, word, from);
-    if (c == 'G' && word.value == 84 && !block.contour.empty())
-      return okuma_.skip_conditions(block);
-    if (c == 'M' && special_.has_message(word)) p_ = std::min(line_.find(';', p_), line_.size());
-    return;
-  }
+  if (starts_number(n)) return numbered_word(block, from, c);
   if (n == '=' && dialect_ == Dialect::fanuc && language_) {  // "X=VC1*2" of Okuma
     Word word;
     word.address = letter(c);
