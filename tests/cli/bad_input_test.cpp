@@ -97,7 +97,7 @@ TEST_F(BadInput, StlThatClaimsMoreThanItHas) {
   expect_bad_stock("4000000000");
 }
 
-TEST_F(BadInput, StlOfTheOtherKind) {
+TEST_F(BadInput, AnStlIsReadByItsContentNotItsFirstWord) {
   std::string block = read("block.stl");
   std::memcpy(block.data(), "solid block", 11);  // binary all the same, and read as such
   write("solid.stl", block);
@@ -196,7 +196,7 @@ TEST_F(BadInput, OldOutputStaysWhenARunFails) {
   EXPECT_EQ(read("old.stl"), "old");
 }
 
-TEST_F(BadInput, StepsTooFineForNumbersOrMemory) {
+TEST_F(BadInput, VoxelsTooFineForNumbersOrMemoryAreRefused) {
   expect_failure("PRIMER_2F.MPF --stock block.stl --voxel 0 -o part.stl", 2, "--voxel");
   expect_failure("PRIMER_2F.MPF --stock block.stl --voxel -1 -o part.stl", 2, "--voxel");
   expect_failure("PRIMER_2F.MPF --stock block.stl --voxel nan -o part.stl", 2, "--voxel");
@@ -213,7 +213,7 @@ TEST_F(BadInput, StepsTooFineForNumbersOrMemory) {
   expect_failure("PRIMER_2F.MPF --stock block.stl --max-memory 1M -o part.stl", 1, "memory");
 }
 
-TEST_F(BadInput, FaultsOfTheCommandLine) {
+TEST_F(BadInput, FaultsOfTheCommandLineAreNamed) {
   expect_failure("PRIMER_2F.MPF --stok block.stl -o part.stl", 2, "did you mean \"--stock\"");
   expect_failure("PRIMER_2F.MPF PRIMER_2S.MPF -o part.stl", 2, "not expected");
   expect_failure("--stock block.stl -o part.stl", 2, "the program is missing");

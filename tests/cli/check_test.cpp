@@ -66,7 +66,7 @@ TEST_F(CheckCli, TraceIsQuietAndNeedsNoTools) {
 }
 
 // The diameter of the table confirms what a remark says without a unit.
-TEST_F(CheckCli, RemarksOfLinuxcncTables) {
+TEST_F(CheckCli, DiametersOfTablesConfirmTheirRemarks) {
   write("t.tbl",
         "T1 P1 D20 ;T-SLOT CUTTER 20MM X 4MM\nT2 P2 D6.35 ;1/4 V-BIT 60 DEG\n"
         "T3 P3 D5.105 ;#7 DRILL\nT4 P4 D3.175 ;1/8 X 3 DEG TAPER EM LOC 1.0\n"

@@ -89,7 +89,7 @@ TEST_F(Compare, ArcOfTheWrongSignIsNamed) {
   EXPECT_TRUE(named) << j["regions"].dump(1);
 }
 
-TEST_F(Compare, GougeByOneLine) {
+TEST_F(Compare, TheLineOfAGougeIsNamed) {
   const Json j = spoiled("N45 G3 X37.5 Y0 CR=15", "N45 G3 X37.5 Y0 Z-2.1 CR=15");
   EXPECT_EQ(outcome_.code, 4);
   EXPECT_EQ(j["regions"][0]["kind"], "gouge");

@@ -75,7 +75,7 @@ TEST_F(Figures, NothingRemovedIsNotLessThanNothing) {
   EXPECT_LE(number_after(read("out.json"), "\"part\":"), 48000);
 }
 
-TEST_F(Figures, PocketOfTheFanucDocument) {
+TEST_F(Figures, FanucsPocketHasItsVolume) {
   const std::string folder = MRSIM_DATA_DIR "/";
   const std::string rest =
       " --stock box:-30,-30,-30,30,30,0 --tool 1=endmill:d=10 --tolerance 0.01 -o part.stl";
@@ -86,7 +86,7 @@ TEST_F(Figures, PocketOfTheFanucDocument) {
 
 // G71 with a pocket between two cones, then G70: discs of radius 20, 12, 20 and 32, and two cones
 // between 20 and 12 of 8 each.
-TEST_F(Figures, PartOfATurningCycle) {
+TEST_F(Figures, APartOfATurningCycleHasItsVolume) {
   write("shaft.nc",
         "O1\nT0101\nG0 X64 Z2\nG71 U4 R1\nG71 P10 Q20 U.4 W0 F.3\nN10 G0 X40\nG1 Z-10 F.1\n"
         "X24 Z-18\nZ-30\nX40 Z-38\nZ-50\nN20 X64\nG70 P10 Q20\nM30\n");

@@ -199,7 +199,7 @@ TEST_F(Until, FramesArePictures) {
   expect_failure(rest + "-o f%s.png", 2, "%04d");
 }
 
-TEST_F(Until, FramesOfAJob) {
+TEST_F(Until, AJobMayBeRenderedInFrames) {
   write("job.toml",
         "program = \"PRIMER_2F.MPF\"\nstock = \"block.stl\"\noutputs = [\"part.stl\"]\n"
         "report = \"page.html\"\naccept = [-0.1, 0.1]\nframes = 7\n");

@@ -39,7 +39,7 @@ TEST(Blame, RightPartIsAccepted) {
   EXPECT_EQ(c.lines.size(), 7u);  // the stock and six lines
 }
 
-TEST(Blame, GougeByOneLine) {
+TEST(Blame, NamesTheLineOfAGouge) {
   std::array<float, 6> depth = kRight;
   depth[3] = 4.1f;
   const Comparison c = judged(slots(depth));
@@ -124,7 +124,7 @@ TEST(Blame, ShiftOfTheWholePartVanishesWithIcp) {
   EXPECT_NEAR(distance(c.transform.shift, {-0.2, -0.3, 0.15}), 0, 1e-4);
 }
 
-TEST(Blame, ArcOfTheWrongSign) {
+TEST(Blame, NamesAnArcOfTheWrongSign) {
   // A quarter of a ring on the wrong side: cells of the wanted arc stay, others are cut by line 40.
   const auto arc = [](float turn) {
     Cells g;

@@ -30,7 +30,7 @@ RigidTransform turn(double degrees_about_z, const Vec3& shift) {
   return t;
 }
 
-TEST(Compare, SpheresOfTwoRadii) {
+TEST(Compare, SpheresOfTwoRadiiAreAsFarApartAsTheRadii) {
   // The same tessellation: corresponding facets are parallel, cos(pi / 200) off at most.
   const TriMesh part = testing::sphere_mesh(200, 10.01), nominal = testing::sphere_mesh(200, 10);
   const Comparison c = compare(part, nominal, accept(-0.02, 0.02));
@@ -59,7 +59,7 @@ TEST(Compare, VerdictShowsWhatIsJustBeyond) {
   EXPECT_NE(comparison_text(c).find("found -0.0200 .. +0.0400 mm"), std::string::npos);
 }
 
-TEST(Compare, PlateOffsetBy50Microns) {
+TEST(Compare, APlateOffsetBy50MicronsIsMeasuredSo) {
   const TriMesh nominal = testing::box_mesh({0, 0, 0}, {80, 50, 5});
   const TriMesh part = testing::box_mesh({0, 0, 0}, {80, 50, 5.05});
   const Comparison c = compare(part, nominal, accept(-0.02, 0.02));
@@ -92,7 +92,7 @@ TEST(Compare, LayersOnUprightWallsHaveTheirVolumes) {
   EXPECT_LT(both.volume_error, 0.1 * both.excess_volume);
 }
 
-TEST(Compare, RotatedCubeByTheCornersDistance) {
+TEST(Compare, ARotatedCubeIsOffByItsCorners) {
   // A cube of edge 20 turned by a about its axis: corners stand out by
   // 10 (cos a + sin a) - 10 beyond the faces.
   const double a = 0.5, out = 10 * (std::cos(radians(a)) + std::sin(radians(a)) - 1);

@@ -34,7 +34,7 @@ TEST(NominalSurface, BatchEqualsSinglePointsForAnyThreads) {
   }
 }
 
-TEST(NominalSurface, SignOnAThinWall) {
+TEST(NominalSurface, SignIsRightOnAThinWall) {
   // 2 um: nearest points are on either side, at edges and corners of the plate too.
   const Box3 wall{{0, 0, 0}, {50, 0.002, 20}};
   const NominalSurface surface(testing::box_mesh(wall.lo, wall.hi));

@@ -175,7 +175,7 @@ TEST(ArcForms, LBesideAnArcIsNamed) {
               "l20,0,0 | not-supported");
 }
 
-TEST(ArcForms, EveryPlaneAndDirection) {
+TEST(ArcForms, AllFormsGiveOneArcInEveryPlaneAndDirection) {
   for (int plane = 0; plane < 3; ++plane)
     for (const double sweep :
          {60.0, -60.0, 90.0, -90.0, 135.0, -135.0, 242.0, -242.0, 300.0, -300.0})
@@ -228,7 +228,7 @@ TEST(ArcForms, FullCircleWithoutEndPoint) {
     }
 }
 
-TEST(ArcForms, ExactlyHalfACircleByRadius) {
+TEST(ArcForms, HalfACircleMayBeGivenByRadius) {
   const Program s = read_text("G17 G2 X20 CR=10 F100\n", at_origin(Dialect::sinumerik));
   ASSERT_EQ(s.motions.size(), 1U);
   EXPECT_EQ(codes(s), "");
@@ -252,7 +252,7 @@ TEST(ArcForms, TurnAddsFullCircles) {
   EXPECT_NEAR(p.motions[1].rise, -6, 1e-12);
 }
 
-TEST(ArcForms, PolarExampleOfTheManual) {
+TEST(ArcForms, PolarArcsAreThoseOfTheManual) {
   const Program p = read_text("G17 G0 X30 Y40 F100\nG111 X40 Y33\nG2 RP=12.207 AP=21\n",
                               at_origin(Dialect::sinumerik));
   ASSERT_EQ(codes(p), "") << listing(p);
@@ -284,7 +284,7 @@ TEST(ArcForms, ThroughAPointInAnyPlane) {
   expect_near(m.axis, {1 / std::sqrt(3.0), 1 / std::sqrt(3.0), 1 / std::sqrt(3.0)}, 1e-9);
 }
 
-TEST(ArcForms, TangentToTheElementBefore) {
+TEST(ArcForms, CtIsTangentToTheElementBefore) {
   const Program p =
       read_text("G1 X10 F100\nCT X20 Y10\nCT X10 Y20\n", at_origin(Dialect::sinumerik));
   ASSERT_EQ(codes(p), "") << listing(p);
@@ -307,7 +307,7 @@ TEST(ArcForms, CodesysRadiusWithoutEndIsACircle) {
   EXPECT_NEAR(t.motions[0].rise, -10, 1e-12);
 }
 
-TEST(ArcForms, CodesysPlaneByNormal) {
+TEST(ArcForms, CodesysGivesAPlaneByItsNormal) {
   const Program p =
       read_text("G1 X100 F100\nG16 I0 J-1 K0\nG2 X0 I-50 K0\n", at_origin(Dialect::codesys));
   ASSERT_EQ(codes(p), "") << listing(p);

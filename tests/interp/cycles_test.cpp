@@ -40,7 +40,7 @@ TEST(Cycles, IncrementalLevelsAndRepeats) {
             "r0,0,20 l5,0,20 | cycle-not-run");
 }
 
-TEST(Cycles, PecksWithFullRetractAndChipBreaking) {
+TEST(Cycles, PecksRetractFullyOrBreakChips) {
   EXPECT_EQ(run(Dialect::fanuc, "G0 Z5\nG83 Z-5 R1 Q2.5 F100\n"),
             "r0,0,5 r0,0,1 l0,0,-1.5 r0,0,1 r0,0,-1.246 l0,0,-4 r0,0,1 r0,0,-3.746 l0,0,-5 r0,0,5");
   EXPECT_EQ(run(Dialect::fanuc, "G0 Z5\nG73 Z-5 R1 Q3 F100\n"),
@@ -137,7 +137,7 @@ TEST(Cycles, LinuxCncLeavesTheWorkFirst) {
             "value-missing");
 }
 
-TEST(Cycles, SinumerikCallsAndMcall) {
+TEST(Cycles, McallDrillsAtEachPlace) {
   const auto s = Dialect::sinumerik;
   EXPECT_EQ(run(s, "G0 X10 Y5 Z40\nF100\nCYCLE81(30,0,2,-15)\n"),
             "r10,5,40 r10,5,2 l10,5,-15 r10,5,30");
@@ -195,7 +195,7 @@ TEST(Cycles, SinumerikDepthsByTheToolsPoint) {
 }
 
 // What a pattern says of its places and is not read is an error by name.
-TEST(Cycles, SinumerikPatternsWithUnreadPlaces) {
+TEST(Cycles, PatternsWithUnreadPlacesAreErrors) {
   const auto places = [](const std::string& call) {
     return run(Dialect::sinumerik, "G0 Z5\n" + call + "\n");
   };
@@ -234,7 +234,7 @@ TEST(Cycles, SinumerikChoosesTheDrillsAxis) {
       "0 0 -12 ");
 }
 
-TEST(Cycles, SinumerikTappingAndBoring) {
+TEST(Cycles, SinumerikTapsAndBores) {
   const auto s = Dialect::sinumerik;
   const Program tap = read_text("G0 Z5\nCYCLE84(5,0,2,-10,,0,3,8,,0,500,500)\n", at_origin(s));
   EXPECT_EQ(ends(tap), "r0,0,5 r0,0,2 l0,0,-10 l0,0,2 r0,0,5");
@@ -274,7 +274,7 @@ TEST(Cycles, TapsOfLinuxCncFeedUpToTheEnd) {
 }
 
 // Across the spindle both ways are down: R lies on the side that the tool comes from.
-TEST(Cycles, HolesTowardPlusInG18AndG19) {
+TEST(Cycles, HolesMayGoTowardPlusInG18AndG19) {
   const auto run = [](const std::string& text) {
     return path_text(read_text(text, at_origin(Dialect::fanuc)));
   };

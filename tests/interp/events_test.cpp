@@ -48,7 +48,7 @@ TEST(Events, ASpeedWhileTheSpindleTurnsIsAnEvent) {
             "0:spindle  cw  S 500 rev/min, 0:spindle  cw  S 200 m/min, 1:stop  end");
 }
 
-TEST(Events, CoolantOfAllKinds) {
+TEST(Events, CoolantsOfAllKindsAreEvents) {
   EXPECT_EQ(events("M7\nM88\nM89\nM13 S500\nG1 X1 F100\nM30\n", Dialect::fanuc),
             "0:coolant  mist, 0:coolant  through, 0:coolant  off, 0:spindle  cw  S 500 rev/min, "
             "0:coolant  flood, 1:stop  end");
@@ -59,7 +59,7 @@ TEST(Events, CoolantOfAllKinds) {
       << "M13 of lathes is the live tool's or the chuck's";
 }
 
-TEST(Events, PathModesOfEachControl) {
+TEST(Events, EachControlHasItsPathModes) {
   EXPECT_EQ(events("G60 G1 X1 F100\nX2 G9\nG64 X3\nG641 X4\nM30\n", Dialect::sinumerik),
             "0:path mode  exact stop, 2:path mode  exact once, 2:path mode  continuous, "
             "3:path mode  continuous, 4:stop  end");

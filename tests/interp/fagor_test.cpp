@@ -47,7 +47,7 @@ TEST(FagorLanguage, RepeatsOnceOrAsOftenAsSaid) {
   EXPECT_EQ(fagor("G91 G1 F100\nN10 X1\nN20 (RPT N10,N20) N3\nM30\n").substr(0, 6), "l1,0,0");
 }
 
-TEST(FagorLanguage, SubroutinesAndTheirParameters) {
+TEST(FagorLanguage, PcallHasParametersOfItsOwn) {
   EXPECT_EQ(fagor("G1 F100 X1\n(P1=7)\n(PCALL 5, A2, P1=3, C(P1+1))\nZP1\n(CALL 6)\nZP1\nM30\n"
                   "(SUB 5)\nXP0 YP1 ZP2\n(P1=50)\n(RET)\n(SUB 6)\n(P1=9)\n(RET)\n"),
             "l1,0,0 l2,3,8 l2,3,7 l2,3,9")
@@ -112,7 +112,7 @@ TEST(Fagor, PocketsAreThoseOfTheirSizes) {
 }
 
 // The cycle in force at more places; its own block is the first of them.
-TEST(Fagor, PlacesOfACycle) {
+TEST(Fagor, G60ToG65RepeatTheCycleAtTheirPlaces) {
   const auto holes = [](const std::string& places) {
     const std::string cycle = "F100\nG0 X0 Y0 Z20\nG81 G99 X10 Y20 Z2 I-8\n";
     const Program p = read_text("T1 D1 M6\n" + cycle + places + "\nG80\n", at_origin(Dialect::iso));

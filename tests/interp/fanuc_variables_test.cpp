@@ -162,7 +162,7 @@ TEST(FanucRegisters, ALengthThatChangesBehindAnotherTool) {
 }
 
 // Two lengths of one tool that the program tells differ on the machine.
-TEST(FanucRegisters, TwoLengthsOfOneTool) {
+TEST(FanucRegisters, TwoLengthsOfOneToolAreAnError) {
   const auto told = [](const std::string& set, const std::string& second = "") {
     const std::string cut = "\nG1 Z0 F9.\nG0 Z9.\n";
     return codes(read_text(set + "T1 M6\nG43 H1" + cut + second + "G43 H2" + cut,

@@ -18,7 +18,7 @@ std::string hole(const std::string& at) {
   return fmt::format(" r{0},10 r{0},2 l{0},-5 r{0},10", at);
 }
 
-TEST(HaasCycles, HolesOnACircleAnArcAndALine) {
+TEST(HaasCycles, G70ToG72DrillOnACircleAnArcAndALine) {
   const std::string start = "G0 X50. Y10. Z10.\nG81 G98 Z-5. R2. F100. L0\n";
   EXPECT_EQ(haas_path(start + "G70 I10. J90. L4\nG80\n"),
             "r50,10,10" + hole("50,20") + hole("40,10") + hole("50,0") + hole("60,10"));
@@ -93,7 +93,7 @@ TEST(HaasCycles, G12OfMachGoesRoundOnce) {
 }
 
 // The wall keeps the radius of 5; two cuts of 3 leave 1 mm, which the last one takes at the depth.
-TEST(HaasCycles, PocketOfAContour) {
+TEST(HaasCycles, G150ClearsThePocketOfAContour) {
   const std::string contour = "N100 G1 Y20.\nX0\nY0\nX20.\nY20.\nX10.\nM99\n";
   const std::string expected =
       "r10,10,0 r10,10,1 r10,14,1 l10,14,-2 l6,14,-2 l6,6,-2 l14,6,-2 l14,14,-2 l10,14,-2 "
@@ -118,7 +118,7 @@ TEST(HaasCycles, PocketOfAContour) {
 }
 
 // Beside Q of G73 Haas' K is the depth after which the tool comes out to R; it was 3 repeats.
-TEST(HaasCycles, DepthBetweenWaysOutOfG73) {
+TEST(HaasCycles, KOfG73IsTheDepthBetweenWaysOut) {
   const std::string start = "G0 Z10.\nG73 G98 Z-6. R2. Q2. ";
   EXPECT_EQ(haas_path(start + "K4. F9.\nG80\n"),
             "r0,0,10 r0,0,2 l0,0,0 r0,0,0.254 l0,0,-2 r0,0,2 r0,0,-1.746 l0,0,-4 r0,0,-3.746 "

@@ -39,7 +39,7 @@ TEST(Habits, ASignMayStandApart) {
 }
 
 // Lathes of Okuma have no G20: their units are a parameter of the control.
-TEST(Habits, InchesByTheCommentAlone) {
+TEST(Habits, InchesThatOnlyACommentTellsAreAnError) {
   const auto told = [](const std::string& text) { return codes(read_text(text, kFanuc)); };
   EXPECT_EQ(told("(MATERIAL - STEEL INCH - 1030 - 200 BHN)\nG1 X1. F.01\n"), "units-unset");
   EXPECT_EQ(told("(MATERIAL - STEEL INCH - 1030)\nG20 G1 X1. F.01\n"), "");
@@ -49,7 +49,7 @@ TEST(Habits, InchesByTheCommentAlone) {
 }
 
 // A shop whose control wakes up in inches writes no G20; its tools and the sizes tell.
-TEST(Habits, InchesByTheTools) {
+TEST(Habits, InchesThatOnlyTheToolsTellAreAnError) {
   InterpOptions options = kFanuc;
   options.table.tools.clear();
   const auto told = [&](const std::string& text) { return codes(read_text(text, options)); };
@@ -71,7 +71,7 @@ TEST(Habits, InchesByTheTools) {
 }
 
 // The places of a drilling cycle may be reached from one side.
-TEST(Habits, G60BesideADrillingCycle) {
+TEST(Habits, G60BesideADrillingCycleIsAPlace) {
   EXPECT_EQ(
       milled_path("G0 Z9.\nG60 X1. Y0\nG98 G83 Z-3. R2. L0 Q5. F9.\nG60 X5. Y1.\nG80\nG60 X2.\n"),
       milled_path("G0 Z9.\nX1. Y0\nG98 G83 Z-3. R2. L0 Q5. F9.\nX5. Y1.\nG80\nG0 X2.\n"));
@@ -119,7 +119,7 @@ TEST(Habits, OffsetsOfTheMachineAreToldOf) {
 
 // The 30i has program numbers of eight digits; M98 P910002 calls O0002 91 times where there is
 // none.
-TEST(Habits, ProgramNumbersOfEightDigits) {
+TEST(Habits, ProgramNumbersMayHaveEightDigits) {
   const auto path = [](const std::string& text) { return path_text(read_text(text, kFanuc)); };
   EXPECT_EQ(path("M98 P910002 L2\nM98 P910002\nM30\nO910002\nG91 G1 X1. F100\nG90\nM99\n"),
             "l1,0,0 l2,0,0 l3,0,0");
@@ -135,7 +135,7 @@ TEST(Habits, ProbesAreCalledByM98Too) {
 }
 
 // The number of the program stands before its mark, too: what follows is not read as another tape.
-TEST(Habits, ProgramNumbersBeforeTheMark) {
+TEST(Habits, TheProgramNumberMayStandBeforeTheMark) {
   const Scratch scratch;
   const auto told = [&](const std::string& text) {
     const std::string path = scratch.write("o.nc", text);
@@ -208,7 +208,7 @@ TEST(Habits, ToolLifeIsNoGeometry) {
 }
 
 // Haas: an axis for each word, about the zero; arcs turn round.
-TEST(Habits, MirrorImagesOfHaas) {
+TEST(Habits, HaasMirrorsAnAxisForEachWord) {
   const auto path = [](const std::string& text) {
     const Program p = read_text("G0 X0 Y0 Z0\n" + text, kFanuc);
     std::string out = codes(p);
@@ -291,7 +291,7 @@ TEST(Habits, ACommentThatIsNotUnderstoodIsQuoted) {
 }
 
 // 1/4 inch, typed for a program in inches.
-TEST(Habits, TypedToolsSmallerThanAMillimetreInInchPrograms) {
+TEST(Habits, TypedToolsBelowAMillimetreInInchProgramsAreDoubted) {
   const auto told = [](const std::string& text, double diameter) {
     InterpOptions options = at_origin(Dialect::fanuc);
     options.table.tools[0].diameter = diameter;
@@ -340,7 +340,7 @@ TEST(Habits, RadiiThatDifferSayWhatWouldDo) {
 }
 
 // WinCNC goes to the machine's zero, Marlin homes one axis: neither leads through the part's zero.
-TEST(Habits, AxesWithoutANumberBehindG53AndG28) {
+TEST(Habits, AxesWithoutANumberBehindG53AndG28GoHome) {
   const auto told = [](Dialect dialect, const std::string& text) {
     return path_text(read_text("F100\nG0 X1 Y2 Z3\n" + text, at_origin(dialect)));
   };

@@ -42,7 +42,7 @@ TEST(IsoWords, HelicesHaveTheirPitchInK) {
   EXPECT_EQ(iso("G3 X0 Y0 I15 J0 K5\n"), " | arc-center-outside-plane");
 }
 
-TEST(IsoWords, WordsWithoutEffectOnThePart) {
+TEST(IsoWords, WordsWithoutEffectOnThePartAreReadOver) {
   for (const char* words :
        {"G5", "G7", "G05 X10", "G50", "G10", "G31", "G9", "G73", "G51 E0.1", "G51 A50 E0.05"})
     EXPECT_EQ(codes(read_text("G1 X0 Y0 F100\n" + std::string(words) + "\nX20\n",
@@ -68,7 +68,7 @@ TEST(IsoWords, MirrorScaleAndRotationOfFagor) {
 }
 
 // The picture of the manual's chapter on G93, and its circle of holes.
-TEST(IsoWords, PolarCoordinatesOfFagor) {
+TEST(IsoWords, QAndRArePolarCoordinatesOfFagor) {
   EXPECT_EQ(iso("G93 I35 J30\nG90 G01 R25 Q0\nG03 Q90\nG01 X0 Y0\n"),
             iso("X60 Y30\nG3 X35 Y55 I-25 J0\nG1 X0 Y0\n"));
   EXPECT_EQ(iso("X20 Y0\nQ90\nX5\nG91 R15 Q-90\n"), "l20,0,0 l0,20,0 l5,20,0 l34.55,-8.638,0");
@@ -89,7 +89,7 @@ TEST(IsoWords, PolarCoordinatesOfFagor) {
 }
 
 // The manual's two arcs, in G90 and G91: Q is the angle at the centre that I and J give.
-TEST(IsoWords, ArcsToAnAngle) {
+TEST(IsoWords, QEndsAnArcAtAnAngle) {
   const std::string arcs = iso("X60 Y40\nG3 X110 Y90 I0 J50\nX160 Y40 I50 J0\n");
   EXPECT_EQ(iso("X60 Y40\nG90 G17 G3 Q0 I0 J50\nQ-90 I50 J0\n"), arcs);
   EXPECT_EQ(iso("X60 Y40\nG91 G3 Q90 I0 J50\nQ90 I50 J0\n"), arcs);

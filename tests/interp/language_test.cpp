@@ -70,7 +70,7 @@ TEST(Owords, OwordsBranchAndLoop) {
   EXPECT_EQ(branch(4), "1,0,0 40,0,0 40,1,0 ");
 }
 
-TEST(Owords, SubsWithValuesAndLocals) {
+TEST(Owords, SubsReturnValuesAndHaveLocals) {
   EXPECT_EQ(run(Dialect::ngc,
                 "o<area> sub\n#<local>=[#1*#2]\n#1=99\no<area> endsub [#<local>]\n"
                 "G1 F100 X1\n#1=7\no<area> call [3] [4]\nX#<_value> Y#1\nM2\n"),
@@ -87,7 +87,7 @@ TEST(Owords, SubsWithValuesAndLocals) {
             "1,0,0 structure");
 }
 
-TEST(Owords, SubprogramsInFilesOfTheirOwn) {
+TEST(Owords, SubprogramsMayLieInFilesOfTheirOwn) {
   const Scratch scratch;
   scratch.write("square.ngc", "o<square> sub\nG1 X#1\nY#1\nX0\nY0\no<square> endsub\nM2\n");
   const std::string main =
@@ -228,7 +228,7 @@ TEST(Sinumerik, ProceduresTakeAndChangeParameters) {
 }
 
 // A main program's parameters have the values that PROC gives them, or those from outside.
-TEST(Sinumerik, ParametersOfTheMainProgram) {
+TEST(Sinumerik, ParametersOfTheMainProgramHaveDefaults) {
   const std::string text = "PROC PART(REAL LONG=40, INT TIMES=2) SAVE\nG1 X=LONG F9\nY=TIMES\n";
   EXPECT_EQ(path_text(read_text(text, at_origin(Dialect::sinumerik))), "l40,0,0 l40,2,0");
   InterpOptions told = at_origin(Dialect::sinumerik);
@@ -239,7 +239,7 @@ TEST(Sinumerik, ParametersOfTheMainProgram) {
       " | variable-unset");
 }
 
-TEST(Language, SystemVariablesOfGeometry) {
+TEST(Language, SystemVariablesOfGeometryAreRead) {
   EXPECT_EQ(run(Dialect::fanuc, "G1 F100 X3\nX#4107\nD7 X1\nX#4107\n"), "3,0,0 0,0,0 1,0,0 7,0,0 ")
       << "no D was given yet";
   EXPECT_EQ(run(Dialect::fanuc, "G1 F100 X3 Y4\nX[#5001+10] Y#5002\nG#4001 X1\n"),

@@ -28,7 +28,7 @@ TEST(LatheHabits, G53IsNoPassOfTheCycleInForce) {
 
 // Mastercam posts the lead in E in inches, as the 0T reads it; Haas has E as well. In the format of
 // series 15 it counts the threads in an inch.
-TEST(LatheHabits, TheLeadOfAThreadInE) {
+TEST(LatheHabits, EIsTheLeadOfAThread) {
   const std::string cuts[] = {"G32 Z-1.", "G92 X1. Z-1.",
                               "G76 P010060 Q50 R0\nG76 X1. Z-1. P500 Q90"};
   for (const std::string& cut : cuts) {
@@ -200,14 +200,14 @@ TEST(LatheHabits, BlocksOfOkumaHaveNames) {
     EXPECT_NE(codes(read_text(block, options), Severity::error), "") << block;
 }
 
-TEST(LatheHabits, TurretsAndSpindlesOfOkuma) {
+TEST(LatheHabits, OnlyTheFirstTurretAndSpindleOfOkumaAreRead) {
   EXPECT_EQ(lathe_moves("G13\nG140\nG0 X20 Z0\nG1 X10 F.1\n"), "r10,0,0 l5,0,0");
   EXPECT_EQ(codes(on_lathe("G14\nG0 X20\nG1 X10 F.1\n")), "not-supported");
   EXPECT_EQ(codes(on_lathe("G141\nG0 X20\nG1 X10 F.1\n")), "not-supported");
 }
 
 // Mitsubishi: the least speed, and whether there are pockets; Mazak: which spindle.
-TEST(LatheHabits, WordsBesideSpeedsAndRoughing) {
+TEST(LatheHabits, WordsBesideSpeedsAndRoughingAreReadOver) {
   EXPECT_EQ(lathe_notes("G92 S2500 Q500\nG50 S2000 R1\nG0 X40 Z1\nG71 U2. R1. H0\n"
                         "G71 P1 Q2 U.4 W.1 F.2\nN1 G0 X30\nG1 Z-10\nN2 X40\n"),
             "");

@@ -76,7 +76,7 @@ TEST(LatheToolReadings, NosesWithoutAName) {
   });
 }
 
-TEST(LatheToolReadings, BladesInAnotherUnit) {
+TEST(LatheToolReadings, BladesInAnotherUnitAreDoubted) {
   expect_readings({
       {lathe_mm, "CUTOFF TOOL .118 WIDE",
        "? gives the width 0.118 of the blade without a unit, in a program in mm"},
@@ -87,7 +87,7 @@ TEST(LatheToolReadings, BladesInAnotherUnit) {
 }
 
 // All three were cut by a sharp tooth of 60 degrees.
-TEST(LatheToolReadings, ThreadsOfOtherTeeth) {
+TEST(LatheToolReadings, ThreadsOfBluntTeethAreDoubted) {
   constexpr const char* kFlat = "? names a thread whose teeth end in no point";
   expect_readings({
       {lathe_mm, "THREADING TOOL TR20X4", kFlat},
@@ -126,7 +126,7 @@ TEST(LatheToolReadings, BackTurningAsksForTheHand) {
 }
 
 // Three letters: ANSI B212.4 leaves out the fourth of inserts without a hole.
-TEST(LatheToolReadings, InsertsWithoutAHole) {
+TEST(LatheToolReadings, InsertsWithoutAHoleHaveThreeLetters) {
   expect_readings({
       {lathe_inch, "TPG 322", "turning, insert 60, nose 0.79375"},
       {lathe_inch, "OD ROUGH CNG-432", "turning, insert 80, nose 0.79375"},
@@ -136,7 +136,7 @@ TEST(LatheToolReadings, InsertsWithoutAHole) {
 
 // The point of a blade that a comment names; "LEFT CORNER" was read as a left-hand tool, whose
 // right corner is programmed.
-TEST(LatheReadings, CornerOfABlade) {
+TEST(LatheReadings, ACommentNamesTheCornerOfABlade) {
   constexpr const char* kUnclear =
       "? names a right side or corner, of the blade or of the groove: tip=4 says that the right "
       "corner of the blade is programmed, tip=3 the left one";
@@ -236,7 +236,7 @@ TEST(LatheToolReadings, TheStyleOfAHolderIsItsLead) {
 }
 
 // Told of the tool by its number, without a word for what it is.
-TEST(LatheToolReadings, NosesOfNumberedTools) {
+TEST(LatheToolReadings, ANumberedToolWithANoseTurns) {
   expect_readings({
       {lathe_mm, "T0101 FORMSTAHL", "? names a kind of tool that needs more data"},
       {lathe_mm, "T0101 R3", "? names no kind of tool"},

@@ -41,7 +41,7 @@ TEST(LinuxCncTurning, DiametersHoldForXAndU) {
             "r8,0,2 l8,0,-10 l14,0,-10 l14,0,-20 l20,0,-20");
 }
 
-TEST(LinuxCncTurning, InchesAndIncrementsOfTheContour) {
+TEST(LinuxCncTurning, TheContourMayBeInInchesAndIncrements) {
   EXPECT_EQ(turned_path("G18 G20 F4\nO1 sub\nX-12\nG1 Z-12\nX6\nZ-10\nX6\nO1 endsub\n"
                         "G0 X20 Z2\nG91\nG71 Q1 X0 I20 R1\nM2\n"),
             "r508,0,50.8 l508,0,-508 r533.4,0,-482.6 r533.4,0,25.4 r508,0,50.8 "

@@ -23,7 +23,7 @@ TEST(Macro, WhileLoopsEqualTheWrittenOutProgram) {
 }
 
 // One pocket by repeated calls, by a loop and by a macro with arguments.
-TEST(Macro, PocketByThreeRoads) {
+TEST(Macro, CallsLoopsAndMacrosMakeTheSamePocket) {
   const std::string turn = "G1 X10\nG2 I-10\nG1 X20\nG2 I-20\nG1 X0\n";
   const std::string calls =
       "G1 X0 Y0 Z0 F100\nM98 P20003\nM30\nO3\nG91 G1 Z-1\nG90\n" + turn + "M99\n";
@@ -41,7 +41,7 @@ TEST(Macro, PocketByThreeRoads) {
   EXPECT_EQ(read_text(macro, at_origin(Dialect::fanuc)).motions.size(), 12U);
 }
 
-TEST(Macro, ArgumentListsAndLevels) {
+TEST(Macro, EachCallHasItsArgumentsAndLocals) {
   EXPECT_EQ(run(Dialect::fanuc,
                 "#1=50\nG1 F100 X1\nG65 P7 A1 B2 C3 I4 J5 K6 I7 J8 K9\nX#1\nM30\n"
                 "O7\nX[#1*100+#2*10+#3] Y[#4*100+#5*10+#6] Z[#7*100+#8*10+#9]\nM99\n"),
@@ -61,7 +61,7 @@ TEST(Macro, ArgumentListsAndLevels) {
 
 // The manual's example: G66 in G66; the last macro runs, a move in it calls the one before, and G67
 // ends the last one alone.
-TEST(Macro, ModalCallsInsideOneAnother) {
+TEST(Macro, ModalCallsRunInsideOneAnother) {
   const std::string macros = "M30\nO7\nG91 Y1\nG90\nM99\nO8\nZ6\nZ7\nM99\nO9\nZ[#26]\nM99\n";
   EXPECT_EQ(run(Dialect::fanuc, "G1 F100\nG66 P7\nX10\nG66 P8\nX15\nG67\nG67\nX-25\n" + macros),
             "10,0,0 10,1,0 15,1,0 15,1,6 15,2,6 15,2,7 15,3,7 -25,3,7 ");
@@ -70,7 +70,7 @@ TEST(Macro, ModalCallsInsideOneAnother) {
 }
 
 // A G66 of a macro itself holds for its moves; of the one before G65, no manual says.
-TEST(Macro, ModalCallsAndMacrosOfG65) {
+TEST(Macro, AModalCallHoldsInTheMacroThatMadeIt) {
   const std::string macros = "M30\nO7\nZ-1\nZ0\nM99\nO8\nG66 P7\nX1\nG67\nX2\nM99\nO9\nX9\nM99\n";
   EXPECT_EQ(run(Dialect::fanuc, "G1 F100\nG65 P8\nX3\n" + macros),
             "1,0,0 1,0,-1 1,0,0 2,0,0 3,0,0 ");
@@ -174,7 +174,7 @@ TEST(Macros, AssignmentsAreToldOf) {
 }
 
 // Branches of several lines (30i-B): nothing stands behind their THEN.
-TEST(Macro, BranchesOfSeveralLines) {
+TEST(Macro, BranchesOfSeveralLinesChooseOneWay) {
   const auto path = [](const std::string& text) { return run(Dialect::fanuc, text + "M30\n"); };
   const std::string ladder =
       "N5 IF[#1 EQ 1]THEN (ONE)\nG1 X1 F9\nN6 ELSEIF [#1 EQ 2] THEN\nG1 X2 F9\n#1=1\nELSE\n"
@@ -325,7 +325,7 @@ TEST(Macro, ConditionsStandInBrackets) {
 }
 
 // The branch passed over the ELSE, which no control sees there.
-TEST(Macro, PartsOfBranchesAndLoopsBehindWords) {
+TEST(Macro, PartsOfBranchesAndLoopsBehindWordsAreErrors) {
   const auto told = [](const std::string& text) {
     return codes(read_text("#1=2\n" + text + "\nM30\n", at_origin(Dialect::fanuc)));
   };

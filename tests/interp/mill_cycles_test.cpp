@@ -96,7 +96,7 @@ TEST(MillCycles, CircularPocketsAreCleared) {
       [&](double x, double y) { return pocket(x, y); }, -30, 30);
 }
 
-TEST(MillCycles, SlotsAndLongHoles) {
+TEST(MillCycles, SlotsAndLongHolesAreCleared) {
   const auto radial = [](double half_length, double half_width) {
     return [=](double x, double y) {  // four of them, inner ends on a circle of 10
       double least = 1e9;
@@ -219,7 +219,7 @@ TEST(MillCycles, ATWithoutM6IsInTheSpindle) {
 }
 
 // The unit of DMODE is the plane of the cycle, whatever plane is in force.
-TEST(MillCycles, ThePlaneOfDmode) {
+TEST(MillCycles, DmodeChoosesThePlane) {
   const auto run_in = [](const std::string& plane, const std::string& dmode) {
     return path_text(read_text(plane +
                                    " T1 D1 M6\nG0 X0 Y0 Z50\nPOCKET3(50,0,1,-5,40,30,8,0,0,0,5,0,"

@@ -71,7 +71,7 @@ TEST(OperatorStops, IsNoneWithoutAStopOrWithoutCutsOnBothSides) {
   EXPECT_EQ(codes(read_text(none, at_origin(Dialect::fanuc)), Severity::warning), "");
 }
 
-TEST(OperatorStops, CommentsAboutToolsChangedByHand) {
+TEST(OperatorStops, CommentsTellThatAToolIsChangedByHand) {
   for (const char* yes : {"CHANGE TO 1/8 BALL ENDMILL", "Insert 60 degree V bit", "TOOL CHANGE",
                           "CHANGE TOOL", "Change bit to 3mm ball", "WERKZEUG WECHSELN",
                           "LOAD 6MM DRILL", "WHEN STOPPED CHANGE TO 6MM BALL ENDMILL"})

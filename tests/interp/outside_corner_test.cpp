@@ -20,7 +20,7 @@ Program run(const std::string& text, Dialect dialect = Dialect::sinumerik) {
 double angle(double x, double y) { return degrees(std::atan2(y, x)); }
 
 // Line y = 5 and the circle of radius 10 + 5 about (12, -6).
-TEST(Intersection, LineThenArcOutside) {
+TEST(Intersection, ALineMeetsTheArcBehindItOutside) {
   const Program p =
       run("G451 G0 X-20 Y0\nG41 G1 X0 Y0 F100\nX20\nG2 X22 Y-6 I-8 J-6\nG1 Y-20\nG40 X60\n");
   ASSERT_EQ(p.motions.size(), 6U) << listing(p);
@@ -37,7 +37,7 @@ TEST(Intersection, LineThenArcOutside) {
 }
 
 // The tool runs within the arc: radius 10 - 5 about (28, 6).
-TEST(Intersection, LineThenArcFromWithin) {
+TEST(Intersection, ALineMeetsTheArcBehindItFromWithin) {
   const Program p =
       run("G451 G0 X-20 Y0\nG41 G1 X0 Y0 F100\nX20\nG3 X28 Y-4 I8 J6\nG1 X50\nG40 Y60\n");
   ASSERT_EQ(p.motions.size(), 6U) << listing(p);
@@ -60,7 +60,7 @@ TEST(Intersection, AnArcMeetsTheLineBehindIt) {
 }
 
 // The upper tip of a lens of two circles of radius 10 about (6, 0) and (-6, 0).
-TEST(Intersection, ArcThenArcOutside) {
+TEST(Intersection, TwoArcsMeetOutside) {
   const Program p = run(
       "G451 G0 X-4 Y-20\nG41 G1 X-4 Y0 F100\nG2 X0 Y8 I10 J0\nX4 Y0 I-6 J-8\nG1 Y-20\nG40 X40\n");
   ASSERT_EQ(p.motions.size(), 6U) << listing(p);
@@ -73,7 +73,7 @@ TEST(Intersection, ArcThenArcOutside) {
 }
 
 // A spike with hollow flanks, radius 20 about (-12, 24) and (12, 24).
-TEST(Intersection, ArcThenArcFromWithin) {
+TEST(Intersection, TwoArcsMeetFromWithin) {
   const Program p = run(
       "G451 G0 X-40 Y4\nG41 G1 X-12 Y4 F100\nG3 X0 Y8 I0 J20\nX12 Y4 I12 J16\nG1 X40\nG40 Y40\n");
   ASSERT_EQ(p.motions.size(), 6U) << listing(p);
@@ -83,7 +83,7 @@ TEST(Intersection, ArcThenArcFromWithin) {
 }
 
 // An outer circle into a hollow one: radius 15 about (0, -10), radius 5 about (16, -2).
-TEST(Intersection, ArcsOfBothSenses) {
+TEST(Intersection, ArcsOfBothSensesMeet) {
   const Program p =
       run("G451 G0 X-30 Y0\nG41 G1 X0 Y0 F100\nG2 X6 Y-2 I0 J-10\nG3 X16 Y-12 I10 J0\nG1 X60\n"
           "G40 Y60\n");

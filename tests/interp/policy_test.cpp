@@ -38,7 +38,7 @@ std::string worst(const Program& p) {
   return "";
 }
 
-TEST(Policy, ArcsByTheTable) {
+TEST(Policy, EachControlTreatsBadArcsByTheTable) {
   const Row rows[] = {
       {"radii agree to the tolerance", "G3 X20.008 Y0 I10 J0", "arc", "arc", "arc", "arc"},
       // 60 degrees, where the metrics agree: 5 % off
@@ -116,7 +116,7 @@ TEST(Policy, NoWordOfAnArcIsDroppedInSilence) {
   EXPECT_EQ(outcome("G2 X5 T90", Dialect::codesys), "line arc-no-center");
 }
 
-TEST(Policy, TwoWordsOfAGroup) {
+TEST(Policy, TwoWordsOfAGroupAreAnErrorOrTheLastCounts) {
   for (const char* text : {"G60 G64 X1", "G601 G602 X1", "G17 G18 X1"})
     EXPECT_EQ(outcome(text, Dialect::sinumerik), "none group-twice") << text;
   for (const char* text : {"BRISK SOFT", "FFWON FFWOF", "CFC CFIN", "CDON CDOF", "CUT2D CUT2DF",

@@ -113,7 +113,7 @@ TEST(PostWords, OriginsWithoutAnEntryCoincide) {
 }
 
 // G54's zero at X-200 Y-100 Z-300 of the machine: machine X0 lies at X200 of the stock.
-TEST(PostWords, MachineCoordinatesWithAKnownZero) {
+TEST(PostWords, MachineCoordinatesMoveWhereTheZeroIsKnown) {
   const auto moved = [](Dialect dialect, const std::string& text, bool table = false) {
     InterpOptions options = at_origin(dialect);
     options.places.zero = {{"G54", {-200, -100, -300}}, {"G55", {-150, -100, -300}}};
@@ -150,7 +150,7 @@ TEST(PostWords, MachineCoordinatesWithAKnownZero) {
             " 5,0,0 5,0,300 200,0,300 -100,0,300");
 }
 
-TEST(PostWords, RadiusWithoutARegister) {
+TEST(PostWords, WithoutARegisterTheRadiusIsTheTools) {
   InterpOptions options = at_origin(Dialect::fanuc);
   const char* text = "G0 X0 Y0\nG1 G41 D1 X0 Y10 F100\nY20\nY30\nG40 X-20\n";
   const auto x = [&](CompRadius comp, const char* expected) {
@@ -220,7 +220,7 @@ TEST(PostWords, AFullCircleDoesNotEndCompensation) {
               "comp-end-arc");
 }
 
-TEST(PostWords, LinuxCncArcsAndDiameters) {
+TEST(PostWords, LinuxCncChecksArcsAndReadsDAsADiameter) {
   const InterpOptions options = at_origin(Dialect::ngc);
   EXPECT_EQ(codes(read_text("F1\nG2 X6000 I3100\n", options)), "arc-radii-differ");
   EXPECT_EQ(codes(read_text("F1\nG2 X1.01 I0.5\n", options), Severity::error), "");
@@ -254,7 +254,7 @@ TEST(PostWords, ProgramNamesOfOkumaAreHeaders) {
   EXPECT_EQ(p.motions.size(), 1U);
 }
 
-TEST(PostWords, TwoToolsBesideM6) {
+TEST(PostWords, TwoToolsBesideM6AreOneNowAndOneNext) {
   InterpOptions options = at_origin(Dialect::fanuc);
   for (const char* id : {"1", "2"}) {
     Tool tool;
@@ -283,7 +283,7 @@ TEST(PostWords, RemarksOfWinCncStandInSquareBrackets) {
   EXPECT_EQ(codes(read_text("G1 X5 [A] F100\n", at_origin(Dialect::iso))), "not-supported");
 }
 
-TEST(PostWords, SmoothingOfCentroidAndMazak) {
+TEST(PostWords, SmoothingOfCentroidAndMazakIsReadOver) {
   EXPECT_EQ(path_text(read_text("G64 ON\nG1 X5 F100\nG64 OFF\nG61.1 ,K50\nX9\n",
                                 at_origin(Dialect::fanuc))),
             "l5,0,0 l9,0,0");
@@ -324,7 +324,7 @@ TEST(PostWords, WordsOfSpindlesAndNames) {
 }
 
 // G284 and G274 of Okuma, G184 of Haas: rigid taps.
-TEST(PostWords, RigidTapsOfOkumaAndHaas) {
+TEST(PostWords, RigidTapsOfOkumaAndHaasHaveTheirLead) {
   const auto lead = [](const std::string& cycle, MachineKind machine = MachineKind::mill) {
     const Program p = read_text("G0 Z5\nS500 M3\n" + cycle, at_origin(Dialect::fanuc, machine));
     return p.motions.size() > 2 ? p.motions[p.motions.size() - 2].lead : 0;
@@ -334,7 +334,7 @@ TEST(PostWords, RigidTapsOfOkumaAndHaas) {
   EXPECT_EQ(lead("G184 X0 Z-5. R2. F500\n"), -1);
 }
 
-TEST(PostWords, OffsetsOfPathPilotAndHomesOfTinyG) {
+TEST(PostWords, OffsetsOfPathPilotAndHomesOfTinyGAreRead) {
   InterpOptions options = at_origin(Dialect::ngc);
   options.table.work.push_back({"G54.1P10", {1, 2, 0}});
   EXPECT_EQ(path_text(read_text("G54.1 P10\nG1 X5 Y0 F100\nM2\n", options)), "l6,2,0");

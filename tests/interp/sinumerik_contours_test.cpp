@@ -30,7 +30,7 @@ std::string turned(const std::string& text) {
 
 const char* const kSquareContour = "G1 X0 Y0\nY20\nX20\nY0\nX0\n";
 
-TEST(SinumerikContours, MillingAlongAContour) {
+TEST(SinumerikContours, Cycle72MillsAlongAContour) {
   // Clockwise with the cutter outside; straight in and out over 7 mm, two infeeds.
   const std::string cycle =
       "CYCLE72(\"SQUARE\",50,0,2,-4,2,0,0,500,200,11,41,1,7,200,1,7)\nM30\n%_N_SQUARE_SPF\n";
@@ -52,7 +52,7 @@ TEST(SinumerikContours, MillingAlongAContour) {
       expected);
 }
 
-TEST(SinumerikContours, AllowanceAndQuarterCircles) {
+TEST(SinumerikContours, Cycle72LeavesAllowancesAndComesInQuarterCircles) {
   EXPECT_EQ(milled("CYCLE72(\"ONE:TWO\",50,0,2,-4,4,1,0,500,200,1,41,2,3,200,2,3)\nM30\nONE:\n" +
                    std::string("G1 X0 Y0\nY20\n") + "TWO:\n"),
             "r50,50,50 r-9,-3,50 r-9,-3,2 l-9,-3,-4 a-6,0,-4 l-6,20,-4 a-9,23,-4 r-9,23,50 ");
@@ -119,7 +119,7 @@ TEST(SinumerikContours, TheNoseIsTakenIntoAccount) {
       finished);
 }
 
-TEST(SinumerikContours, StockRemovalByTheCurrentList) {
+TEST(SinumerikContours, Cycle952RemovesStockAsCycle95Does) {
   const auto with = [](const std::string& values) {
     return turned("F0.2 G0 X50 Z2\nCYCLE62(\"\",2,\"ONE\",\"TWO\")\nCYCLE952(\"P\",\"\",\"\"," +
                   values + ")\n" + kShaft);

@@ -221,7 +221,7 @@ TEST(SinumerikWordsOfSpindles, ChangeTheToolOfTheFirst) {
   EXPECT_EQ(codes(read_text("T2=5\nG1 X1 F100\n", options)), "address-unknown");
 }
 
-TEST(SinumerikValues, ListsAndOperatorsOfBits) {
+TEST(SinumerikValues, SetAndRepFillLists) {
   EXPECT_EQ(moves("DEF REAL VQ[4]\nVQ=REP(1)\nVQ[1]=REP(4,2)\nX=VQ[0] Y=VQ[2] Z=VQ[3]\n"),
             "l1,4,1");
   EXPECT_EQ(moves("DEF REAL VQ[3]\nVQ=REP(7)\nVQ[0]=SET(1,,3)\nX=VQ[0] Y=VQ[1] Z=VQ[2]\n"),
@@ -240,7 +240,7 @@ TEST(SinumerikValues, ListsAndOperatorsOfBits) {
 }
 
 // Data of the machine that the cycles read are no words that mrsim could ever know.
-TEST(SinumerikLanguage, ArraysThatNothingDefines) {
+TEST(SinumerikLanguage, ArraysThatNothingDefinesAreErrors) {
   EXPECT_EQ(moves("X1\n_ZSD[2]=1\n"), "l1,0,0 | variable-unset");
   EXPECT_EQ(moves("DEF INT _ZSD[9]\n_ZSD[2]=1\nX=_ZSD[2]\n"), "l1,0,0");
 }
@@ -303,7 +303,7 @@ TEST(SinumerikLanguage, NamesOfVariablesBeginWithTwoLetters) {
 }
 
 // The branch passed over the ELSE, which no control sees there.
-TEST(SinumerikLanguage, PartsOfBranchesAndLoopsBehindWords) {
+TEST(SinumerikLanguage, PartsOfBranchesAndLoopsBehindWordsAreErrors) {
   const auto told = [](const std::string& text) {
     return codes(read_text("R1=2\nF9\n" + text + "\nM30\n", at_origin(Dialect::sinumerik)));
   };
@@ -313,7 +313,7 @@ TEST(SinumerikLanguage, PartsOfBranchesAndLoopsBehindWords) {
   EXPECT_EQ(told("IF R1==1\nMSG(\"OR ELSE\")\nENDIF\nG1 X1 ;ELSE"), "");
 }
 
-TEST(SinumerikLanguage, FilesNamedAsInArchives) {
+TEST(SinumerikLanguage, SubprogramsMayBeNamedAsInArchives) {
   for (const char* const file : {"_N_HOLES_SPF", "_N_HOLES_MPF", "_N_HOLES_SPF.SPF"}) {
     const Scratch scratch;
     scratch.write(file, "X1\nM17\n");
@@ -324,7 +324,7 @@ TEST(SinumerikLanguage, FilesNamedAsInArchives) {
 }
 
 // $P_GG[n] is the code of group n that is in force, counted as G[n]=m counts.
-TEST(SinumerikLanguage, ModalCodesInForce) {
+TEST(SinumerikLanguage, ModalCodesInForceAreRead) {
   const auto path = [](const std::string& text) {
     return path_text(read_text(text, at_origin(Dialect::sinumerik)));
   };

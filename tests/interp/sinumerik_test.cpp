@@ -73,7 +73,7 @@ TEST(Sinumerik, WordsThatPostsWriteAroundProgramsAreRead) {
   EXPECT_EQ(run("SETMS(2)\nF100 G1 X1\nSETMS\nX2\n"), "1,0,0 2,0,0 ");
 }
 
-TEST(Sinumerik, SwivelWithoutATilt) {
+TEST(Sinumerik, ASwivelWithoutATiltShiftsAndTurns) {
   EXPECT_EQ(
       run("CYCLE800(1,\"TC1\",100000,57,10,20,0,0,0,90,0,0,0,1)\nF9 G1 X5 Y0\nCYCLE800()\nX5 Y0\n"),
       "10,25,0 5,0,0 ");
@@ -91,7 +91,7 @@ TEST(Sinumerik, SwivelWithoutATilt) {
       << "no move is run in a tilted plane";
 }
 
-TEST(Sinumerik, OffsetsOfTheToolByTheProgram) {
+TEST(Sinumerik, OffsetsOfTheToolByTheProgramAreErrors) {
   EXPECT_EQ(run("F100 G1 X1\nTOFFL=2\nX2\n"), "1,0,0 2,0,0 not-supported");
   EXPECT_EQ(run("F100 G1 X1\nTOFFL=0+2\nX2\n"), "1,0,0 2,0,0 not-supported");
   EXPECT_EQ(run("F100 G1 X1\nTCARR=1\nX2\n"), "1,0,0 2,0,0 not-supported");
@@ -107,7 +107,7 @@ TEST(Sinumerik, DirectionsOfTheToolAreOneError) {
   EXPECT_EQ(p.diagnostics.back().text.substr(0, 6), "2 more");
 }
 
-TEST(Sinumerik, AxesAndCodesByIndex) {
+TEST(Sinumerik, AxesAndCodesMayBeChosenByIndex) {
   EXPECT_EQ(run("DEF AXIS WAY=X\nF100 G1 AX[WAY]=5 AX[Y]=R1*2\nG[14]=2\nAX[Z]=-1\nAX[Z]=-1\n"
                 "G[14]=1 AX[X]=IC(1)\n"),
             "5,6,0 5,6,-1 5,6,-2 6,6,-2 ");
@@ -115,14 +115,14 @@ TEST(Sinumerik, AxesAndCodesByIndex) {
   EXPECT_EQ(run("F100 G[1]=99 X1\n"), "not-supported");
 }
 
-TEST(Sinumerik, OffsetOfTheContour) {
+TEST(Sinumerik, OffnAddsToTheRadius) {
   // The tool of 5 mm keeps 5.5 mm from the contour.
   EXPECT_EQ(run("F100 G1 X-20 Y-20\nOFFN=0.5\nG41 X0 Y0 D1\nY50\nG40 X-20\nOFFN=0\n"),
             "-20,-20,0 -5.5,0,0 -5.5,50,0 -20,50,0 ");
 }
 
 // Blanks may stand on both sides of the sign of an assignment.
-TEST(Sinumerik, BlanksAboutTheSignOfAssignments) {
+TEST(Sinumerik, BlanksMayStandAboutTheSignOfAssignments) {
   EXPECT_EQ(run("R1 = 5\nR2 =R1 * 2\nF100 G1 X = R1 Y=R2\nR1\t= R1 + 1\nX=R1\n"), "5,10,0 6,10,0 ");
   EXPECT_EQ(run("F100 G1 CIP X10 Y0 I1 = 5 J1 = 5\n"), run("F100 G1 CIP X10 Y0 I1=5 J1=5\n"));
   EXPECT_EQ(run("F100 G1\nsub\nM30\n%_n_sub_spf\nx7\nm17\n"), "7,0,0 ");
@@ -186,7 +186,7 @@ TEST(Sinumerik, MovesOfAProbe) {
 }
 
 // CALL BLOCK runs a part of the program, PCALL a program by its path, GOTOS the program again.
-TEST(Sinumerik, CallsOfPartsAndByPaths) {
+TEST(Sinumerik, PartsOfAProgramAndPathsMayBeCalled) {
   const std::string part = "\nGOTOF ENDE\nKA: X2\nY5\nKB: Y7\nX0\nENDE:\nX9\nM30\n";
   const std::string path = "1,0,0 2,0,0 2,5,0 2,7,0 9,7,0 ";
   EXPECT_EQ(run("G1 F9 X1\nCALL BLOCK KA TO KB" + part), path);
@@ -215,7 +215,7 @@ TEST(Sinumerik, MarkersAndOutputsKeepTheirValues) {
 }
 
 // 802S and 802C: G158, G258, G259 are TRANS, ROT, AROT; LCYC82 and its kin read R parameters.
-TEST(Sinumerik, FramesAndCyclesOf802) {
+TEST(Sinumerik, FramesAndCyclesOf802AreThoseOf840) {
   EXPECT_EQ(run("F9 G1\nG158 X5 Y2\nX1 Y0\nG259 RPL=90\nX1\nG258 RPL=90\nX2 Y0\nG158\nX3\n"),
             "6,2,0 6,3,0 0,2,0 3,2,0 ");
   const std::string levels = "F9 G0 Z5\nR101=5 R102=1 R103=0 R104=-9 R105=0\n";

@@ -47,7 +47,7 @@ TEST(Splines, CubicStaysWithinAMicrometre) {
     EXPECT_EQ(p.motions[i].start, p.motions[i - 1].end);
 }
 
-TEST(Splines, FollowingCubicsAndQuadratics) {
+TEST(Splines, ACubicTakesItsDirectionFromTheOneBefore) {
   const Program p = read_text("F100\nG5 I0 J3 P0 Q-3 X1 Y1\nG5 P0 Q-3 X2 Y2\nG5.1 X4 Y2 I1 J3\n",
                               at_origin(Dialect::ngc));
   EXPECT_EQ(codes(p), "");

@@ -104,7 +104,7 @@ TEST(ToolComment, CommentsOfPostsInMillimetresAreRead) {
 }
 
 // A boring bar is a turning tool on a lathe only, where its diameter says nothing.
-TEST(ToolComment, BoringBarsOfLathes) {
+TEST(ToolComment, ABoringBarTurnsOnALatheOnly) {
   const Made m = made("T2 D=20. - BORING BAR", 1, true);
   EXPECT_TRUE(m.ok) << m.why;
   EXPECT_EQ(m.tool.type, boring);
@@ -131,7 +131,7 @@ TEST(ToolComment, CommentsOfPostsInInchesAreRead) {
       25.4);
 }
 
-TEST(ToolComment, AnglesOfPointedTools) {
+TEST(ToolComment, PointedToolsHaveTheirAngles) {
   EXPECT_NEAR(degrees(made("T5 D=10. CR=0. TAPER=118deg - ZMIN=-12. - drill").tool.tip_angle), 118,
               1e-9);
   EXPECT_NEAR(degrees(made("T3 D=10. TAPER=90deg - spot drill").tool.tip_angle), 90, 1e-9);
@@ -219,7 +219,7 @@ TEST(ToolComment, CodesOfInsertsAreRead) {
             std::string::npos);
 }
 
-TEST(ToolComment, SeveralCommentsAboutOneTool) {
+TEST(ToolComment, CommentsAboutOneToolAreMerged) {
   ToolHint hint = read_tool_comment("TOOL NUMBER: 3");
   merge_hint(hint, read_tool_comment("TOOL TYPE: BALLNOSE"));
   merge_hint(hint, read_tool_comment("TOOL DIAMETER: 10"));

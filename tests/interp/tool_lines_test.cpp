@@ -36,7 +36,7 @@ std::string below(const char* tool, const char* line) {
 }
 
 // A line with an angle alone was ignored: the tool was upright, a drill had 118 degrees.
-TEST(ToolLines, AnAngleInALineOfItsOwn) {
+TEST(ToolLines, AnAngleMayStandInALineOfItsOwn) {
   const std::string cut = kCut, call = "T1 M6\n" + cut;
   using enum ToolType;
   EXPECT_EQ(first_tool("(T1 DRILL D8)\n(TIP ANGLE: 140)\n" + call), tool_like(drill, 8, 140, 0));
@@ -54,7 +54,7 @@ TEST(ToolLines, AnAngleInALineOfItsOwn) {
 }
 
 // Of a tool whose kind the list leaves open, the comment at the call tells it.
-TEST(ToolLines, AKindAtTheCall) {
+TEST(ToolLines, TheCommentAtTheCallTellsAnOpenKind) {
   const std::string cut = kCut, head = "(T1 D6.)\nG90\n";
   using enum ToolType;
   EXPECT_EQ(first_tool(head + "(DRILL 118)\nT1 M6\n" + cut), tool_like(drill, 6, 118, 0));
@@ -70,7 +70,7 @@ TEST(ToolLines, AKindAtTheCall) {
   EXPECT_EQ(first_tool("(T1 SPOT 90 DIA 12)\nT1 M6\n" + cut), tool_like(drill, 12, 90, 0));
 }
 
-TEST(ToolLines, SizesInALineOfTheirOwn) {
+TEST(ToolLines, SizesMayStandInALineOfTheirOwn) {
   const std::string cut = kCut, call = "T1 M6\n" + cut;
   const std::string bull = tool_like(ToolType::bullmill, 10, 0, 0);
   for (const char* const line : {"D10. R1.", "D=10. R=1.", "DIA: 10. CORNER RADIUS: 1.",
@@ -239,7 +239,7 @@ TEST(ToolLines, UpkeepIsOfNoOtherTool) {
 }
 
 // What F-Engrave writes of its V-bit.
-TEST(ToolLines, SettingsOfFEngrave) {
+TEST(ToolLines, SettingsOfFEngraveTellItsBit) {
   const auto settings = [](const char* cut, const char* bit) {
     return fmt::format(
         "(fengrave_set cut_type    {} )\n(fengrave_set bit_shape   {} )\n"
@@ -255,7 +255,7 @@ TEST(ToolLines, SettingsOfFEngrave) {
 }
 
 // Beside a change they tell of the tool before or after it.
-TEST(ToolLines, LinesAboutAnotherTool) {
+TEST(ToolLines, LinesAboutAnotherToolAreNotThisOnes) {
   const std::string cut = kCut;
   const std::string mill = tool_like(ToolType::endmill, 10, 0, 0);
   for (const char* line : {"NEXT TOOL - 6MM DRILL", "NEXT: 6MM DRILL", "LAST TOOL WAS 6MM DRILL",

@@ -53,7 +53,7 @@ TEST(ToolNotes, TheCommentBelowTheCallNamesTheTool) {
             "1:6 2:10");
 }
 
-TEST(ToolNotes, SeveralCommentsOfOneTool) {
+TEST(ToolNotes, CommentsOfOneToolAreReadTogether) {
   const std::string cut = kCut;
   EXPECT_EQ(diameters("(TOOL NUMBER: 3)\n(TOOL TYPE: ENDMILL)\n(TOOL DIAMETER: 10.0)\n"
                       "(TOOL NUMBER: 4)\n(TOOL TYPE: BALLNOSE)\n(TOOL DIAMETER: 6.0)\nT3 M6\n" +
@@ -77,7 +77,7 @@ TEST(ToolNotes, NamesThatHaveLostTheirSlash) {
 }
 
 // WorkNC and others end with the number.
-TEST(ToolNotes, ANumberBehindWhatItNumbers) {
+TEST(ToolNotes, ANumberMayStandBehindWhatItNumbers) {
   const std::string cut = kCut;
   EXPECT_EQ(diameters("(TOOL NAME: BALL MILL D8)\n(TOOL NUMBER: 5)\n(TOOL NAME: END MILL D10)\n"
                       "(TOOL NUMBER: 6)\nT5 M6\n" +
@@ -100,7 +100,7 @@ TEST(ToolNotes, TheTemperOfAnAlloyIsNoTool) {
   EXPECT_EQ(diameters("(10MM ENDMILL FOR 6061-T6)\nT1 M6\n" + cut), "1:10");
 }
 
-TEST(ToolNotes, AKeyAndItsValueInALine) {
+TEST(ToolNotes, KeysWithValuesAreReadLineByLine) {
   const std::string cut = kCut;
   EXPECT_EQ(diameters("(TOOL: 5)\n(TYPE: BALL)\n(DIAMETER: 8.0)\n(OPERATION: CONTOUR)\n(TOOL: 6)\n"
                       "(TYPE: ENDMILL)\n(DIAMETER: 10.0)\nT5 M6\n" +
@@ -126,7 +126,7 @@ TEST(ToolNotes, AKindInAndASizeByTheName) {
   EXPECT_EQ(diameters("; END MILL FOR" + call, Dialect::sinumerik), "DRILL_8:0 tool-unknown");
 }
 
-TEST(ToolNotes, UnitsOfTheProgram) {
+TEST(ToolNotes, SizesHaveTheUnitOfTheProgram) {
   const std::string cut = kCut;
   EXPECT_EQ(diameters("G20\n(T1 | 1/4 FLAT ENDMILL | H1)\nT1 M6\n" + cut), "1:6.35");
   EXPECT_EQ(diameters("G20\n(T1 | 6MM FLAT ENDMILL | H1)\nT1 M6\n" + cut), "1:6");
@@ -222,7 +222,7 @@ TEST(ToolNotes, ATaperedMillWithoutFlutes) {
 }
 
 // Vectric lists tools by their numbers.
-TEST(ToolNotes, AListOfNumberedTools) {
+TEST(ToolNotes, AListOfNumberedToolsIsRead) {
   const std::string cut = kCut;
   const std::string head =
       "(Tools used in this file: )\n(1 = End Mill {0.25\"})\n"
@@ -255,7 +255,7 @@ TEST(ToolNotes, AMessageBetweenTheCallAndTheChange) {
 }
 
 // Without T words comments may change the tool, too.
-TEST(ToolNotes, AnotherToolWithoutAWordForIt) {
+TEST(ToolNotes, WithoutTWordsCommentsMayChangeTheTool) {
   const std::string cut = "G1 X5 Y0 Z0 F100\nX9\nY5\n";
   EXPECT_EQ(diameters("(Tool diameter: 2.0)\n" + cut + "(Tool diameter: 2.0)\n" + cut), ":2");
   EXPECT_EQ(diameters("(Tool diameter: 2.0)\n" + cut + "(Tool diameter: 5.0)\n" + cut),
@@ -308,7 +308,7 @@ TEST(ToolNotes, AnAssumedAngleIsNoted) {
 }
 
 // A register of a tool that is not known is no second fault.
-TEST(ToolNotes, NoRegisterOfAnUnknownTool) {
+TEST(ToolNotes, ARegisterOfAnUnknownToolIsNoSecondFault) {
   InterpOptions options;
   options.dialect = Dialect::fanuc;
   options.machine = MachineKind::mill;
@@ -343,7 +343,7 @@ TEST(ToolNotes, ToolsThatWaitForTheirM6) {
 }
 
 // NX writes a tool in several comments, above the call or below it.
-TEST(ToolNotes, AToolInSeveralComments) {
+TEST(ToolNotes, NxWritesAToolInSeveralComments) {
   const auto tool = [](const std::string& before, const std::string& behind,
                        const std::string& kind = "Milling Tool-5 Parameters") {
     InterpOptions options = at_origin(Dialect::sinumerik);
@@ -372,7 +372,7 @@ TEST(ToolNotes, AToolInSeveralComments) {
 }
 
 // A tool with its number, and lines below that tell its kind and its corner.
-TEST(ToolNotes, LinesBelowTheToolsNumber) {
+TEST(ToolNotes, LinesBelowTheToolsNumberTellItsKind) {
   const auto tool = [](const std::string& comments) {
     InterpOptions options = at_origin(Dialect::fanuc);
     options.table.tools.clear();

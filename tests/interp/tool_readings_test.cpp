@@ -70,7 +70,7 @@ TEST(ToolCommentReadings, NumberAndLetterDrills) {
   });
 }
 
-TEST(ToolCommentReadings, SizesJoinedByX) {
+TEST(ToolCommentReadings, OfSizesJoinedByXTheFirstIsTheDiameter) {
   expect_readings({
       {inch, "MAFORD .25 X .75 X 2.5 ENDMILL", "endmill 6.35"},
       {mm, "12X26 EM", "endmill 12"},
@@ -117,7 +117,7 @@ TEST(ToolCommentReadings, NumbersBelongToTheNamesBesideThem) {
   });
 }
 
-TEST(ToolCommentReadings, SizesBesideTheKind) {
+TEST(ToolCommentReadings, SizesMayStandOnEitherSideOfTheKind) {
   expect_readings({
       {inch, "3 IN FACE MILL", "endmill 76.2"},
       {inch, "4 IN DIA FACE MILL", "endmill 101.6"},
@@ -136,7 +136,7 @@ TEST(ToolCommentReadings, SizesBesideTheKind) {
 }
 
 // "EM-10.0-4FL": the parts of a name; numbered names have no size.
-TEST(ToolCommentReadings, HyphensBetweenTheParts) {
+TEST(ToolCommentReadings, HyphensMayStandBetweenThePartsOfAName) {
   expect_readings({
       {mm, "FlatMill-6", "endmill 6"},
       {mm, "EM-10.0-4FL", "endmill 10"},
@@ -201,7 +201,7 @@ TEST(ToolCommentReadings, WordsBehindTheMill) {
   });
 }
 
-TEST(ToolCommentReadings, WhatWouldBeLost) {
+TEST(ToolCommentReadings, ReadingsThatWouldLoseAWordAreDoubted) {
   expect_readings({
       {inch, ".1875 +.0005 REAMER", "? gives no diameter"},
       {inch, "1/8 BALL 5 DEG TAPER", "? names a tapered mill, whose shape it does not tell"},
@@ -321,7 +321,7 @@ TEST(ToolCommentReadings, AnglesArePointsOrSides) {
   });
 }
 
-TEST(ToolCommentReadings, OneToolOrTwo) {
+TEST(ToolCommentReadings, TwoKindsInOneCommentAreDoubted) {
   expect_readings({
       {mm, "6MM DRILL - CHAMFER EDGES", "? names more than one kind of tool"},
       {mm, "10MM ENDMILL CHAMFER EDGES", "endmill 10"},

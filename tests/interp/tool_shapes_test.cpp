@@ -53,7 +53,7 @@ TEST(ToolShapes, ShapesNamedBeforeMill) {
   });
 }
 
-TEST(ToolShapes, ShanksBeforeTheSize) {
+TEST(ToolShapes, AShankMayStandBeforeTheSize) {
   expect_readings({
       {mm, "1/8 SHANK 0.8MM DRILL", "drill 0.8"},
       {mm, "T1 3.175MM SHANK 0.5MM ENDMILL", "endmill 0.5"},

@@ -83,7 +83,7 @@ TEST(CycleTime, LinesInOneDirectionAreOneLine) {
   EXPECT_NEAR(cycle_time(program_of(parts), machine()).cutting, whole.cutting, 1e-9);
 }
 
-TEST(CycleTime, CornerOfNinetyDegrees) {
+TEST(CycleTime, ACornerIsRoundedWithinTheTolerance) {
   // Rounded by an arc that cuts the corner off by 0.01 mm: r = d cos45 / (1 - cos45), v = sqrt(a
   // r).
   const double half = std::sqrt(0.5), r = 0.01 * half / (1 - half), v = std::sqrt(1000 * r);
@@ -102,7 +102,7 @@ TEST(CycleTime, AReversalStopsTheAxes) {
   EXPECT_NEAR(t.cutting, 2 * (50.0 / 50 + 50.0 / 1000), 1e-12);
 }
 
-TEST(CycleTime, FacingAtConstantSurfaceSpeed) {
+TEST(CycleTime, FacingAtConstantSurfaceSpeedHasTheClosedForm) {
   // dt = 2 pi r dr 60 / (1000 S f): pi (R^2 - r^2) 60 / (1000 S f).
   Motion m = line({40, 0, 0}, {20, 0, 0}, 0.2);
   m.feed_unit = FeedUnit::mm_per_rev, m.constant_surface_speed = true, m.speed = 200;
@@ -124,7 +124,7 @@ TEST(CycleTime, FacingToTheCentreIsCapped) {
 }
 
 // A facing cut that goes on beyond the axis: the radius falls and grows again.
-TEST(CycleTime, FacingBeyondTheCentre) {
+TEST(CycleTime, FacingBeyondTheCentreKeepsToTheHighestSpeed) {
   Motion m = line({40, 0, 0}, {-1, 0, 0}, 0.2);
   m.feed_unit = FeedUnit::mm_per_rev, m.constant_surface_speed = true, m.speed = 200;
   MachineData fast = machine();
@@ -137,7 +137,7 @@ TEST(CycleTime, FacingBeyondTheCentre) {
 }
 
 // A ball of 60 mm turned from its pole, and a groove's round bottom, whose ends lie at one radius.
-TEST(CycleTime, ArcsAtConstantSurfaceSpeed) {
+TEST(CycleTime, ArcsAtConstantSurfaceSpeedHaveTheClosedForm) {
   MachineData fast = machine();
   fast.acceleration = {1e12, 1e12, 1e12};
   Motion m = testing::arc({0, 0, 0}, {0, 0, -30}, {0, 1, 0}, std::numbers::pi / 2);
