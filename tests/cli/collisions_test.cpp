@@ -42,6 +42,26 @@ TEST_F(CollisionsSeen, ARapidInMaterialIsAWarningWithItsLine) {
   EXPECT_TRUE(exists("part.stl"));
 }
 
+TEST_F(CollisionsSeen, AMillThatGivesNoShankHasOne) {
+  // A slot 3 mm deep by flutes of 1 mm, then by the head of a T-slot mill.
+  const Outcome flutes = dive("--tool 1=endmill:d=6,l=1 -o part.stl");
+  EXPECT_TRUE(contains(flutes.err,
+                       "dive.MPF:6:1: warning: the shank of T1, none given, taken as Ø5.7, runs "
+                       "1.000 mm deep into material; deepest at ("))
+      << flutes.err;
+  const Outcome neck = dive("--tool 1=tslot:d=12,w=1,n=6 -o part.stl");
+  EXPECT_TRUE(
+      contains(neck.err, "dive.MPF:6:1: warning: the shank of T1, none given, taken as Ø6,"))
+      << neck.err;
+  EXPECT_FALSE(contains(neck.err, "neck-unchecked")) << neck.err;
+  const Outcome unknown = dive("--tool 1=tslot:d=12,w=1 -o part.stl");
+  EXPECT_TRUE(contains(unknown.err,
+                       "note: tool 1: nothing tells how wide it is above its head, so whether it "
+                       "runs into material there was not checked: give neck_diameter or shank "
+                       "[neck-unchecked]"))
+      << unknown.err;
+}
+
 TEST_F(CollisionsSeen, StrictRefusesThem) {
   const Outcome outcome = dive("--tool 1=endmill:d=6 --strict -o part.stl");
   EXPECT_EQ(outcome.code, 5);

@@ -1,7 +1,7 @@
 #include "interp/cycles/chamfering.h"
 
+#include "core/numbers/tool_point.h"
 #include "core/numbers/trig.h"
-#include "core/numbers/units.h"
 
 #include <algorithm>
 #include <cmath>
@@ -17,9 +17,7 @@ constexpr double kNearestAxis = 1e-3;  // mm from the wall, because no path may 
 
 double cone_of(const Tool& tool) {
   if (tool.type != ToolType::chamfer && tool.type != ToolType::drill) return 0;
-  if (tool.tip_angle > 0) return tool.tip_angle / 2;
-  if (tool.type == ToolType::drill) return radians(59);
-  return tool.taper_angle > 0 ? tool.taper_angle : kPi / 4;
+  return point_half_angle(tool);
 }
 
 // The cone meets the wall at the foot of the chamfer. The wider it is at the edge, the farther its

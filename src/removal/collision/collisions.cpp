@@ -12,6 +12,7 @@
 #include "removal/field/lattice.h"
 #include "removal/forms/sweep_motion.h"
 #include "removal/part/stock_grid.h"
+#include "removal/tool/assumed_shank.h"
 
 #include <algorithm>
 #include <atomic>
@@ -287,7 +288,8 @@ CollisionReport find_collisions(const Stock& stock, std::span<const Motion> moti
                                 const CollisionOptions& options) {
   if (!(options.depth >= 0.001))
     throw Error("option-invalid", "the depth of a collision is below 0.001 mm", Error::Kind::usage);
-  return Check(stock.grid(), motions, tools, options).run(first);
+  const std::vector<Tool> complete = with_shanks(tools);
+  return Check(stock.grid(), motions, complete, options).run(first);
 }
 
 }  // namespace mrsim

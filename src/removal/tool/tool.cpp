@@ -4,6 +4,7 @@
 #include "removal/tool/tool.h"
 
 #include "core/numbers/rounding.h"
+#include "core/numbers/tool_point.h"
 #include "core/numbers/trig.h"
 #include "core/numbers/units.h"
 #include "core/process/error.h"
@@ -269,13 +270,9 @@ Profile make_cutter(const Tool& tool) {
     case ToolType::ballmill:
       return straight_mill(tool, tool.diameter / 2);
     case ToolType::chamfer:
-      return pointed_mill(tool,
-                          tool.tip_angle > 0     ? tool.tip_angle / 2
-                          : tool.taper_angle > 0 ? tool.taper_angle
-                                                 : kPi / 4,
-                          tool.tip_diameter / 2);
+      return pointed_mill(tool, point_half_angle(tool), tool.tip_diameter / 2);
     case ToolType::drill:
-      return pointed_mill(tool, tool.tip_angle > 0 ? tool.tip_angle / 2 : radians(59), 0);
+      return pointed_mill(tool, point_half_angle(tool), 0);
     case ToolType::taper:
       return taper_mill(tool);
     case ToolType::tslot:
@@ -302,7 +299,7 @@ ToolShape make_tool_shape(const Tool& tool) {
   shape.cutter = make_cutter(tool);
   shape.radius = shape.cutter.max_radius();
   // Without a flute length nobody knows where the shank begins: above all that is cut.
-  double z = tool.flute_length > 0 ? tool.flute_length : shape.cutter.top();
+  double z = shape.cutter.top();
   if (std::isinf(z)) return shape;
   shape.shank = stack(tool, tool.shank, z);
   for (const ToolSegment& s : tool.shank) z += s.length;

@@ -1,8 +1,11 @@
 #include "run/findings/collision_findings.h"
 
+#include "core/numbers/motions.h"
 #include "core/text/text_io.h"
 #include "interp/text/source.h"
+#include "removal/tool/assumed_shank.h"
 
+#include <algorithm>
 #include <map>
 
 #include <fmt/format.h>
@@ -47,9 +50,12 @@ LineTexts read_lines(const Program& program, const std::vector<Collision>& colli
 
 std::string describe(const Program& program, const Collision& c) {
   const Motion& m = program.motions[c.motion];
+  const Tool& tool = program.tools[static_cast<std::size_t>(m.tool)];
+  const double assumed = c.part == ToolPart::shank ? assumed_shank(tool) : 0;
   std::string text = fmt::format(
-      "{} of {} runs {:.3f} mm deep into material{}; deepest at ({:.3f}, {:.3f}, {:.3f})",
-      words(c.part).name, "T" + program.tools[static_cast<std::size_t>(m.tool)].id, c.depth,
+      "{} of T{}{} runs {:.3f} mm deep into material{}; deepest at ({:.3f}, {:.3f}, {:.3f})",
+      words(c.part).name, tool.id,
+      assumed > 0 ? fmt::format(", none given, taken as Ø{:.4g},", assumed) : "", c.depth,
       m.kind == MotionKind::rapid ? " in a rapid" : "", c.place.x, c.place.y, c.place.z);
   if (c.motions > 1)
     text += fmt::format("; {} motions of this line do, this is the deepest", c.motions);
@@ -95,6 +101,22 @@ void add_withdrawals(Program& program, const CollisionReport::Withdrawals& withd
   d.place = {program.files[static_cast<std::size_t>(m.file)], m.line, m.column};
 }
 
+// Tools that cut with a head on a neck of unknown size.
+void add_unknown_necks(Program& program) {
+  for (std::size_t i = 0; i < program.tools.size(); ++i) {
+    const Tool& tool = program.tools[i];
+    const bool cuts =
+        std::any_of(program.motions.begin(), program.motions.end(),
+                    [&](const Motion& m) { return m.tool == static_cast<int>(i) && is_cut(m); });
+    if (cuts && has_unknown_neck(tool))
+      add_general(program, Severity::note, "neck-unchecked",
+                  fmt::format("tool {}: nothing tells how wide it is above its head, so whether it "
+                              "runs into material there was not checked: give neck_diameter or "
+                              "shank",
+                              tool.id));
+  }
+}
+
 }  // namespace
 
 void add_collisions(Program& program, const CutList& cuts, CollisionReport& report) {
@@ -108,6 +130,7 @@ void add_collisions(Program& program, const CutList& cuts, CollisionReport& repo
     add_general(program, Severity::warning, "more-collisions",
                 fmt::format("{} more lines run a part of the tool into material", report.more));
   add_withdrawals(program, report.withdrawals);
+  add_unknown_necks(program);
   for (const int tool : report.shapeless)
     add_general(program, Severity::note, "collision-unchecked",
                 fmt::format("tool {} has no valid shape: its rapids were not checked",
