@@ -143,10 +143,12 @@ double turning(SpindleTurn turn) {
 }
 
 // The spindle starts after each tool change and after each stop, and runs at another speed or in
-// another direction where the program says so. Without a word about it, it turns.
+// another direction where the program says so. Without a word about it, it turns. Constant surface
+// speed changes it while the tool moves, which takes no time of its own.
 void add_changes(const Program& program, const MachineData& machine, CycleTime& time) {
   int tool = -1;
   double speed = 0, direction = 1;
+  bool follows = false;  // the radius
   auto event = program.events.begin();
   for (std::size_t i = 0; i < program.motions.size(); ++i) {
     const Motion& m = program.motions[i];
@@ -159,10 +161,12 @@ void add_changes(const Program& program, const MachineData& machine, CycleTime& 
       if (tool >= 0) ++time.tool_changes, speed = 0;
       tool = m.tool;
     }
-    if (m.kind == MotionKind::rapid || !(m.speed > 0) || m.constant_surface_speed) continue;
+    if (m.kind == MotionKind::rapid || !(m.speed > 0)) continue;
     const double wanted = direction * spindle_speed(m, m.start.x, machine);
-    time.spindle += std::fabs(wanted - speed) / machine.spindle_acceleration;
-    speed = wanted;
+    if (!follows || !m.constant_surface_speed || !(wanted * speed > 0))
+      time.spindle += std::fabs(wanted - speed) / machine.spindle_acceleration;
+    follows = m.constant_surface_speed;
+    speed = direction * spindle_speed(m, m.end.x, machine);
   }
   for (const Event& stop : program.events)
     if (stop.kind == EventKind::stop) {

@@ -156,6 +156,31 @@ TEST(CycleTime, ArcsAtConstantSurfaceSpeedHaveTheClosedForm) {
   EXPECT_NEAR(cycle_time(program_of({groove}), fast).cutting, exact, 1e-5 * exact);
 }
 
+// From rest to the speed at the first radius, and again where the spindle turns round or leaves it.
+TEST(CycleTime, TheSpindleStartsUnderConstantSurfaceSpeed) {
+  const auto turns = [](double radius) { return 1000 * 200 / (2 * std::numbers::pi * radius); };
+  const auto face = [](double from, double to) {
+    Motion m = line({from, 0, 0}, {to, 0, 0}, 0.2);
+    m.feed_unit = FeedUnit::mm_per_rev, m.constant_surface_speed = true, m.speed = 200;
+    return m;
+  };
+  const double a = machine().spindle_acceleration;
+  EXPECT_NEAR(cycle_time(program_of({face(40, 20), face(30, 25)}), machine()).spindle,
+              turns(40) / a, 1e-9);
+  Motion even = line({25, 0, 0}, {25, 0, -9}, 0.2);
+  even.feed_unit = FeedUnit::mm_per_rev, even.speed = 500;
+  EXPECT_NEAR(cycle_time(program_of({face(40, 20), even, face(40, 20)}), machine()).spindle,
+              (turns(40) + turns(20) - 500 + turns(40) - 500) / a, 1e-9);
+  Program back = program_of({face(40, 20), face(20, 40)});
+  for (const std::size_t at : {0, 1}) {
+    Event event;
+    event.kind = EventKind::spindle, event.before = at;
+    event.turn = at == 0 ? SpindleTurn::clockwise : SpindleTurn::counter_clockwise;
+    back.events.push_back(event);
+  }
+  EXPECT_NEAR(cycle_time(back, machine()).spindle, (turns(40) + 2 * turns(20)) / a, 1e-9);
+}
+
 // G50 S, LIMS: the slower of machine and program counts.
 TEST(CycleTime, ProgramsLimitTheSpindle) {
   Motion m = line({40, 0, 0}, {0, 0, 0}, 0.2);
