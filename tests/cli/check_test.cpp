@@ -103,6 +103,35 @@ TEST_F(CheckCli, RemarksOfLinuxcncTablesKeepTheShape) {
                        "tool 3: the remark \"6MM BALL NOSE\" gives the diameter 6 mm, "
                        "and the table 60 mm; left out"))
       << tools.err;
+  write("mixed.tbl", "T1 D6 ;6MM END MILL\nT2 D4 ;4MM END MILL\nT3 D0.5 ;1/2\" END MILL\n");
+  const Outcome mixed = run("tools mixed.tbl");
+  EXPECT_TRUE(contains(mixed.out, "T1      end mill Ø6")) << mixed.out;
+  EXPECT_TRUE(contains(mixed.err,
+                       "tool 3: the remark \"1/2\" END MILL\" gives the diameter "
+                       "12.7 mm, and the table 0.5 mm; left out"))
+      << mixed.err;
+}
+
+// What a shop checks in a library: the angles too that nobody gave, and what stands above.
+TEST_F(CheckCli, ToolsTellAnglesNecksShanksAndHolders) {
+  write("t.toml",
+        "[[tool]]\nid = \"1\"\ntype = \"chamfer\"\ndiameter = 6\nflute_length = 9\n"
+        "shank = [[5, 10], [6, 20]]\nholder = [[20, 25, 30]]\n"
+        "[[tool]]\nid = \"2\"\ntype = \"drill\"\ndiameter = 8\n"
+        "[[tool]]\nid = \"3\"\ntype = \"lollipop\"\ndiameter = 8\nneck_diameter = 4\n"
+        "[[tool]]\nid = \"4\"\ntype = \"turning\"\ninsert = \"RCMT\"\ndiameter = 10\n"
+        "[[tool]]\nid = \"5\"\ntype = \"form\"\nprofile = [[0, 0], [3, 0, 0.4], [4, 3], [0, 3]]\n");
+  const Outcome text = run("tools t.toml");
+  for (const char* tool :
+       {"T1      chamfer mill Ø6, point 90°, flutes 9 mm, shank Ø6, holder Ø25  (",
+        "T2      drill Ø8, point 118°, cuts up to the stock's top  (",
+        "T3      lollipop mill Ø8, neck Ø4  (", "T4      turning insert RCMT Ø10  (",
+        "T5      form mill  ("})
+    EXPECT_TRUE(contains(text.out, tool)) << tool << "\n" << text.out;
+  const Outcome json = run("tools --json t.toml");
+  for (const char* keys : {R"("shank":[[5,5,10],[6,6,20]],"holder":[[20,25,30]])",
+                           R"("neck_diameter":4)", R"("profile":[[0,0],[3,0,0.4],[4,3],[0,3]])"})
+    EXPECT_TRUE(contains(json.out, keys)) << keys << "\n" << json.out;
 }
 
 TEST_F(CheckCli, CamoticsProjectsRun) {

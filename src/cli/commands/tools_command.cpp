@@ -21,6 +21,22 @@
 namespace mrsim::cli {
 namespace {
 
+// [lower diameter, upper diameter, length] of each piece.
+std::string pieces_json(const char* name, const std::vector<ToolSegment>& pieces) {
+  std::vector<std::string> out;
+  for (const ToolSegment& s : pieces)
+    out.push_back(fmt::format("[{:.9g},{:.9g},{:.9g}]", s.diameter_low, s.diameter_high, s.length));
+  return out.empty() ? "" : fmt::format(",\"{}\":[{}]", name, fmt::join(out, ","));
+}
+
+std::string profile_json(const std::vector<ProfilePoint>& profile) {
+  std::vector<std::string> out;
+  for (const ProfilePoint& p : profile)
+    out.push_back(p.bulge == 0 ? fmt::format("[{:.9g},{:.9g}]", p.r, p.z)
+                               : fmt::format("[{:.9g},{:.9g},{:.9g}]", p.r, p.z, p.bulge));
+  return out.empty() ? "" : fmt::format(",\"profile\":[{}]", fmt::join(out, ","));
+}
+
 std::string tool_json(const Tool& tool) {
   std::string out =
       fmt::format("{{\"id\":{},\"type\":\"{}\"", json_string(tool.id), tool_type_name(tool.type));
@@ -32,12 +48,19 @@ std::string tool_json(const Tool& tool) {
   add("taper_angle", degrees(tool.taper_angle));
   add("tip_angle", degrees(tool.tip_angle));
   add("tip_diameter", tool.tip_diameter);
+  add("neck_diameter", tool.neck_diameter);
+  add("profile_radius", tool.profile_radius);
   add("flute_length", tool.flute_length);
   add("nose_radius", tool.nose_radius);
   add("insert_angle", degrees(tool.insert_angle));
   add("lead_angle", degrees(tool.lead_angle));
+  add("edge_length", tool.edge_length);
   add("width", tool.width);
+  add("tip", tool.tip_is_nose_centre ? 9 : tool.tip);
+  if (tool.left_hand) out += ",\"hand\":\"left\"";
   if (!tool.insert.empty()) out += fmt::format(",\"insert\":{}", json_string(tool.insert));
+  out += pieces_json("shank", tool.shank) + pieces_json("holder", tool.holder);
+  out += profile_json(tool.profile);
   return out + fmt::format(",\"origin\":{}}}\n", json_string(tool.origin));
 }
 

@@ -3,6 +3,7 @@
 #include "cli/console/figures.h"
 #include "cli/console/terminal.h"
 #include "core/numbers/rounding.h"
+#include "core/numbers/tool_point.h"
 #include "core/numbers/units.h"
 #include "core/process/memory_limit.h"
 
@@ -209,33 +210,64 @@ const char* machine_name(MachineKind kind) {
   return kind == MachineKind::mill ? "mill" : kind == MachineKind::lathe ? "lathe" : "unknown";
 }
 
-std::string tool_text(const Tool& tool) {
+namespace {
+
+// A cutter that ends below its neck without a flute length.
+bool ends_in_head(const Tool& tool) {
+  return tool.type == ToolType::tslot || tool.type == ToolType::lollipop ||
+         (tool.type == ToolType::form && !tool.profile.empty() && tool.profile.back().r == 0);
+}
+
+std::string angle_text(const Tool& tool) {
+  if (tool.type == ToolType::taper)
+    return fmt::format(", {:.4g}° a side", degrees(tool.taper_angle));
+  const bool pointed = tool.type == ToolType::drill || tool.type == ToolType::chamfer;
+  return pointed ? fmt::format(", point {:.4g}°", degrees(2 * point_half_angle(tool))) : "";
+}
+
+std::string largest(const char* name, const std::vector<ToolSegment>& pieces) {
+  double d = 0;
+  for (const ToolSegment& s : pieces) d = std::max({d, s.diameter_low, s.diameter_high});
+  return pieces.empty() ? "" : fmt::format(", {} Ø{:.6g}", name, d);
+}
+
+std::string insert_text(const Tool& tool) {
   std::string text = tool_name(tool.type);
   if (tool.type == ToolType::grooving) {
     if (tool.width > 0) text += fmt::format(" {:.6g} mm wide", tool.width);
     if (tool.nose_radius > 0) text += fmt::format(", corner radius {:.6g}", tool.nose_radius);
     return text;
   }
-  if (is_turning(tool.type)) {
-    if (!tool.insert.empty()) text += " " + tool.insert;
-    if (tool.insert_angle > 0) text += fmt::format(" {:.4g}°", degrees(tool.insert_angle));
-    if (tool.lead_angle > 0) text += fmt::format(", lead {:.4g}°", degrees(tool.lead_angle));
-    if (tool.edge_length > 0) text += fmt::format(", edge {:.6g} mm", tool.edge_length);
-    text += tool.nose_radius > 0 ? fmt::format(", nose radius {:.6g} mm", tool.nose_radius)
-                                 : std::string(", sharp");
-    return text;
-  }
+  if (!tool.insert.empty()) text += " " + tool.insert;
   if (tool.diameter > 0) text += fmt::format(" Ø{:.6g}", tool.diameter);
-  if (tool.corner_radius > 0) text += fmt::format(", corner radius {:.6g}", tool.corner_radius);
+  if (tool.insert_angle > 0) text += fmt::format(" {:.4g}°", degrees(tool.insert_angle));
+  if (tool.lead_angle > 0) text += fmt::format(", lead {:.4g}°", degrees(tool.lead_angle));
+  if (tool.edge_length > 0) text += fmt::format(", edge {:.6g} mm", tool.edge_length);
+  if (tool.nose_radius > 0) return text + fmt::format(", nose radius {:.6g} mm", tool.nose_radius);
+  return tool.diameter > 0 ? text : text + ", sharp";
+}
+
+}  // namespace
+
+std::string tool_text(const Tool& tool) {
+  if (is_turning(tool.type)) return insert_text(tool);
+  std::string text = tool_name(tool.type);
+  const auto add = [&](const char* name, double value) {
+    if (value > 0) text += fmt::format(", {}{:.6g}", name, value);
+  };
+  if (tool.diameter > 0) text += fmt::format(" Ø{:.6g}", tool.diameter);
+  add("corner radius ", tool.corner_radius);
+  add("flank radius ", tool.profile_radius);
+  text += angle_text(tool);
+  add("tip Ø", tool.tip_diameter);
   if (tool.flute_length > 0)
     text += fmt::format(", flutes {:.6g} mm", tool.flute_length);
   else if (tool.width > 0)
     text += fmt::format(", head {:.6g} mm", tool.width);
-  else if (tool.neck_diameter > 0)
-    text += fmt::format(", neck Ø{:.6g}", tool.neck_diameter);
-  else
+  else if (!ends_in_head(tool))
     text += ", cuts up to the stock's top";
-  return text;
+  add("neck Ø", tool.neck_diameter);
+  return text + largest("shank", tool.shank) + largest("holder", tool.holder);
 }
 
 std::string format_program(const Program& program, bool verbose, bool colours) {

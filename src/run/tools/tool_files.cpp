@@ -55,10 +55,10 @@ ToolHint read_remark(const std::string& remark, double diameter) {
 // kind, but "6mm ball nose" beside Ø152 says that one of the two is wrong.
 std::string keep_kind(const ToolHint& hint, const Tool& said, Tool& tool) {
   constexpr double kGround = 0.1;  // of its diameter
-  if (hint.type == ToolType::endmill) return "";
   if (std::abs(said.diameter - tool.diameter) > kGround * tool.diameter)
     return fmt::format("gives the diameter {:.6g} mm, and the table {:.6g} mm", said.diameter,
                        tool.diameter);
+  if (hint.type == ToolType::endmill) return "";
   tool.type = said.type;
   tool.corner_radius = std::min(said.corner_radius, tool.diameter / 2);
   tool.tip_angle = said.tip_angle;
