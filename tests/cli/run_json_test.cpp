@@ -42,6 +42,33 @@ TEST_F(RunJson, SaysWhatTheSummarySays) {
   EXPECT_EQ(std::system(check.c_str()), 0) << sum;
 }
 
+// Not that of the script that started it.
+TEST_F(RunJson, ThePeakOfMemoryIsOfTheRunAlone) {
+  if (!kIsPlain) GTEST_SKIP();
+  const std::string large = "cd '" + folder_.string() +
+                            "' && python3 -c 'import subprocess, sys; held = b\"x\" * (400 << 20); "
+                            "sys.exit(subprocess.call(sys.argv[1:]))' '" MRSIM_PROGRAM "' " +
+                            kCut + "-o part.stl --json r.json";
+  ASSERT_EQ(std::system(large.c_str()), 0);
+  EXPECT_LT(parsed("r.json")["memory"]["peak"], 200e6);
+}
+
+// A case that was not tried has not passed.
+TEST_F(RunJson, JUnitSkipsWhatWasNotTried) {
+  const std::string none =
+      "<testcase classname=\"mrsim.run\" name=\"comparison\"><skipped message=\"";
+  told(std::string(kCut) + "-o part.stl", 0);
+  EXPECT_TRUE(contains(read("r.xml"), "failures=\"0\" skipped=\"1\"")) << read("r.xml");
+  EXPECT_TRUE(contains(read("r.xml"), none + "no nominal\"/>")) << read("r.xml");
+  EXPECT_TRUE(contains(read("r.xml"), "name=\"collisions\"></testcase>")) << read("r.xml");
+  write("bad.MPF", "T1 M6\nG1 X1.2.3\n");
+  told("bad.MPF --machine mill --stock block.stl --nominal block.stl -q", 1);
+  EXPECT_TRUE(contains(read("r.xml"), "failures=\"2\" skipped=\"2\"")) << read("r.xml");
+  EXPECT_TRUE(contains(read("r.xml"), none + "the run ended before")) << read("r.xml");
+  EXPECT_TRUE(contains(read("r.xml"), "name=\"collisions\"><skipped message=\"the run ended"))
+      << read("r.xml");
+}
+
 // Those of the summary: a change of tools and the run-up of the spindle belong to no tool.
 TEST_F(RunJson, TellsTheTimeOfEachTool) {
   write("two.nc",

@@ -227,6 +227,11 @@ Json seconds_json(const JobResult& r) {
   return {{"total", number(total)}, {"stages", std::move(stages)}};
 }
 
+bool has_stage(const JobResult& r, const char* name) {
+  return std::any_of(r.stage_seconds.begin(), r.stage_seconds.end(),
+                     [&](const auto& stage) { return stage.first == name; });
+}
+
 Json outputs_json(const RunRecord& record) {
   Json out = Json::array();
   const bool written = record.exit_code == kDone || record.exit_code == kRejected;
@@ -316,11 +321,16 @@ std::string run_junit(const RunRecord& given) {
   RunRecord record = given;
   if (record.result == nullptr) record.result = &nothing;
   std::string cases;
-  int failures = 0;
-  const auto add = [&](const char* name, bool failed, const std::string& text) {
+  int failures = 0, skipped = 0;
+  // `missing` says why the case was not tried.
+  const auto add = [&](const char* name, bool failed, const std::string& text,
+                       const char* missing = "") {
+    const bool skip = !failed && *missing != 0;
     failures += failed;
+    skipped += skip;
     cases += fmt::format("  <testcase classname=\"mrsim.run\" name=\"{}\">", name);
     if (failed) cases += fmt::format("<failure message=\"{0}\">{0}</failure>", xml(text));
+    if (skip) cases += fmt::format("<skipped message=\"{}\"/>", missing);
     cases += "</testcase>\n";
   };
   const std::string errors = findings(record, Severity::error);
@@ -328,15 +338,21 @@ std::string run_junit(const RunRecord& given) {
   add("run", record.exit_code != kDone && record.exit_code != kRejected,
       record.error_text.empty() ? status_of(record.exit_code) : record.error_text);
   const std::string collisions = collisions_text(*record.result);
-  add("collisions", !collisions.empty(), collisions);
+  add("collisions", !collisions.empty(), collisions,
+      has_stage(*record.result, "collisions") ? "" : "the run ended before the search");
+  const bool compared = record.comparison != nullptr;
   add("comparison", record.exit_code == kRejected,
-      record.comparison != nullptr ? comparison_text(*record.comparison) : "");
+      compared ? comparison_text(*record.comparison) : "",
+      compared                                    ? ""
+      : record.arguments->compare.nominal.empty() ? "no nominal"
+                                                  : "the run ended before the comparison");
   return fmt::format(
       "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n"
-      "<testsuites tests=\"4\" failures=\"{0}\">\n"
-      " <testsuite name=\"mrsim {1}\" tests=\"4\" failures=\"{0}\">\n{2} </testsuite>\n"
+      "<testsuites tests=\"4\" failures=\"{0}\" skipped=\"{1}\">\n"
+      " <testsuite name=\"mrsim {2}\" tests=\"4\" failures=\"{0}\" skipped=\"{1}\">\n{3} "
+      "</testsuite>\n"
       "</testsuites>\n",
-      failures, xml(record.arguments->input), cases);
+      failures, skipped, xml(record.arguments->input), cases);
 }
 
 }  // namespace mrsim::cli
