@@ -5,6 +5,7 @@
 #include "core/text/text_io.h"
 #include "mesh/draw/palette.h"
 #include "mesh/extract.h"
+#include "mesh/format/mesh_io.h"
 #include "mesh/solid/check.h"
 #include "mesh/solid/solid_repair.h"
 #include "run/cuts/cuts.h"
@@ -113,6 +114,7 @@ bool is_step(const std::string& path) {
 
 TriMesh read_solid(const std::string& path, double deflection, int threads, std::string* note) {
   if (is_vdb(path)) return mesh_of_vdb(path, threads, note);
+  if (!is_step(path)) mesh_format_of(path, " .step .stp .vdb");
   TriMesh mesh = is_step(path) ? read_step(path, deflection, note) : read_mesh(path);
   if (note == nullptr) return mesh;
   constexpr double kCheckBytes = 520;  // a triangle, as the comparison asks for after this

@@ -9,6 +9,7 @@
 #include "core/process/parallel.h"
 #include "interp/interpreter.h"
 #include "mesh/draw/render.h"
+#include "mesh/format/mesh_io.h"
 #include "mesh/mesh_part.h"
 #include "mesh/solid/check.h"
 #include "mesh/solid/solid_repair.h"
@@ -112,6 +113,10 @@ struct StockFindings {
   StockRepair repair;
 };
 
+constexpr std::string_view kOtherStocks =
+    " .step .stp .vdb; a plain stock is box:x0,y0,z0,x1,y1,z1, cylinder:d,z0,z1 or "
+    "tube:d,bore,z0,z1";
+
 StockShape load_stock(const std::string& spec, const StockOptions& options,
                       StockFindings* findings) {
   if (std::optional<StockShape> shape = parse_stock_spec(spec)) return *shape;
@@ -119,6 +124,7 @@ StockShape load_stock(const std::string& spec, const StockOptions& options,
   if (is_vdb(spec)) saved = read_vdb_file(spec);
   release_freed_memory();  // the file's
   if (saved.recipe) return std::move(saved.recipe->shape);
+  if (!is_vdb(spec) && !is_step(spec)) mesh_format_of(spec, kOtherStocks);
   StockFindings found;
   found.accuracy = saved.accuracy;
   TriMesh mesh = is_vdb(spec)    ? std::move(saved.surface)

@@ -139,9 +139,12 @@ Rest find_rest(const TriMesh& part, const TriMesh& nominal, const RestOptions& o
   out.above = options.above > 0 ? options.above : out.voxel / 2;
   out.leaves = kLeaves * out.above;
   if (out.above > 2 * out.voxel)
-    throw Error("rest-voxel",
-                fmt::format("{:g} mm are more than 2 voxels of {:g} mm", out.above, out.voxel),
-                Error::Kind::usage);
+    throw Error(
+        "rest-voxel",
+        fmt::format("--above {:g} mm is more than 2 voxels of {:g} mm: with it --voxel {:.3g} "
+                    "or more is needed",
+                    out.above, out.voxel, out.above / 2),
+        Error::Kind::usage);
   const double squares = (surface_area(part) + surface_area(nominal)) / (out.voxel * out.voxel);
   const double triangles = double(part.triangles.size() + nominal.triangles.size());
   require_memory(kVoxelModuleMemory + kSquareMemory * squares + kSurfaceTriangle * triangles,

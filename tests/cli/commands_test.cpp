@@ -130,6 +130,25 @@ TEST_F(Cli, RenderMakesAPicture) {
   EXPECT_TRUE(read("block.png").starts_with("\x89PNG"));
 }
 
+// They held a PNG.
+TEST_F(Cli, PicturesAreNamedAsWhatTheyHold) {
+  expect_failure("render block.stl -o picture.jpg", 2, "picture.jpg: a picture is written as .png");
+  expect_failure("render PRIMER_2F.MPF --stock block.stl --frames 2 -o f%d.jpg", 2,
+                 "f%d.jpg: a picture is written as .png");
+  EXPECT_EQ(run("render block.stl -o P.PNG").code, 0);
+  EXPECT_EQ(run("trace PRIMER_2F.MPF -q -o P.HTML").code, 0);
+  expect_failure("trace PRIMER_2F.MPF -q -o p.png", 2,
+                 "p.png: a tool path is written as .svg, .ply or .html");
+}
+
+// The list has all that the place takes.
+TEST_F(Cli, UnknownFormatsNameThoseThatAreKnown) {
+  expect_failure("PRIMER_2F.MPF --stock block.stl -o part.xyz", 2, ".3mf .glb .vdb [mesh-format]");
+  expect_failure("PRIMER_2F.MPF --stock sphere:10 -o part.stl", 2,
+                 ".3mf .glb .step .stp .vdb; a plain stock is box:x0,y0,z0,x1,y1,z1, ");
+  expect_failure("compare PRIMER_2F.MPF block.stl", 2, ".3mf .glb .step .stp .vdb [mesh-format]");
+}
+
 TEST_F(Cli, ColorPaintsFacesByWhatCutThem) {
   const std::string cut = "PRIMER_2F.MPF --stock block.stl --voxel 1 -q ";
   ASSERT_EQ(run(cut + "-o plain.ply").code, 0);

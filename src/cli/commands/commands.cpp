@@ -10,6 +10,7 @@
 #include "cli/report/report.h"
 #include "core/output/output_place.h"
 #include "core/output/publish.h"
+#include "core/text/ascii.h"
 #include "core/text/text_io.h"
 
 #include <array>
@@ -153,8 +154,9 @@ int trace_program(const Arguments& arguments, Findings& findings) {
   if (!findings.failed() && !arguments.outputs.empty()) {
     const Program program = interpret(arguments.input, options);
     protect_program(program.files, {{arguments.outputs[0], "-o"}});
-    arguments.outputs[0].ends_with(".html") ? write_path_page(program, arguments)
-                                            : write_path_picture(program, arguments.outputs[0]);
+    extension_of(arguments.outputs[0]) == ".html"
+        ? write_path_page(program, arguments)
+        : write_path_picture(program, arguments.outputs[0]);
   }
   return finish_output(findings.failed() ? kFailed : kDone);
 }
@@ -172,7 +174,14 @@ int run_trace(const Arguments& arguments) {
   }
 }
 
+void require_png(const std::string& path) {
+  if (const std::string extension = extension_of(path); !extension.empty() && extension != ".png")
+    throw Error("output-format", fmt::format("{}: a picture is written as .png", path),
+                Error::Kind::usage);
+}
+
 int run_render(const Arguments& arguments) {
+  require_png(arguments.outputs[0]);
   check_picture(arguments, "the part");
   const int threads = arguments.render.threads;
   TriMesh mesh = read_solid(arguments.input, 0.001, threads);

@@ -56,6 +56,8 @@ void tell_refused(const Arguments& refused, const Error& error);
 int run_frames(const Arguments& arguments);
 /// A picture of the part at each of arguments.frames moments, or the film of them.
 int run_picture_frames(const Arguments& arguments);
+/// Throws Error "output-format" for a name that promises another picture than a PNG.
+void require_png(const std::string& path);
 int run_trace(const Arguments& arguments);
 int run_check(const Arguments& arguments);
 int run_render(const Arguments& arguments);

@@ -185,7 +185,10 @@ int run_frames(const Arguments& arguments) {
 int run_picture_frames(const Arguments& arguments) {
   const std::string& output = arguments.outputs[0];
   const bool film = is_film(output);
-  if (film) require_ffmpeg();
+  if (film)
+    require_ffmpeg();
+  else
+    require_png(output);
   std::vector<std::string> paths;
   for (int frame = 1; frame <= (film ? 1 : arguments.frames); ++frame)
     paths.push_back(film ? output : picture_path(output, frame, arguments.frames));

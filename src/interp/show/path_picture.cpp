@@ -145,7 +145,8 @@ void write_path_picture(const Program& program, const std::string& path) {
   const std::string extension =
       dot == std::string::npos ? std::string() : upper_case(path.substr(dot));
   if (extension != ".SVG" && extension != ".PLY")
-    throw Error("output-format", fmt::format("{}: a tool path is written as .svg or .ply", path),
+    throw Error("output-format",
+                fmt::format("{}: a tool path is written as .svg, .ply or .html", path),
                 Error::Kind::usage);
   require_picture_memory(program, extension == ".SVG");
   const std::string text = extension == ".SVG" ? path_svg(program) : path_ply(program);

@@ -25,7 +25,7 @@ constexpr double kGlbTriangle = 160;
 
 }  // namespace
 
-MeshFormat mesh_format_of(const std::string& path) {
+MeshFormat mesh_format_of(const std::string& path, std::string_view also) {
   const std::size_t slash = path.find_last_of('/');
   const std::string file = slash == path.npos ? path : path.substr(slash + 1);
   const std::size_t dot = file.find_last_of('.');
@@ -35,8 +35,8 @@ MeshFormat mesh_format_of(const std::string& path) {
         return format;
   throw Error("mesh-format",
               fmt::format("{}: the format of a mesh is told by the end of its name, one of .stl "
-                          ".obj .ply .off .3mf .glb",
-                          path),
+                          ".obj .ply .off .3mf .glb{}",
+                          path, also),
               Error::Kind::usage);
 }
 

@@ -15,8 +15,8 @@ namespace mrsim {
 enum class MeshFormat : std::uint8_t { stl, obj, ply, off, threemf, glb };
 
 /// The format that a file name ends in, whatever its case. Throws Error "mesh-format" of kind usage
-/// that lists the known ones.
-MeshFormat mesh_format_of(const std::string& path);
+/// that lists the known ones, and `also`, those that the caller takes beside them (" .vdb").
+MeshFormat mesh_format_of(const std::string& path, std::string_view also = "");
 
 /// Mesh in the bytes of a file of that format; `name` for messages. Throws what the format throws.
 TriMesh parse_mesh(std::string_view bytes, MeshFormat format, const std::string& name);

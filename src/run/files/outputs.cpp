@@ -34,7 +34,7 @@ bool is_vdb(const std::string& path) { return extension_of(path) == kVdb; }
 
 void check_outputs(const Job& job) {
   for (const std::string& path : job.outputs)
-    if (!is_vdb(path)) mesh_format_of(path);
+    if (!is_vdb(path)) mesh_format_of(path, " .vdb");
   std::vector<NamedPath> inputs = {{job.program, "the program"}, {job.stock, "the stock"}};
   inputs.insert(inputs.end(), job.inputs.begin(), job.inputs.end());
   prepare_outputs(named_outputs(job), inputs);
