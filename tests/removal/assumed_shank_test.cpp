@@ -56,7 +56,9 @@ TEST(AssumedShank, IsAsWideAsTheUpperEndOrTheNeck) {
   Tool ball = mill(ToolType::lollipop, 8);
   EXPECT_EQ(assumed_shank(ball), 0);
   EXPECT_TRUE(has_unknown_neck(ball));
-  ball.neck_diameter = 4;
+  ball.flute_length = 6.4;  // ends where the ball is 6.4 mm wide
+  EXPECT_NEAR(assumed_shank(ball), 6.4, 1e-12);
+  ball.flute_length = 0, ball.neck_diameter = 4;
   EXPECT_EQ(assumed_shank(ball), 4);
   EXPECT_FALSE(has_unknown_neck(ball));
   Tool head = mill(ToolType::form, 0);

@@ -108,6 +108,25 @@ TEST(Collisions, RetractFromAPocketWithClosedFlutesAndAShankOfTheSameDiameter) {
   expect_none(check(block(), m.motions, tool));
 }
 
+// The cuts of one level end where those of the next begin: no cut alone has cleared that plane, all
+// of which a shank in the pocket passes.
+TEST(Collisions, ShankAboveLevelsAsHighAsTheFlutes) {
+  Tool tool = endmill(8, 0, 4);
+  tool.shank = {{7, 7, 60}};
+  Moves m({20, 20, 5});
+  for (const double z : {-4.0, -8.0, -12.0, -16.0}) {
+    m.rapid({20, 20, z + 4}).cut({20, 20, z});
+    for (double y = 20; y < 40; y += 5)
+      m.cut({70, y, z}).cut({70, y + 2.5, z}).cut({20, y + 2.5, z}).cut({20, y + 5, z});
+    m.rapid({20, 40, 5}).rapid({20, 20, 5});
+  }
+  expect_none(check(block(), m.motions, tool));
+  // A level of 4.1 mm leaves a roof of 0.1 mm, which every move below meets.
+  const Moves roof =
+      Moves({-20, 30, -4}).cut({120, 30, -4}).cut({120, 30, -8.1}).cut({-20, 30, -8.1});
+  expect_one(check(block(), roof.motions, tool, 0.25), 2, ToolPart::shank, 0.05, 0.01);
+}
+
 TEST(Collisions, HolderInASlotNarrowerThanItself) {
   Tool tool = endmill(10, 0, 6);
   tool.holder = {{30, 30, 40}};

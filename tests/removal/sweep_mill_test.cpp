@@ -44,6 +44,35 @@ TEST_P(MillSweep, EqualsTheLeastDistanceOverAllPositions) {
 
 INSTANTIATE_TEST_SUITE_P(FlatBullBall, MillSweep, ::testing::Values(0.0, 0.3, 1.0));
 
+// Horizontal and upright moves of cutters that reach up or end.
+TEST(SweepTable, FlatFloorsAreWithinWhatTheySweep) {
+  Random r(11);
+  int known = 0;
+  for (int round = 0; round < 300; ++round) {
+    const double radius = r(0.5, 5), corner = r.pick(2) * 0.3 * radius;
+    const Vec3 start = {r(-10, 10), r(-10, 10), r(-5, 5)};
+    const Vec3 center = {start.x + r(-8, 8), start.y + r(-8, 8), start.z};
+    const Motion m =
+        round % 3 == 2 ? arc(start, center, {0, 0, 1}, r(-7, 7)) : random_line(r, round % 3);
+    const bool ends = r.pick(2) == 1;
+    const Tool tool = endmill(2 * radius, corner, ends ? r(2 * radius, 4 * radius) : 0);
+    const SweepTable s({&m, 1}, {&tool, 1});
+    for (int k = 0; k < 20; ++k) {
+      const Vec3 column = at(m, r(0, 1)) + Vec3{r(-5, 5), r(-5, 5), 0};
+      const auto flat = s.flat_floor(0, column);
+      ASSERT_TRUE(flat) << "round " << round;
+      EXPECT_EQ(std::isinf(flat->top), !ends);
+      if (flat->inside <= 0) continue;
+      ++known;
+      EXPECT_NEAR(flat->z, s.bounds(0).lo.z, 1e-12);
+      if (ends) EXPECT_NEAR(flat->top, s.bounds(0).hi.z, 1e-12);
+      const double up = r(0, 1) * (ends ? flat->top - flat->z : 50);
+      EXPECT_LE(s.distance(0, {column.x, column.y, flat->z + up}), 1e-9) << "round " << round;
+    }
+  }
+  EXPECT_GT(known, 1000);
+}
+
 TEST(SweepTable, FlatSlotHasFloorAndWall) {
   const Motion m = line({0, 0, -2}, {10, 0, -2});
   const Tool tool = endmill(5);

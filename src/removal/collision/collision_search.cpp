@@ -11,7 +11,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace mrsim {
 namespace {
@@ -181,24 +180,44 @@ void CollisionDetector::look_beside(const Ball& ball, const Tier& tier) {
   }
 }
 
-// A cutter with a flat end that reaches up has cleared everything above its end. So a box over the
-// flat end is clear for movers that stay above it, whether or not the box does: surfaces that a
-// mover touches from above cost a few large boxes only.
+// Joins it with those that it meets: between two that are no farther apart than the threshold all
+// lies within that of one of them.
+void CollisionDetector::add_cleared(Heights heights) {
+  std::erase_if(cleared_, [&](const Heights& other) {
+    if (other.low > heights.high + scene_.threshold || heights.low > other.high + scene_.threshold)
+      return false;
+    heights = {std::min(heights.low, other.low), std::max(heights.high, other.high)};
+    return true;
+  });
+  cleared_.push_back(heights);
+}
+
+// A cutter with a flat end has cleared everything from its end up to its top, or for ever. So a box
+// over the flat end is clear for movers that stay between them, whether or not the box does:
+// surfaces that a mover touches from above cost a few large boxes only, and so do the planes at
+// which the cuts of one level end and those of the next begin, which no cut alone has cleared.
 void CollisionDetector::drop_over_floors(const Box3& box, Tier& tier) {
   const SweepTable& sweeps = scene_.part.sweeps();
+  const Box3& stock = scene_.part.solid().bounds();
   const Vec3 center = 0.5 * (box.lo + box.hi), half = box.hi - center;
   const double reach = std::sqrt(half.x * half.x + half.y * half.y);
-  double floor = std::numeric_limits<double>::infinity();
+  const double touch = scene_.threshold - slack_;
+  cleared_.clear();
   std::size_t kept = 0, cut = 0;
   for (std::size_t m = 0; m < tier.movers.size(); ++m) {
     const std::uint32_t mover = tier.movers[m];
     const std::int32_t time = scene_.movers.motions[mover];
     for (; cut < tier.cuts.size() && sweeps.motion(tier.cuts[cut]) <= time; ++cut) {
       const auto under = sweeps.flat_floor(tier.cuts[cut], center);
-      if (under && under->inside > reach + slack_) floor = std::min(floor, under->z);
+      if (under && under->inside > reach + slack_) add_cleared({under->z, under->top});
     }
-    const double low = std::max(box.lo.z, scene_.movers.sweeps.bounds(mover).lo.z);
-    if (low >= floor - scene_.threshold + slack_) continue;
+    const Box3 bounds = scene_.movers.sweeps.bounds(mover);
+    const double low = std::max({box.lo.z, bounds.lo.z, stock.lo.z});
+    const double high = std::min({box.hi.z, bounds.hi.z, stock.hi.z});
+    if (std::any_of(cleared_.begin(), cleared_.end(), [&](const Heights& h) {
+          return low >= h.low - touch && high <= h.high + touch;
+        }))
+      continue;
     tier.mover_distance[kept] = tier.mover_distance[m];
     tier.movers[kept++] = mover;
   }

@@ -59,6 +59,10 @@ class CollisionDetector {
     Vec3 offset;        // to its centre
     double excess = 0;  // |offset|^2 - radius^2
   };
+  // All between them is clear.
+  struct Heights {
+    double low = 0, high = 0;
+  };
   // A cut near a box's centre, with its clear ball once that is asked for.
   struct NearCut {
     double distance = 0;
@@ -74,6 +78,7 @@ class CollisionDetector {
   void add_hit(std::uint32_t mover, const Vec3& place);
   void look_beside(const Ball& ball, const Tier& tier);
   double depth_at(const Vec3& p, std::int32_t time, std::span<const std::uint32_t> cuts) const;
+  void add_cleared(Heights heights);
   void drop_over_floors(const Box3& box, Tier& tier);
   void drop_touching(const Ball& ball, double stock, Tier& tier);
   void add_clear_stock(const Ball& ball, double stock);
@@ -87,6 +92,7 @@ class CollisionDetector {
   std::array<Tier, 64> tiers_;
   std::vector<ClearBall> clear_;    // of all movers at their time
   std::vector<NearCut> near_cuts_;  // the nearest first
+  std::vector<Heights> cleared_;    // over a box, by the cuts until now
   std::vector<CollisionHit> hits_;
   std::vector<char> done_;  // by place in the list of the whole box
   std::span<const std::uint32_t> all_cuts_, all_movers_;

@@ -103,7 +103,8 @@ bool ColumnWalker::reaches(std::uint32_t index, double d, double reach, const Ve
   if (d > reach || lowest_[index] >= part.floor) return false;
   if (d < -reach) part.clear -= -reach - d;
   if (const auto flat = field_.sweeps().flat_floor(sweeps_[index], center))
-    if (flat->inside > reach) part.floor = std::min(part.floor, flat->z - slack_);
+    if (flat->inside > reach && std::isinf(flat->top))
+      part.floor = std::min(part.floor, flat->z - slack_);
   return true;
 }
 

@@ -294,9 +294,9 @@ std::optional<SweepTable::FlatFloor> flat_floor(const SweepColumns& c, std::size
                         ref.kind != SweepKind::profile))
     return std::nullopt;
   const Profile& tool = c.cutter(ref);
-  if (!tool.is_end_mill() || !tool.is_rising()) return std::nullopt;
+  if (!tool.is_end_mill()) return std::nullopt;
   const HorizontalView v = horizontal_view(c, ref);
-  return SweepTable::FlatFloor{v.z, tool.core() - plan_foot(v, p, Half::any).rho};
+  return SweepTable::FlatFloor{v.z, v.z + tool.top(), tool.core() - plan_foot(v, p, Half::any).rho};
 }
 
 GrooveSide groove_side(const SweepColumns& c, const SweepRef& ref, const Vec3& p) {

@@ -102,10 +102,10 @@ class SweepTable {
   const SweepColumns& columns() const { return *columns_; }
 
   /// What sweep i has cleared above p's column, where it is a horizontal or upright move of a
-  /// cutter with a flat end that reaches up: all above `z` within `inside` mm of p in plan. None
-  /// for others.
+  /// cutter with a flat end and a straight wall: all from `z` up to `top`, infinite where the
+  /// cutter reaches up, within `inside` mm of p in plan. None for others.
   struct FlatFloor {
-    double z = 0, inside = 0;
+    double z = 0, top = 0, inside = 0;
   };
   std::optional<FlatFloor> flat_floor(std::size_t i, const Vec3& p) const;
 

@@ -28,13 +28,15 @@ std::optional<Profile> bare_cutter(const Tool& tool) {
 }
 
 bool has_head(const Tool& tool) {
-  return tool.type == ToolType::tslot || tool.type == ToolType::lollipop ||
+  return tool.type == ToolType::tslot ||
          (tool.type == ToolType::form && !tool.profile.empty() && tool.profile.back().r == 0);
 }
 
 double shank_of(const Tool& tool, const Profile& cutter) {
+  const ProfileEdge& top = cutter.edges().back();
+  if (tool.type == ToolType::lollipop) return top.is_arc() ? 0 : 2 * top.a.x;  // the ball's neck
   if (has_head(tool)) return tool.neck_diameter;
-  return 2 * kShareOfCutter * cutter.edges().back().a.x;
+  return 2 * kShareOfCutter * top.a.x;
 }
 
 }  // namespace
