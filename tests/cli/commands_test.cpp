@@ -43,6 +43,26 @@ TEST_F(Cli, ReportSaysWhatWasDecidedAndWhy) {
   EXPECT_FALSE(contains(outcome.err, "%")) << "no progress bar in a pipe";
 }
 
+TEST_F(Cli, ReportNamesEachFile) {
+  const std::string base = "PRIMER_2F.MPF --stock block.stl --voxel 5 ";
+  const Outcome all = run(base + "-o part.stl --report r.html --history h.csv --json r.json");
+  for (const char* file : {"part.stl  (", "r.html  (", "h.csv  (", "r.json  ("})
+    EXPECT_TRUE(contains(all.out, std::string("  written    ") + file)) << file << "\n" << all.out;
+  EXPECT_FALSE(contains(all.out, "nothing was written"));
+  const Outcome page = run(base + "--report r.html");
+  EXPECT_TRUE(contains(page.out, "  written    r.html  (")) << page.out;
+  EXPECT_FALSE(contains(page.out, "nothing was written")) << page.out;
+  EXPECT_TRUE(contains(run(base).out, "nothing was written: no output given (-o part.stl)"));
+  const Outcome few = run(base + "-o f.stl --frames 3");
+  for (const char* file : {"f-1.stl", "f-2.stl", "f-3.stl"})
+    EXPECT_TRUE(contains(few.out, std::string("  written    ") + file)) << few.out;
+  const Outcome many = run(base + "-o f.stl --frames 20");
+  EXPECT_TRUE(contains(many.out, "  written    f-06.stl")) << many.out;
+  EXPECT_TRUE(contains(many.out, "... and 8 more")) << many.out;
+  EXPECT_FALSE(contains(many.out, "f-07.stl")) << many.out;
+  EXPECT_TRUE(contains(many.out, "  written    f-20.stl")) << many.out;
+}
+
 // A mesh with a tolerance is that of the exact part: voxels are sampled where they are asked for.
 // The machine of a file decides where --machine is not typed.
 TEST_F(Cli, MachineFileSaysWhetherItIsALathe) {

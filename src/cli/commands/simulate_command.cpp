@@ -269,7 +269,7 @@ int simulate_and_tell(const Arguments& arguments, RunRecord& record, JobResult& 
   const bool talks =
       !arguments.quiet && arguments.compare.json != "-" && arguments.compare.junit != "-";
   if (talks) print(format_report(arguments, result, has_colours(stdout)));
-  if (talks && arguments.outputs.empty())
+  if (talks && result.files.empty())
     print("  nothing was written: no output given (-o part.stl)\n");
   return finish_output(comparison.finish());
 }

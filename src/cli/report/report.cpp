@@ -9,7 +9,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <filesystem>
 #include <vector>
 
 #include <fmt/format.h>
@@ -94,6 +93,18 @@ std::string bound_text(const JobResult& result) {
   return bound;
 }
 
+// Meshes, pages, tables and the frames, of which there may be hundreds.
+void add_files(Sheet& sheet, const std::vector<WrittenFile>& files) {
+  constexpr std::size_t kMostListed = 12;
+  const std::size_t listed = files.size() > kMostListed ? kMostListed / 2 : files.size();
+  for (std::size_t i = 0; i < files.size(); ++i) {
+    if (i >= listed && i + listed < files.size()) continue;
+    sheet.row("written", files[i].path, size_text(static_cast<double>(files[i].bytes)));
+    if (i + 1 == listed && listed < files.size())
+      sheet.row("", fmt::format("... and {} more", files.size() - 2 * listed));
+  }
+}
+
 void add_part(Sheet& sheet, const Arguments& arguments, const JobResult& result) {
   const MeshSummary& summary = result.summary;
   const bool from_field = std::abs(result.volume - summary.volume) >= 5e-4;
@@ -121,11 +132,7 @@ void add_part(Sheet& sheet, const Arguments& arguments, const JobResult& result)
     if (result.active_voxels > 0)
       sheet.row("voxels", grouped(static_cast<double>(result.active_voxels), 0) + " active");
   }
-  for (const std::string& path : arguments.outputs) {
-    std::error_code unknown;
-    const std::uintmax_t size = std::filesystem::file_size(path, unknown);
-    sheet.row("written", path, unknown ? "" : size_text(static_cast<double>(size)));
-  }
+  add_files(sheet, result.files);
 }
 
 std::string tool_name(const JobResult& result, int tool) {
