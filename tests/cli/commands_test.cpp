@@ -114,6 +114,11 @@ TEST_F(Cli, NothingFromAFileReachesTheTerminalAsControl) {
     const Outcome outcome = run(command);
     EXPECT_FALSE(contains(outcome.out + outcome.err, "\x1b")) << command;
   }
+  // Line and column would be read backwards behind such a name.
+  write("a\u202Ecn.MPF", "G54\nG1 X1 YY ; \u2067\nM30\n");
+  const Outcome turned = run("check 'a\u202Ecn.MPF' --machine mill");
+  EXPECT_TRUE(contains(turned.err, "a?cn.MPF:2:7: error:")) << turned.err;
+  EXPECT_TRUE(contains(turned.err, "G1 X1 YY ; ?\n")) << turned.err;
 }
 
 TEST_F(Cli, CheckListsEverythingAndWritesNothing) {

@@ -21,7 +21,7 @@ bool has_colours(std::FILE* stream);
 std::string styled(std::string_view text, Style style, bool colours);
 
 /// `text` with control characters shown as '?': what comes from a file never reaches the terminal
-/// as an escape sequence. Tabs stay.
+/// as an escape sequence, nor turns the direction of the text round. Tabs stay.
 std::string printable(std::string_view text);
 
 /// What stderr shows of long work: a note, once, as soon as a stage's first seconds show that it
