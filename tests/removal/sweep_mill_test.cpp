@@ -65,7 +65,9 @@ TEST(SweepTable, FlatFloorsAreWithinWhatTheySweep) {
       if (flat->inside <= 0) continue;
       ++known;
       EXPECT_NEAR(flat->z, s.bounds(0).lo.z, 1e-12);
-      if (ends) EXPECT_NEAR(flat->top, s.bounds(0).hi.z, 1e-12);
+      if (ends) {
+        EXPECT_NEAR(flat->top, s.bounds(0).hi.z, 1e-12);
+      }
       const double up = r(0, 1) * (ends ? flat->top - flat->z : 50);
       EXPECT_LE(s.distance(0, {column.x, column.y, flat->z + up}), 1e-9) << "round " << round;
     }

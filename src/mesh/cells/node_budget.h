@@ -26,7 +26,8 @@ class NodeBudget {
 
   /// The octree is made; its surface is not drawn yet.
   void begin(std::size_t nodes) { first_ = static_cast<double>(nodes); }
-  /// Notes that the surface was drawn in so many nodes.
+  /// Notes that the surface was drawn in so many nodes. Few of them count as more, so that cells
+  /// that fail again and again raise the tolerance in the end.
   void add_round(std::size_t nodes) {
     work_ += std::max(static_cast<double>(nodes), kFullRounds / kManyRounds * most_);
   }
@@ -82,7 +83,7 @@ class NodeBudget {
   static constexpr double kRaisedShare = 0.7;  ///< of the most nodes, once it has been raised
   static constexpr double kGrown = 1.25;     ///< times the present nodes, which it may grow by then
   static constexpr double kFullRounds = 4;   ///< with the most nodes: what all rounds may take
-  static constexpr double kManyRounds = 32;  ///< with few nodes count as much as that
+  static constexpr double kManyRounds = 32;  ///< count as much as that, however little is drawn
   static constexpr double kMoreRounds = 1;   ///< in addition, each time it is raised for that
 
   static double split_nodes(std::size_t failed, std::size_t nodes, double growth) {
