@@ -29,7 +29,7 @@ namespace {
 
 constexpr int kNoMemory = 42;  // exit code of the child
 
-std::size_t address_space() {
+[[maybe_unused]] std::size_t address_space() {
   std::FILE* file = std::fopen("/proc/self/statm", "re");
   unsigned long pages = 0;
   if (file != nullptr) {
