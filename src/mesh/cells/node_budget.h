@@ -48,8 +48,8 @@ class NodeBudget {
   }
 
   /// Whether the cells that failed may be split at this tolerance. A round costs as much as the
-  /// octree has nodes: if only few cells fail after many rounds, most triangles are within the
-  /// tolerance, and doubling it ends the rounds soon.
+  /// nodes that are drawn in it: if only few cells fail after many rounds, most triangles are
+  /// within the tolerance, and doubling it ends the rounds soon.
   bool fits(std::size_t failed, std::size_t nodes, double tolerance) const {
     if (given_ == 0 || failed == 0) return true;
     const bool has_time = !has_taken_long() || (is_few(failed, nodes) && !may_raise(tolerance));
@@ -105,7 +105,7 @@ class NodeBudget {
   double most_tolerance_;  // mm
   double most_;
   double first_ = 0;  // nodes of the octree as it was made, 0 after the first round
-  double work_ = 0;   // nodes of all rounds together
+  double work_ = 0;   // nodes drawn in all rounds together
   double full_rounds_ = kFullRounds;
   std::size_t failed_ = 0, failed_before_ = 0;  // cells in the last round and the one before
 };

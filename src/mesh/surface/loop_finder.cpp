@@ -82,8 +82,9 @@ CrossedGrid grid_about(const CellOctree& tree, std::vector<char> leaves) {
   return grid;
 }
 
-// Returns whether it has split any.
-bool split_bad(CellOctree& tree, CrossedGrid grid) {
+// Returns whether it has split any; the grid is used up then. It is as large as the surface, so
+// that no copy is made of it.
+bool split_bad(CellOctree& tree, CrossedGrid& grid) {
   const std::size_t before = tree.size();
   while (tree.split(badly_crossed(tree, grid)) > 0) {
     std::vector<char> leaves(tree.size());
@@ -97,16 +98,18 @@ bool split_bad(CellOctree& tree, CrossedGrid grid) {
 
 CrossedGrid split_badly_crossed(CellOctree& tree) {
   CrossedGrid grid = crossed_grid(tree);
-  return split_bad(tree, grid) ? crossed_grid(tree) : grid;
+  if (!split_bad(tree, grid)) return grid;
+  return crossed_grid(tree);
 }
 
 CrossedGrid split_badly_crossed(CellOctree& tree, std::vector<char> changed) {
   const std::size_t before = tree.size();
-  split_bad(tree, grid_about(tree, changed));
+  CrossedGrid grid = grid_about(tree, changed);
+  split_bad(tree, grid);
   changed.resize(tree.size());
   std::fill(changed.begin() + static_cast<std::ptrdiff_t>(before), changed.end(), 1);
   tree.add_neighbours(changed);
-  CrossedGrid grid = grid_about(tree, changed);
+  grid = grid_about(tree, changed);
   for (MinimalEdge& e : grid.edges)
     e.owned = std::any_of(e.cells, e.cells + 4, [&](std::int32_t n) { return at(changed, n); });
   return grid;

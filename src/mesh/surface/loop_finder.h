@@ -22,7 +22,8 @@ struct CrossedGrid {
 CrossedGrid split_badly_crossed(CellOctree& tree);
 /// The same where only the leaves of `changed` (by cell) have changed since it was done. The grid
 /// is the part about these leaves and those made from them: as much as their surface, with that of
-/// the leaves that share an edge with them, needs. Costs what that part takes.
+/// the leaves that share an edge with them, needs. Costs what that part takes, and some bytes for
+/// each node.
 CrossedGrid split_badly_crossed(CellOctree& tree, std::vector<char> changed);
 
 class LoopFinder : public SurfaceStep {
