@@ -178,8 +178,8 @@ bool may_suit_tolerance(const detail::SurfaceSurvey& survey, const MeshChoice& c
           static_cast<double>(survey.blocks) * survey.creasing <= few);
 }
 
-// Whether most of the cuts keep their height, by tools that leave no narrow grooves: walls are
-// upright then, and floors level.
+// Whether most of the cuts keep their height, by tools that leave no narrow grooves. Where the tools
+// are flat mills, walls are upright then, and floors level.
 bool is_mostly_level(const CutList& cuts) {
   const auto cut = std::ranges::count_if(cuts.motions(), is_cut);
   const auto level = std::ranges::count_if(
