@@ -4,6 +4,7 @@
 #include "compare/distance/sampling.h"
 #include "compare/reach/inner_edges.h"
 #include "compare/reach/reach.h"
+#include "core/numbers/rounding.h"
 #include "core/numbers/vec.h"
 #include "core/process/error.h"
 #include "core/process/memory_limit.h"
@@ -115,14 +116,20 @@ void find_tools(const NominalSurface& nominal, const Rest& rest, const RestVoxel
   piece.flat = told(largest_flat(nominal, places, task));
 }
 
+// The length in mm, rounded up to three digits: as an option it is not below.
+std::string at_least(double length) {
+  const double unit = std::pow(10, std::floor(std::log10(length)) - 2);
+  return fmt::format("{:.3g}", std::ceil(length / unit * (1 - kShareRounding)) * unit);
+}
+
 double voxel_of(const RestOptions& options, const Box3& box) {
   const Vec3 size = box.hi - box.lo;
   const double longest = std::max({size.x, size.y, size.z});
   const double voxel = options.voxel > 0 ? options.voxel : longest / kVoxelsOfRest;
   if (longest / voxel > kMostVoxels)
     throw Error("rest-voxel",
-                fmt::format("a voxel of {:g} mm is too small for {:g} mm: {:.3g} mm or more", voxel,
-                            longest, longest / kMostVoxels),
+                fmt::format("a voxel of {:g} mm is too small for {:g} mm: {} mm or more", voxel,
+                            longest, at_least(longest / kMostVoxels)),
                 Error::Kind::usage);
   return voxel;
 }
@@ -141,9 +148,9 @@ Rest find_rest(const TriMesh& part, const TriMesh& nominal, const RestOptions& o
   if (out.above > 2 * out.voxel)
     throw Error(
         "rest-voxel",
-        fmt::format("--above {:g} mm is more than 2 voxels of {:g} mm: with it --voxel {:.3g} "
-                    "or more is needed",
-                    out.above, out.voxel, out.above / 2),
+        fmt::format("--above {:g} mm is more than 2 voxels of {:g} mm: with it --voxel {} or more "
+                    "is needed",
+                    out.above, out.voxel, at_least(out.above / 2)),
         Error::Kind::usage);
   const double squares = (surface_area(part) + surface_area(nominal)) / (out.voxel * out.voxel);
   const double triangles = double(part.triangles.size() + nominal.triangles.size());

@@ -198,6 +198,8 @@ TEST_F(Rest, NothingLeftIsSaidAndWritesNoMesh) {
   expect_failure("rest block.stl block.stl --voxel 1 -o part.stl", 1, "nothing is left");
   expect_failure("rest block.stl", 2, "a part and a nominal");
   expect_failure("rest block.stl bar.stl --voxel 0.001", 2, "too small");
+  expect_failure("rest block.stl bar.stl --voxel 0.05 --above 0.12469", 2,
+                 "--voxel 0.0624 or more");
   expect_failure("rest block.stl bar.stl -o block.stl", 2, "the part");
 }
 

@@ -59,6 +59,9 @@ TEST(LatheHabits, TheLeadOfAThreadIsTheFInForce) {
   EXPECT_EQ(leads("F2.\nG76 P010000 Q50 R0\nG76 X28 Z-9 P500 Q900\n"), "t2 ");
   EXPECT_EQ(leads("G32 Z-9 F1.5\nG1 X40\n"), "t1.5 f1.5 ");
   EXPECT_EQ(leads("G98 G1 X29 F100\nG92 X28 Z-9\n"), "f100 thread-lead");
+  EXPECT_EQ(leads("G98 G1 X29 F100\nG99 G92 X28 Z-9\n"), "f100 thread-lead");
+  EXPECT_EQ(leads("G76 P010000 Q50 R0\nG76 X28 Z-9 P500 Q900 F2\nG1 X27\nG92 X26 Z-9\n"),
+            "t2 f2 t2 ");
   EXPECT_EQ(leads("G1 X29 F.2\nG32 Z-9 E1.5\nX40\n"), "f0.2 t1.5 t1.5 ");
 }
 

@@ -82,6 +82,7 @@ TEST(LinuxCncCompensation, WhatMustNotStandWithinIt) {
     EXPECT_EQ(beside("X40\n" + std::string(text) + "\n"), "l20,2,0 l40,2,0 | comp-active") << text;
   EXPECT_EQ(beside("X40\nG41.1 D4\nX50\n"), "l20,2,0 l40,2,0 l50,2,0 | comp-active");
   EXPECT_EQ(beside("X40\nG40 G55 G0 X60\n"), "l20,2,0 l40,2,0 r60,0,0");
+  EXPECT_EQ(beside("X40\nG50 G69\nX50\n"), "l20,2,0 l40,2,0 l50,2,0");
   EXPECT_EQ(path_text(read_text("F9\nG19\nG41.1 D2\nG1 Y5\nM2\n", at_origin(Dialect::ngc))),
             "l0,5,0 | comp-plane");
 }

@@ -76,7 +76,6 @@ class BlockWords : public Block {
   /// Whether a word of this modal group stands in the block.
   bool has_group(Group group) const { return (groups_ & bit_of(group)) != 0; }
   void add_group(Group group) { groups_ |= bit_of(group); }
-  bool changes_frames() const { return frame_code || ends_rotation || ends_scaling; }
   /// Whether an N word stands behind `word`: it is an argument ("G25 N50"), not the block's number.
   bool number_behind(const Word& word) const { return number_after(word).has_value(); }
   /// The number of that N word, at most 999 999.

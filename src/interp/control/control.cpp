@@ -175,9 +175,16 @@ std::optional<double> ControlPart::thread_lead() {
   return counts ? kMmPerInch / e->value : e->value * feed_scale();
 }
 
+// F200 of G98 is no lead after G99, though its number stays in force.
 double ControlPart::feed_as_lead() const {
-  const bool common = is(Dialect::fanuc) && lathe() && !modal_.lead_apart;
+  const bool common = is(Dialect::fanuc) && lathe() && !modal_.lead_apart && modal_.feed_of_turn;
   return common && modal_.feed_unit == FeedUnit::mm_per_rev ? modal_.feed : 0;
+}
+
+void ControlPart::keep_lead_as_feed(double lead) {
+  if (!is(Dialect::fanuc) || !lathe() || modal_.feed_unit != FeedUnit::mm_per_rev) return;
+  modal_.feed = lead;
+  modal_.feed_of_turn = true;
 }
 
 }  // namespace mrsim

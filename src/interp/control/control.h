@@ -161,6 +161,8 @@ class ControlPart {
   std::optional<double> thread_lead();
   /// The F in force as a lead, as feeds and leads of FANUC's lathes have one F; 0: none.
   double feed_as_lead() const;
+  /// Puts the F of a thread, in mm, in force as the feed where feeds and leads have one F.
+  void keep_lead_as_feed(double lead);
 
   /// From here on nobody knows where these axes are. A lathe has no Y to lose.
   void forget_place(AxisSet axes) { position_.known -= lathe() ? axes - kAxisY : axes; }

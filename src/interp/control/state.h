@@ -95,6 +95,7 @@ struct Modal {
   Code diameter = Code::diameter_off;
   bool diameter_told = false;  ///< by a word of the program
   FeedUnit feed_unit = FeedUnit::mm_per_min;
+  bool feed_of_turn = false;  ///< the feed in force was told in mm per revolution
   bool surface_speed = false;
   double feed = 0, speed = 0, cutting_speed = 0;  ///< mm, rev/min, m/min
   double speed_limit = 0;                         ///< rev/min of the spindle; 0: none

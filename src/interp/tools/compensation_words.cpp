@@ -55,7 +55,10 @@ bool CompensationWords::allows_block() {
   if (block_.suppress_frames) return refused("G53");
   if (oneshot == Code::reference || oneshot == Code::reference_second)
     return refused("a way to a reference point");
-  const bool shifts = block_.changes_frames() || oneshot == Code::set_position ||
+  // G50 and G69 of a safe start end nothing where nothing is turned or scaled.
+  const bool ends = (block_.ends_rotation && frames_.rotation != Frame{}) ||
+                    (block_.ends_scaling && frames_.scaling != Frame{});
+  const bool shifts = block_.frame_code || ends || oneshot == Code::set_position ||
                       oneshot == Code::position_reset || oneshot == Code::position_suspend ||
                       oneshot == Code::position_resume;
   return !(shifts || work_selected()) || refused("another zero");

@@ -68,7 +68,8 @@ void ToolEdges::compare_nose(const Tool& tool, const Word& where) {
       where, tool.id);
 }
 
-// Q of G10 P1 is the orientation of the tip. It counts where the tool's data leave that open.
+// Q of G10 P1 and $TC_DP2 are the orientation of the tip, which counts where the tool's data leave
+// it open.
 void ToolEdges::settle_tip(Tool& tool, const Word& where) {
   const auto told = control_.told_tips.find(static_cast<long>(tool_.written) % 100);
   if (told == control_.told_tips.end() || !is_turning(tool.type) || tool.tip_is_nose_centre) return;
@@ -78,11 +79,12 @@ void ToolEdges::settle_tip(Tool& tool, const Word& where) {
     tool.tip = told->second;
   }
   if (tool.tip == told->second) return;
-  reporter_.once(Severity::warning, "nose-differs",
-                 fmt::format("G10 gives tool {0} the tip orientation {1}, its data say {2}, which "
-                             "counts here: where {1} is right, say --tool {0}=..,tip={1}",
-                             tool.id, told->second, tool.tip),
-                 where, tool.id + " tip");
+  reporter_.once(
+      Severity::warning, "nose-differs",
+      fmt::format("{3} gives tool {0} the tip orientation {1}, its data say {2}, which "
+                  "counts here: where {1} is right, say --tool {0}=..,tip={1}",
+                  tool.id, told->second, tool.tip, is(Dialect::sinumerik) ? "$TC_DP2" : "G10"),
+      where, tool.id + " tip");
 }
 
 }  // namespace mrsim

@@ -206,6 +206,7 @@ bool TurnWords::thread() {
   Thread t;
   t.lead = thread_lead().value_or(feed_as_lead());
   if (t.lead <= 0) return error("thread-lead", "G76 needs the lead F", where());
+  if (!modal_.lead_apart) keep_lead_as_feed(t.lead);
   if (peek('K')) {
     if (!one_line_thread(t)) return false;
   } else {

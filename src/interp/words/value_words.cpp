@@ -149,9 +149,7 @@ bool ValueWords::feed() {
   const bool cycle = modal_.drill.number != 0 || modal_.turn.number != 0 || block_.turn_cycle != 0;
   const bool thread = is_thread(current_motion()) && !cycle;
   if ((thread && !is(Dialect::sinumerik)) || modal_.turn.number == 92) {  // F is the lead
-    const bool common = is(Dialect::fanuc) && lathe();
-    if (common && modal_.feed_unit == FeedUnit::mm_per_rev)
-      modal_.feed = word->value * feed_scale();
+    keep_lead_as_feed(word->value * feed_scale());
     return true;
   }
   if (word->value < 0 || (word->value == 0 && is(Dialect::sinumerik)))
@@ -162,6 +160,7 @@ bool ValueWords::feed() {
   if (thread && current_motion() != Code::tap_floating) return true;
   modal_.feed =
       modal_.feed_unit == FeedUnit::inverse_time ? word->value : word->value * feed_scale();
+  modal_.feed_of_turn = modal_.feed_unit == FeedUnit::mm_per_rev;
   return true;
 }
 
