@@ -29,6 +29,7 @@ TEST(LatheOffsets, TheTipThatG10Tells) {
   EXPECT_EQ(
       bore("$TC_DP2[1,1]=2 $TC_DP6[1,1]=0.8\nT1 D1 ; CNMG 120408\n" + path, Dialect::sinumerik),
       "15 ");
+  EXPECT_EQ(bore("$TC_DP2[101,1]=2\nT1 D1 ; CNMG 120408\n" + path, Dialect::sinumerik), "13.4 ");
   EXPECT_EQ(bore("$TC_DP2[1,2]=2\nT1 D1 ; CNMG 120408\n" + path, Dialect::sinumerik),
             "13.4 variable-unset");
 }

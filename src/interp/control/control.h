@@ -74,7 +74,7 @@ struct Control {
   SetLengths lengths;
   std::size_t cuts = 0;               ///< how many lines and arcs have been emitted
   std::map<long, double> told_noses;  ///< radius of the nose, mm, by the number of a lathe's offset
-  std::map<long, int> told_tips;      ///< orientation of the tip, 1 to 8, by that number
+  std::map<long, int> told_tips;      ///< orientation of the tip, 1 to 8, by the offset or tool
   std::map<std::string, double> kept_values;  ///< SINUMERIK's markers and outputs: $AC_MARKER[1]
   int register_changes = 0;                   ///< how often the program has set a register
   bool skips_data = false;      ///< blocks up to G11 set tool lives or parameters, not read

@@ -192,7 +192,7 @@ bool OffsetWords::tool_register(int l, int p, const Word& where) {
   const Word* z = peek('Z');
   if (is(Dialect::ngc)) table_lengths(l, p);
   if (const Word* q = is(Dialect::ngc) ? peek('Q') : nullptr; q && q->value >= 1 && q->value <= 8)
-    control_.told_tips[p % 100] = tip_of_linuxcnc(static_cast<int>(q->value));
+    control_.told_tips[p] = tip_of_linuxcnc(static_cast<int>(q->value));
   for (const char c : {'X', 'Y', 'Z', 'I', 'J', 'Q'}) take(c);
   if (is(Dialect::ngc) && p < 1)
     return error("value-range", "P of G10 is the number of a tool", where);

@@ -138,7 +138,7 @@ bool SinumerikVariables::write_tool(std::string_view key, std::span<const Value>
   if (number == 2 && lathe()) {  // the orientation of the tip
     const double tip = value.number;
     if (indices[1].number != 1 || tip < 1 || tip > 8 || tip != std::floor(tip)) return false;
-    control_.told_tips[static_cast<long>(indices[0].number) % 100] = static_cast<int>(tip);
+    control_.told_tips[static_cast<long>(indices[0].number)] = static_cast<int>(tip);
     return true;
   }
   const std::string name = fmt::format("T{:g}.D{:g}", indices[0].number, indices[1].number);

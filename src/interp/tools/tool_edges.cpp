@@ -71,7 +71,9 @@ void ToolEdges::compare_nose(const Tool& tool, const Word& where) {
 // Q of G10 P1 and $TC_DP2 are the orientation of the tip, which counts where the tool's data leave
 // it open.
 void ToolEdges::settle_tip(Tool& tool, const Word& where) {
-  const auto told = control_.told_tips.find(static_cast<long>(tool_.written) % 100);
+  const auto written = static_cast<long>(tool_.written);
+  const bool whole = is(Dialect::ngc) || is(Dialect::sinumerik);  // T0101 has the offset 1
+  const auto told = control_.told_tips.find(whole ? written : written % 100);
   if (told == control_.told_tips.end() || !is_turning(tool.type) || tool.tip_is_nose_centre) return;
   if (tool.tip == 0) {
     if (told->second != tip_orientation(tool))
