@@ -178,12 +178,19 @@ bool may_suit_tolerance(const detail::SurfaceSurvey& survey, const MeshChoice& c
           static_cast<double>(survey.blocks) * survey.creasing <= few);
 }
 
-// Whether most of the cuts keep their height, by tools that leave no narrow grooves. Where the tools
-// are flat mills, walls are upright then, and floors level.
+// Whether most of the cuts are those of flat mills that keep their height: walls are upright then,
+// and floors level.
 bool is_mostly_level(const CutList& cuts) {
+  std::vector<char> is_flat;
+  for (const Tool& tool : cuts.tools()) {
+    const Profile cutter = make_tool_shape(tool).cutter;
+    is_flat.push_back(!is_turning(tool.type) && cutter.is_end_mill() && cutter.round() == 0);
+  }
   const auto cut = std::ranges::count_if(cuts.motions(), is_cut);
-  const auto level = std::ranges::count_if(
-      cuts.motions(), [](const Motion& m) { return is_cut(m) && is_level(m); });
+  const auto level = std::ranges::count_if(cuts.motions(), [&](const Motion& m) {
+    return is_cut(m) && is_level(m) && m.tool >= 0 &&
+           is_flat[static_cast<std::size_t>(m.tool)] != 0;
+  });
   return static_cast<double>(level) > kMostOfCuts * static_cast<double>(cut);
 }
 

@@ -17,9 +17,9 @@ struct MeshChoice {
   std::string voxel_reason;
   double tolerance = 0;  ///< mm, 0 = the grid of the voxels
   std::string tolerance_reason;
-  double radius = 0;              ///< mm: the smallest with which a tool cuts, 0 = none has one
-  double groove_lengths = 0;      ///< of narrow grooves, by their widths
-  bool is_level = false;          ///< most of the cuts are, and no narrow grooves are left
+  double radius = 0;          ///< mm: the smallest with which a tool cuts, 0 = none has one
+  double groove_lengths = 0;  ///< of narrow grooves, by their widths
+  bool is_level = false;  ///< most of the cuts are, by flat mills, and no narrow grooves are left
   bool searches_arc = false;      ///< a cut is a helix or upright arc that costs a search for each
                                   ///< point
   bool has_many_helices = false;  ///< more than a quarter of the cuts
