@@ -9,7 +9,7 @@ namespace {
 using detail::NodeBudget;
 
 constexpr std::size_t kMost = 80'000, kSmall = 500;  ///< nodes
-constexpr double kTolerance = 0.01, kMostTolerance = 0.04;
+constexpr double kWish = 0.01, kMostTolerance = 0.04;
 
 NodeBudget after_rounds(int rounds, std::size_t drawn) {
   NodeBudget budget(kMost, kMostTolerance, false);
@@ -20,20 +20,20 @@ NodeBudget after_rounds(int rounds, std::size_t drawn) {
 }
 
 TEST(NodeBudget, ARoundCountsByWhatIsDrawnInIt) {
-  EXPECT_TRUE(after_rounds(4, kMost).fits(1, kSmall, kTolerance));
-  EXPECT_FALSE(after_rounds(5, kMost).fits(1, kSmall, kTolerance));
-  EXPECT_TRUE(after_rounds(8, kMost / 2).fits(1, kSmall, kTolerance));
-  EXPECT_FALSE(after_rounds(9, kMost / 2).fits(1, kSmall, kTolerance));
+  EXPECT_TRUE(after_rounds(4, kMost).fits(1, kSmall, kWish));
+  EXPECT_FALSE(after_rounds(5, kMost).fits(1, kSmall, kWish));
+  EXPECT_TRUE(after_rounds(8, kMost / 2).fits(1, kSmall, kWish));
+  EXPECT_FALSE(after_rounds(9, kMost / 2).fits(1, kSmall, kWish));
 }
 
 TEST(NodeBudget, ARoundThatDrawsLittleCountsAsAnEighthOfTheMostNodes) {
-  EXPECT_TRUE(after_rounds(32, 1).fits(1, kSmall, kTolerance));
-  EXPECT_FALSE(after_rounds(33, 1).fits(1, kSmall, kTolerance));
+  EXPECT_TRUE(after_rounds(32, 1).fits(1, kSmall, kWish));
+  EXPECT_FALSE(after_rounds(33, 1).fits(1, kSmall, kWish));
 }
 
 TEST(NodeBudget, FewCellsAreSplitHoweverLongTheRoundsWhereTheToleranceMayNotBeRaised) {
   const NodeBudget budget = after_rounds(33, 1);
-  EXPECT_TRUE(budget.may_raise(kTolerance));
+  EXPECT_TRUE(budget.may_raise(kWish));
   EXPECT_FALSE(budget.may_raise(kMostTolerance));
   EXPECT_TRUE(budget.fits(1, kSmall, kMostTolerance));
   EXPECT_FALSE(budget.fits(kSmall, kSmall, kMostTolerance));
@@ -43,7 +43,7 @@ TEST(NodeBudget, EverythingFitsWithoutALimit) {
   NodeBudget budget(0, 0, false);
   budget.begin(kSmall);
   for (int k = 0; k < 100; ++k) budget.add_round(kMost);
-  EXPECT_TRUE(budget.fits(kMost, 100 * kMost, kTolerance));
+  EXPECT_TRUE(budget.fits(kMost, 100 * kMost, kWish));
 }
 
 }  // namespace
