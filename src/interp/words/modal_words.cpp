@@ -6,32 +6,21 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 
 #include <fmt/format.h>
 
 namespace mrsim {
 namespace {
 
+constexpr Code kMotions[] = {
+    Code::rapid,   Code::line,           Code::arc_cw,           Code::arc_ccw,
+    Code::thread,  Code::thread_growing, Code::thread_shrinking, Code::tap_in,
+    Code::tap_out, Code::tap_return,     Code::spline_cubic,     Code::spline_quadratic,
+    Code::nurbs,   Code::nurbs_end};
+
 bool is_motion(Code code) {
-  switch (code) {
-    case Code::rapid:
-    case Code::line:
-    case Code::arc_cw:
-    case Code::arc_ccw:
-    case Code::thread:
-    case Code::thread_growing:
-    case Code::thread_shrinking:
-    case Code::tap_in:
-    case Code::tap_out:
-    case Code::tap_return:
-    case Code::spline_cubic:
-    case Code::spline_quadratic:
-    case Code::nurbs:
-    case Code::nurbs_end:
-      return true;
-    default:
-      return false;
-  }
+  return std::find(std::begin(kMotions), std::end(kMotions), code) != std::end(kMotions);
 }
 
 }  // namespace
@@ -88,9 +77,9 @@ bool ModalWords::claim_group(const Word& word, const CodeEntry& entry) {
 // feed per minute of code systems B and C, which write the cycles as G77 G78 G79.
 bool ModalWords::select_turning(const Word& word, int number) {
   if (number >= 77 && number <= 79) number = number == 79 ? 94 : 90 + 2 * (number - 77);
-  const bool axes = peek('X') || peek('Z') || peek('U') || peek('W');
-  if (!axes && number == 94) return plain_.apply_feed(Code::per_minute, word);
-  if (!axes && number == 92) return for_oneshot(word, Code::set_position);
+  const bool has_axes = peek('X') || peek('Z') || peek('U') || peek('W');
+  if (!has_axes && number == 94) return plain_.apply_feed(Code::per_minute, word);
+  if (!has_axes && number == 92) return for_oneshot(word, Code::set_position);
   keep_turning_end(word, number);
   modal_.turn.number = number;
   modal_.drill.number = 0;
@@ -120,19 +109,17 @@ bool ModalWords::pause(const Word& word) {
 }
 
 bool ModalWords::refuse_unknown(const Word& word) {
-  return error("g-unknown",
-               fmt::format("G{:g} is not known to this control{}", word.value,
-                           is(Dialect::sinumerik) ? " (alarm 12470)"
-                           : is(Dialect::fanuc)   ? " (alarm 010)"
-                                                  : ""),
+  const std::string_view alarm = is(Dialect::sinumerik) ? " (alarm 12470)"
+                                 : is(Dialect::fanuc)   ? " (alarm 010)"
+                                                        : "";
+  return error("g-unknown", fmt::format("G{:g} is not known to this control{}", word.value, alarm),
                word);
 }
 
 // G70 and G71 without other words are units, not patterns.
 bool ModalWords::hole_pattern(const Word& word, Code code) {
-  if ((word.value == 70 || word.value == 71) && !peek('I') && !peek('L'))
-    return plain_.apply(word.value == 70 ? Code::inch_feed : Code::metric_feed, word);
-  return for_oneshot(word, code);
+  const bool is_unit = (word.value == 70 || word.value == 71) && !peek('I') && !peek('L');
+  return is_unit ? set_units(word) : for_oneshot(word, code);
 }
 
 // G22 has places of its own. Axes and F beside G103 and G187 (Haas), and axes beside G131 (Okuma),
@@ -265,19 +252,20 @@ bool ModalWords::for_one_block(const Word& word, Code code) {
 
 // Mach and Vectric write G70 and G71 for the units. LinuxCNC's cycles of these numbers have words.
 bool ModalWords::units_of_mach(const Word& word) {
-  if (!is(Dialect::ngc) || (word.value != 70 && word.value != 71) || peek('Q')) return false;
+  const bool is_unit = is(Dialect::ngc) && (word.value == 70 || word.value == 71) && !peek('Q');
+  return is_unit && set_units(word);
+}
+
+bool ModalWords::set_units(const Word& word) {
   return plain_.apply(word.value == 70 ? Code::inch_feed : Code::metric_feed, word);
 }
 
 bool ModalWords::refuse(const Word& word) {
+  const auto by_10 = static_cast<int>(std::lround(word.value * 10));
   const std::string_view what =
-      word.address == letter('G')
-          ? unsupported_code(control_.dialect, static_cast<int>(std::lround(word.value * 10)))
-          : std::string_view();
-  return error("not-supported",
-               what.empty() ? fmt::format("{} is not supported yet", text_of(word))
-                            : fmt::format("{} ({}) is not supported yet", text_of(word), what),
-               word);
+      word.address == letter('G') ? unsupported_code(control_.dialect, by_10) : "";
+  const std::string named = what.empty() ? "" : fmt::format(" ({})", what);
+  return error("not-supported", text_of(word) + named + " is not supported yet", word);
 }
 
 // A cycle behind another keeps its values (LinuxCNC: only R), and the level before both of them.

@@ -33,6 +33,7 @@ class ModalWords : public ControlPart {
   bool apply_code(const Word& word, const CodeEntry& entry);
   std::optional<bool> apply_cycle(const Word& word, const CodeEntry& entry);
   bool units_of_mach(const Word& word);
+  bool set_units(const Word& word);
   bool refuse(const Word& word);
   bool for_oneshot(const Word& word, Code code);
   bool for_one_block(const Word& word, Code code);

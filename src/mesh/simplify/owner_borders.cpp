@@ -249,9 +249,7 @@ class BorderCutter {
     const Vec3 &a = cut_.position(cut_.from(h)), &b = cut_.position(cut_.to(h));
     const double end =
         std::max(kEndShare, tolerance_ / distance(a, b));  // nearer, the edge's end will do
-    if (end > 0.25) return {};
-    const double height = cut_.height(h / 3);
-    if (height < 4 * kInward) return {};
+    if (end > 0.25 || cut_.height(h / 3) < 4 * kInward) return {};
     const Vec3 aside = kInward * inward(h);
     std::int32_t cell = tree_.locate(a);
     const auto owner = [&](double s) { return face_at(lerp(a, b, s) + aside, cell); };
