@@ -6,6 +6,7 @@
 #include "core/numbers/tool_point.h"
 #include "core/numbers/units.h"
 #include "core/process/memory_limit.h"
+#include "core/words/tool_types.h"
 
 #include <algorithm>
 #include <cmath>
@@ -218,12 +219,6 @@ const char* machine_name(MachineKind kind) {
 }
 
 namespace {
-
-// A cutter that ends below its neck without a flute length.
-bool ends_in_head(const Tool& tool) {
-  return tool.type == ToolType::tslot || tool.type == ToolType::lollipop ||
-         (tool.type == ToolType::form && !tool.profile.empty() && tool.profile.back().r == 0);
-}
 
 std::string angle_text(const Tool& tool) {
   if (tool.type == ToolType::taper)

@@ -1,5 +1,5 @@
-// Types of tools by their names: in tools.toml, in --tool, and in what runs write; and which way
-// the tip of a turning tool looks where its data do not say it.
+// Types of tools by their names: in tools.toml, in --tool, and in what runs write; which way the
+// tip of a turning tool looks where its data do not say it; and which cutters end in a head.
 #pragma once
 
 #include <mrsim/types.h>
@@ -36,6 +36,13 @@ inline int tip_of_linuxcnc(int number) {
 inline bool is_inside_tool(const Tool& tool) {
   const int tip = tip_orientation(tool);
   return tip == 1 || tip == 2 || tip == 6;
+}
+
+/// Whether the cutter is a head that ends below its neck, whatever its flute length: that of a
+/// T-slot or lollipop mill, or a form whose profile ends on the axis.
+inline bool ends_in_head(const Tool& tool) {
+  return tool.type == ToolType::tslot || tool.type == ToolType::lollipop ||
+         (tool.type == ToolType::form && !tool.profile.empty() && tool.profile.back().r == 0);
 }
 
 }  // namespace mrsim

@@ -1,6 +1,7 @@
 #include "removal/tool/assumed_shank.h"
 
 #include "core/process/error.h"
+#include "core/words/tool_types.h"
 #include "removal/tool/tool.h"
 
 #include <optional>
@@ -27,15 +28,10 @@ std::optional<Profile> bare_cutter(const Tool& tool) {
   }
 }
 
-bool has_head(const Tool& tool) {
-  return tool.type == ToolType::tslot ||
-         (tool.type == ToolType::form && !tool.profile.empty() && tool.profile.back().r == 0);
-}
-
 double shank_of(const Tool& tool, const Profile& cutter) {
   const ProfileEdge& top = cutter.edges().back();
   if (tool.type == ToolType::lollipop) return top.is_arc() ? 0 : 2 * top.a.x;  // the ball's neck
-  if (has_head(tool)) return tool.neck_diameter;
+  if (ends_in_head(tool)) return tool.neck_diameter;
   return 2 * kShareOfCutter * top.a.x;
 }
 
