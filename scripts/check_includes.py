@@ -88,7 +88,7 @@ ROOMS = {
     "run/files": CORE + ("removal/part/", "removal/vdb/", "mesh/solid/", "mesh/format/", "compare/distance/"),
     "run/tools": CORE + ("interp/comments/", "setup/", "removal/tool/", "mesh/draw/"),
     "run/cuts": CORE + ("interp/text/", "removal/tool/", "removal/part/", "removal/history/", "run/tools/"),
-    "run/mesh": CORE + ("removal/field/", "removal/tool/", "removal/part/", "mesh/", "compare/distance/", "run/files/",
+    "run/mesh": CORE + ("removal/field/", "removal/part/", "mesh/", "compare/distance/", "run/files/",
         "run/cuts/"),
     "run/findings": CORE + ("interp/text/", "removal/tool/", "removal/forms/", "removal/part/", "mesh/", "run/cuts/",
         "run/mesh/"),

@@ -24,6 +24,34 @@ class Defaults : public CliTest {
     EXPECT_EQ(o.code, 0) << o.err;
     return Json::parse(read("r.json"));
   }
+
+  // The word for a corner of a part of 60 sides whose centre is (x, y).
+  static std::string at_side(double x, double y, int side, double radius = 120) {
+    const double turn = 6.28318530718 * side / 60, r = radius * (1 + 0.2 * std::sin(3 * turn));
+    return "X" + std::to_string(x + r * std::cos(turn)) + " Y" +
+           std::to_string(y + r * std::sin(turn));
+  }
+
+  /// The JSON of a run that cuts twelve parts out of a sheet, in five passes, then does `rest`
+  /// (tool 2: a V-bit).
+  Json sheet(const std::string& rest) {
+    std::string text = "%\nO1\nG21 G90 G17\nT1 M6\nS18000 M3\nG0 Z20\n";
+    for (int k = 0; k < 12; ++k) {
+      const double x = 300 + 500 * (k % 4), y = 250 + 350 * (k / 4);
+      text += "G0 " + at_side(x, y, 0) + "\n";
+      for (int pass = 1; pass <= 5; ++pass) {
+        text += "G1 Z" + std::to_string(-3.66 * pass) + " F1000\n";
+        for (int side = 1; side <= 60; ++side) text += "G1 " + at_side(x, y, side) + " F6000\n";
+      }
+      text += "G0 Z20\n";
+    }
+    write("sheet.nc", text + rest + "M30\n%\n");
+    const Outcome o =
+        run("sheet.nc --stock box:0,0,-18,2440,1220,0 --tool 1=flat:d=6 --tool "
+            "2=chamfer:d=12,a=90 -q -o part.stl --json r.json");
+    EXPECT_EQ(o.code, 0) << o.err;
+    return Json::parse(read("r.json"));
+  }
 };
 
 TEST_F(Defaults, VoxelSuitsTheRadiusWithWhichAToolCuts) {
@@ -198,28 +226,16 @@ TEST_F(Defaults, SlotsInPassesAreMeshedWithinATolerance) {
 
 // Parts cut out of a large sheet in passes: its blocks are large, and many passes meet in each.
 TEST_F(Defaults, PartsOfALargeSheetAreMeshedWithinATolerance) {
-  std::string text = "%\nO1\nG21 G90 G17\nT1 M6\nS18000 M3\nG0 Z20\n";
-  const auto at = [](double x, double y) {
-    return "X" + std::to_string(x) + " Y" + std::to_string(y);
-  };
-  for (int k = 0; k < 12; ++k) {
-    const double x = 300 + 500 * (k % 4), y = 250 + 350 * (k / 4);
-    text += "G0 " + at(x + 120, y) + "\n";
-    for (int pass = 1; pass <= 5; ++pass) {
-      text += "G1 Z" + std::to_string(-3.66 * pass) + " F1000\n";
-      for (int side = 1; side <= 60; ++side) {
-        const double turn = 6.28318530718 * side / 60, r = 120 * (1 + 0.2 * std::sin(3 * turn));
-        text += "G1 " + at(x + r * std::cos(turn), y + r * std::sin(turn)) + " F6000\n";
-      }
-    }
-    text += "G0 Z20\n";
-  }
-  write("sheet.nc", text + "M30\n%\n");
-  const Outcome o =
-      run("sheet.nc --stock box:0,0,-18,2440,1220,0 --tool 1=flat:d=6 -q -o part.stl "
-          "--json r.json");
-  EXPECT_EQ(o.code, 0) << o.err;
-  const Json j = Json::parse(read("r.json"));
+  const Json j = sheet("");
+  EXPECT_FALSE(j["tolerance"]["value"].is_null());
+  EXPECT_LT(j["mesh"]["triangles"], 60'000);
+}
+
+// The chamfer is a narrow groove, but a short one.
+TEST_F(Defaults, ChamferOfOnePartDoesNotKeepALargeSheetFromItsTolerance) {
+  std::string text = "T2 M6\nS18000 M3\nG0 X417 Y250 Z20\nG1 Z-2.9 F1000\n";
+  for (int side = 1; side <= 60; ++side) text += "G1 " + at_side(300, 250, side, 117) + "\n";
+  const Json j = sheet(text + "G0 Z20\n");
   EXPECT_FALSE(j["tolerance"]["value"].is_null());
   EXPECT_LT(j["mesh"]["triangles"], 60'000);
 }

@@ -1,14 +1,10 @@
 #include "run/mesh/mesh_choice.h"
 
-#include "core/numbers/motions.h"
 #include "core/numbers/rounding.h"
-#include "core/numbers/units.h"
 #include "core/numbers/vec.h"
 #include "mesh/cells/cell_halvings.h"
 #include "mesh/cells/survey.h"
 #include "removal/part/stock.h"
-#include "removal/tool/tool.h"
-#include "run/cuts/cut_pieces.h"
 
 #include <algorithm>
 #include <cmath>
@@ -38,19 +34,19 @@ constexpr std::size_t kEnoughSweeps = 10000;
 // Cells of the grid: it is made coarser above the first number (about two seconds of two cores),
 // and finer than its default only up to the second one.
 constexpr double kMostGridCells = 1e6, kFewGridCells = 4e5, kMostSearchedCells = 4e5;
+// Nodes of the octree for a piece of a narrow groove that is as long as wide (text of 6 m by a
+// V-bit took 40), and up to which they are few.
+constexpr double kGrooveNodes = 40, kFewGrooveNodes = 1e5;
 // Voxels on the cut surface that a mesh within a tolerance scans for what its larger cells may
 // hide; above this number the voxel is raised.
 constexpr double kMostScanned = 1e5;
 // Cells of a grid that is coarser than the smallest radius with which a tool cuts, so that grooves
 // are lost, where the part is plain: such cells take a third of the time.
 constexpr double kMostGrooveCells = 4e6;
-// Share of a pointed tool's radius below which its grooves are narrow, and nodes of the octree for
-// a piece of such a groove that is as long as wide (text of 6 m by a V-bit took 40).
-constexpr double kNarrow = 0.5, kGrooveNodes = 40;
 // Average number of creasing sweeps in a block above which no tolerance is tried, because cells
 // would be halved too often. It is tried after all where all blocks together have few such sweeps,
-// as on a large sheet whose blocks are large, and no pointed tool has left grooves. Where most cuts
-// are level, more sweeps count as few.
+// as on a large sheet whose blocks are large, and pointed tools leave few narrow grooves. Where
+// most cuts are level, more sweeps count as few.
 constexpr double kMostCreasing = 9, kFewCreasing = 1e5, kFewLevelCreasing = 3e5;
 // Sweeps in all blocks together above which no tolerance is tried: kMostSweeps where a block has
 // more than kFewSweeps on average, kMostSearched where points of helices are searched, which costs
@@ -63,76 +59,16 @@ constexpr double kPlainSweeps = 1.5;
 // its time where the first one has too many nodes. Above these numbers the second one mostly has
 // too many, too.
 constexpr double kMostRetried = 1.2e5, kMostRetriedCreasing = 6;
-// Share of the cuts above which helices, or upright arcs, are many, and level cuts are most.
-constexpr double kManyOfCuts = 0.25, kMostOfCuts = 0.8;
 // Nodes of the octree above which the grid takes its place: as many as two cores make in some five
-// seconds. Nodes about the crests of a winding helix, or on upright arcs of flat mills, take three
-// times as long, so there are fewer of them.
+// seconds. Nodes on the slopes of pointed mills take twice as long, those about the crests of a
+// winding helix, or on upright arcs of flat mills, three times, so there are fewer of them.
 constexpr std::size_t kMostNodes = 250'000, kMostLevelNodes = 350'000, kMostPlainNodes = 450'000,
-                      kMostHelixNodes = 200'000, kMostWindingNodes = 80'000,
-                      kMostSearchedNodes = 60'000;
+                      kMostPointedNodes = 100'000, kMostHelixNodes = 200'000,
+                      kMostWindingNodes = 80'000, kMostSearchedNodes = 60'000;
 
 double longest_side(const Box3& box) {
   const Vec3 size = box.hi - box.lo;
   return std::max({size.x, size.y, size.z});
-}
-
-// The lowest tip of each tool's cuts; infinite where it does not cut along its own axis Z.
-std::vector<double> lowest_tips(const CutList& cuts) {
-  std::vector<double> lowest(cuts.tools().size(), std::numeric_limits<double>::infinity());
-  for (const Motion& motion : cuts.motions()) {
-    if (!is_cut(motion) || motion.tool < 0) continue;
-    double& z = lowest[static_cast<std::size_t>(motion.tool)];
-    const bool is_upright = motion.tool_axis == Vec3{0, 0, 1};
-    z = is_upright ? std::min({z, motion.start.z, motion.end.z})
-                   : -std::numeric_limits<double>::infinity();
-  }
-  return lowest;
-}
-
-// How deep the mill cuts that goes least deep below the stock's top, mm; infinite without one.
-double shallowest_mill(const CutList& cuts, double stock_top) {
-  const std::vector<double> lowest = lowest_tips(cuts);
-  double least = std::numeric_limits<double>::infinity();
-  for (std::size_t k = 0; k < lowest.size(); ++k)
-    if (lowest[k] < stock_top && !is_turning(cuts.tools()[k].type))
-      least = std::min(least, stock_top - lowest[k]);
-  return least;
-}
-
-// The smallest radius with which a tool cuts: that of its cutter at the stock's top, since a V-bit
-// of 6 mm leaves grooves of 0.1 mm when it engraves.
-double smallest_radius(const CutList& cuts, double stock_top) {
-  const std::vector<double> lowest = lowest_tips(cuts);
-  double least = 0;
-  for (std::size_t k = 0; k < lowest.size(); ++k) {
-    if (!(lowest[k] < stock_top)) continue;
-    const ToolShape shape = make_tool_shape(cuts.tools()[k]);
-    const double radius =
-        shape.turning
-            ? shape.radius
-            : std::min(shape.radius, shape.cutter.max_radius_below(stock_top - lowest[k]));
-    if (radius > 0 && (least == 0 || radius < least)) least = radius;
-  }
-  return least;
-}
-
-// The sum of length / width of all grooves of pointed tools that are narrower than half of the
-// tool's diameter, with the width at the stock's top. Three creases run along each groove, within
-// that width.
-double groove_lengths(const CutList& cuts, double stock_top) {
-  std::vector<ToolShape> shapes;
-  for (const Tool& tool : cuts.tools()) shapes.push_back(make_tool_shape(tool));
-  double sum = 0;
-  for (const Motion& motion : cuts.motions()) {
-    if (!is_cut(motion) || motion.tool < 0 || !(motion.tool_axis == Vec3{0, 0, 1})) continue;
-    const ToolShape& shape = shapes[static_cast<std::size_t>(motion.tool)];
-    const double depth = stock_top - std::min(motion.start.z, motion.end.z);
-    if (shape.turning || shape.cutter.is_end_mill() || !(depth > 0)) continue;
-    const double radius = shape.cutter.max_radius_below(depth);
-    if (radius > 0 && radius < kNarrow * shape.radius) sum += length_of(motion) / (2 * radius);
-  }
-  return sum;
 }
 
 // Neighbours in the series 1, 2, 2.5, 5.
@@ -151,8 +87,8 @@ double coarser_grid(double voxel) {
 // Cells of this size are within the tolerance on a cylinder or ball of the cutter's radius, and
 // hold no more than half of it.
 double wished_cell(const MeshChoice& choice, double longest) {
-  if (!(choice.radius > 0)) return longest / kVoxelsOfSide;
-  return std::min(2 * std::sqrt(choice.radius * choice.tolerance), choice.radius / 2);
+  if (!(choice.kinds.radius > 0)) return longest / kVoxelsOfSide;
+  return std::min(2 * std::sqrt(choice.kinds.radius * choice.tolerance), choice.kinds.radius / 2);
 }
 
 std::string count_text(double count) {
@@ -162,6 +98,8 @@ std::string count_text(double count) {
 
 bool is_plain(const detail::SurfaceSurvey& survey) { return survey.creasing <= kPlainSweeps; }
 
+double groove_nodes(const MeshChoice& choice) { return kGrooveNodes * choice.kinds.grooves; }
+
 // Of all blocks together.
 double sweeps_met(const detail::SurfaceSurvey& survey) {
   return static_cast<double>(survey.blocks) * (1 + survey.sweeps);
@@ -170,81 +108,12 @@ double sweeps_met(const detail::SurfaceSurvey& survey) {
 // Whether a mesh within the tolerance is worth a try. What it takes is known once its octree is
 // made.
 bool may_suit_tolerance(const detail::SurfaceSurvey& survey, const MeshChoice& choice) {
-  if (choice.searches_arc && sweeps_met(survey) > kMostSearched) return false;
+  if (choice.kinds.search_arcs && sweeps_met(survey) > kMostSearched) return false;
   if (survey.sweeps > kFewSweeps && sweeps_met(survey) > kMostSweeps) return false;
-  const double few = choice.is_level ? kFewLevelCreasing : kFewCreasing;
+  const double few = choice.kinds.are_level ? kFewLevelCreasing : kFewCreasing;
   return survey.creasing <= kMostCreasing ||
-         (choice.groove_lengths == 0 &&
+         (groove_nodes(choice) <= kFewGrooveNodes &&
           static_cast<double>(survey.blocks) * survey.creasing <= few);
-}
-
-// Whether most of the cuts are those of flat mills that keep their height: walls are upright then,
-// and floors level.
-bool is_mostly_level(const CutList& cuts) {
-  std::vector<char> is_flat;
-  for (const Tool& tool : cuts.tools()) {
-    const Profile cutter = make_tool_shape(tool).cutter;
-    is_flat.push_back(!is_turning(tool.type) && cutter.is_end_mill() && cutter.round() == 0);
-  }
-  const auto cut = std::ranges::count_if(cuts.motions(), is_cut);
-  const auto level = std::ranges::count_if(cuts.motions(), [&](const Motion& m) {
-    return is_cut(m) && is_level(m) && m.tool >= 0 &&
-           is_flat[static_cast<std::size_t>(m.tool)] != 0;
-  });
-  return static_cast<double>(level) > kMostOfCuts * static_cast<double>(cut);
-}
-
-bool is_helix(const Motion& motion) { return motion.kind == MotionKind::arc && motion.rise != 0; }
-
-// A helix of several turns that leave crests between them: the survey counts them as one sweep.
-bool has_winding_helix(const CutList& cuts) {
-  std::vector<char> leaves_crests;
-  for (const Tool& tool : cuts.tools()) {
-    const Profile cutter = make_tool_shape(tool).cutter;
-    leaves_crests.push_back(!cutter.is_end_mill() || !cutter.is_rising() || cutter.round() > 0);
-  }
-  return std::ranges::any_of(cuts.motions(), [&](const Motion& motion) {
-    return is_helix(motion) && std::abs(motion.sweep) > 1.5 * kTwoPi && motion.tool >= 0 &&
-           leaves_crests[static_cast<std::size_t>(motion.tool)];
-  });
-}
-
-// Whether many of the cuts are helices, by tools whose distance has a closed form there.
-bool has_many_helices(const CutList& cuts) {
-  const auto cut = std::ranges::count_if(cuts.motions(), is_cut);
-  const auto helices = std::ranges::count_if(
-      cuts.motions(), [](const Motion& m) { return is_cut(m) && is_helix(m); });
-  return helices > kManyOfCuts * static_cast<double>(cut);
-}
-
-bool is_upright_arc(const Motion& motion) {
-  return motion.kind == MotionKind::arc && std::abs(dot(motion.axis, motion.tool_axis)) < 0.5;
-}
-
-// Whether many of the cuts are upright arcs of tools that are no balls: each is searched for its
-// foot.
-bool has_many_upright_arcs(const CutList& cuts) {
-  std::vector<char> is_ball;
-  for (const Tool& tool : cuts.tools())
-    is_ball.push_back(is_turning(tool.type) || tool.type == ToolType::ballmill);
-  const auto cut = std::ranges::count_if(cuts.motions(), is_cut);
-  const auto arcs = std::ranges::count_if(cuts.motions(), [&](const Motion& m) {
-    return is_cut(m) && is_upright_arc(m) && m.tool >= 0 &&
-           is_ball[static_cast<std::size_t>(m.tool)] == 0;
-  });
-  return arcs > kManyOfCuts * static_cast<double>(cut);
-}
-
-// Whether an arc is cut by a tool whose distance has no closed form there, so that each one is
-// searched (helix_sweep.h, upright_sweep.h).
-bool has_searched_arc(const CutList& cuts) {
-  std::vector<char> is_searched;
-  for (const Tool& tool : cuts.tools())
-    is_searched.push_back(!is_turning(tool.type) && !make_tool_shape(tool).cutter.is_end_mill());
-  return std::ranges::any_of(cuts.motions(), [&](const Motion& motion) {
-    return is_cut(motion) && (is_helix(motion) || is_upright_arc(motion)) && motion.tool >= 0 &&
-           is_searched[static_cast<std::size_t>(motion.tool)];
-  });
 }
 
 // What a mesh within the tolerance takes where creases lie everywhere: bytes and seconds of a cell,
@@ -286,32 +155,33 @@ void fit_voxel(const detail::SurfaceSurvey& survey, double cell, MeshChoice& cho
   // Several sheets of surface in one block count; less than one counts as one, since sheets that
   // lie within a cell take as long.
   const auto most = [&](double voxel) {
-    const bool is_groove = voxel > choice.radius && is_plain(survey);
-    const double cells = choice.searches_arc ? kMostSearchedCells
-                         : is_groove         ? kMostGrooveCells
-                                             : kMostGridCells;
+    const bool is_groove = voxel > choice.kinds.radius && is_plain(survey);
+    const double cells = choice.kinds.search_arcs ? kMostSearchedCells
+                         : is_groove              ? kMostGrooveCells
+                                                  : kMostGridCells;
     return cells / std::max(survey.sheets, 1.0);
   };
   while (survey.cells(grid) > most(grid)) grid = coarser_grid(grid);
-  const double nodes = kGrooveNodes * choice.groove_lengths;
+  const double nodes = groove_nodes(choice);
   const bool fits = nodes <= static_cast<double>(choice.most_nodes);
   if (!choice.is_default || (fits && may_suit_tolerance(survey, choice))) {
     const double given = choice.voxel;
-    while (survey.cells(choice.voxel) > kMostScanned && next_voxel(choice.voxel) <= choice.radius)
+    while (survey.cells(choice.voxel) > kMostScanned &&
+           next_voxel(choice.voxel) <= choice.kinds.radius)
       choice.voxel = next_voxel(choice.voxel);
     if (choice.voxel > given)
       choice.voxel_reason = fmt::format("raised from {:.6g} mm, {}: the cuts' surface is large",
                                         given, choice.voxel_reason);
     return;
   }
-  take_grid(choice, fits ? needs_text(survey, cell, choice.searches_arc)
+  take_grid(choice, fits ? needs_text(survey, cell, choice.kinds.search_arcs)
                          : fmt::format("would take more than {} cells along narrow grooves",
                                        count_text(nodes)));
   choice.voxel_reason =
       choice.voxel > finest
           ? fmt::format("{:.6g} mm would take about {} cells", finest,
                         count_text(survey.cells(finest)))
-          : fmt::format("for a cutter radius of {:.6g} mm, rounded down", choice.radius);
+          : fmt::format("for a cutter radius of {:.6g} mm, rounded down", choice.kinds.radius);
 }
 
 }  // namespace
@@ -325,14 +195,8 @@ MeshChoice choose_mesh(const Job& job, const StockShape& stock, const CutList& c
   if (choice.tolerance > 0) detail::require_tolerance(stock.box, choice.tolerance);
   if (choice.voxel != 0) return choice;
   choice.fits_voxel = true;
-  choice.radius = smallest_radius(cuts, stock.box.hi.z);
-  choice.groove_lengths = groove_lengths(cuts, stock.box.hi.z);
-  choice.is_level = choice.groove_lengths == 0 && is_mostly_level(cuts);
-  choice.searches_arc = has_searched_arc(cuts);
-  choice.has_many_helices = has_many_helices(cuts);
-  choice.has_winding_helix = has_winding_helix(cuts);
-  choice.has_many_upright_arcs = has_many_upright_arcs(cuts);
-  const VoxelChoice voxel = default_voxel(stock, choice.radius);
+  choice.kinds = kinds_of(cuts, stock.box.hi.z);
+  const VoxelChoice voxel = default_voxel(stock, choice.kinds.radius);
   choice.voxel = voxel.voxel;
   choice.voxel_reason = voxel.reason;
   if (choice.tolerance != 0) return choice;
@@ -340,7 +204,7 @@ MeshChoice choose_mesh(const Job& job, const StockShape& stock, const CutList& c
   choice.tolerance = longest * kToleranceShare;
   choice.tolerance_reason = fmt::format("0.017 % of the longest side, {:.6g} mm", longest);
   // What a tool engraves on a large plate must not be lost within the tolerance.
-  const double depth = shallowest_mill(cuts, stock.box.hi.z);
+  const double depth = choice.kinds.depth;
   if (depth / 2 < choice.tolerance) {
     choice.tolerance = std::max(depth / 2, kLeastShare * choice.tolerance);
     choice.tolerance_reason = fmt::format("a mill cuts no deeper than {:.4g} mm", depth);
@@ -364,7 +228,7 @@ void fit_mesh(const ExactField& field, int threads, MeshChoice& choice) {
   if (field.is_turned(field.all())) return;  // meshed by its section
   const Candidates sweeps = choice.fits_voxel ? field.all() : some_of(field.all());
   const detail::SurfaceSurvey survey =
-      detail::survey_surface(field, sweeps, threads, choice.searches_arc ? 64 : 16);
+      detail::survey_surface(field, sweeps, threads, choice.kinds.search_arcs ? 64 : 16);
   if (choice.fits_voxel) fit_voxel(survey, cell, choice);
   choice.cut_cells = survey.crossed_cells(choice.voxel);
   choice.cut_layers = survey.layers;
@@ -372,14 +236,16 @@ void fit_mesh(const ExactField& field, int threads, MeshChoice& choice) {
   if (!choice.is_default) return;
   choice.makes_new_octrees =
       survey.cells(cell) <= kMostRetried && survey.creasing <= kMostRetriedCreasing;
-  if (choice.searches_arc)
+  if (choice.kinds.search_arcs)
     choice.most_nodes = kMostSearchedNodes;
-  else if (choice.has_winding_helix || choice.has_many_upright_arcs)
+  else if (choice.kinds.have_winding_helix || choice.kinds.have_many_upright_arcs)
     choice.most_nodes = kMostWindingNodes;
-  else if (choice.has_many_helices)
+  else if (choice.kinds.have_many_helices)
     choice.most_nodes = kMostHelixNodes;
   else if (!is_plain(survey))
-    choice.most_nodes = choice.is_level ? kMostLevelNodes : kMostNodes;
+    choice.most_nodes = choice.kinds.are_level     ? kMostLevelNodes
+                        : choice.kinds.are_pointed ? kMostPointedNodes
+                                                   : kMostNodes;
   choice.fallback_cells = survey.crossed_cells(choice.fallback_voxel);
 }
 

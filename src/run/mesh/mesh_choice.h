@@ -5,6 +5,7 @@
 #pragma once
 
 #include "removal/field/field.h"
+#include "run/cuts/cut_kinds.h"
 #include "run/cuts/cuts.h"
 #include <mrsim/mrsim.h>
 
@@ -17,25 +18,18 @@ struct MeshChoice {
   std::string voxel_reason;
   double tolerance = 0;  ///< mm, 0 = the grid of the voxels
   std::string tolerance_reason;
-  double radius = 0;          ///< mm: the smallest with which a tool cuts, 0 = none has one
-  double groove_lengths = 0;  ///< of narrow grooves, by their widths
-  bool is_level = false;  ///< most of the cuts are, by flat mills, and no narrow grooves are left
-  bool searches_arc = false;      ///< a cut is a helix or upright arc that costs a search for each
-                                  ///< point
-  bool has_many_helices = false;  ///< more than a quarter of the cuts
-  bool has_many_upright_arcs = false;  ///< of tools that are no balls
-  bool has_winding_helix = false;      ///< a cut of several turns leaves crests between them
-  bool fits_voxel = false;             ///< it was not given: fit_mesh() may change it
-  bool is_default = false;             ///< nor was the tolerance: likewise
-  bool measure = false;                ///< MeshPlan::measure
-  std::size_t most_nodes = 0;          ///< MeshPlan::most_nodes: 0 where the tolerance is a wish
-  double most_tolerance = 0;           ///< MeshPlan::most_tolerance
-  bool makes_new_octrees = false;      ///< MeshPlan::makes_new_octrees
-  double fallback_voxel = 0;           ///< mm: of the grid where the tolerance is given up
-  double fallback_cells = 0;           ///< CarvePlan::cut_cells of that grid
-  double cut_cells = 0;                ///< CarvePlan::cut_cells
-  double cut_layers = 0;               ///< CarvePlan::cut_layers
-  double block_sweeps = 0;             ///< CarvePlan::block_sweeps
+  CutKinds kinds;                  ///< where the voxel was not given
+  bool fits_voxel = false;         ///< it was not given: fit_mesh() may change it
+  bool is_default = false;         ///< nor was the tolerance: likewise
+  bool measure = false;            ///< MeshPlan::measure
+  std::size_t most_nodes = 0;      ///< MeshPlan::most_nodes: 0 where the tolerance is a wish
+  double most_tolerance = 0;       ///< MeshPlan::most_tolerance
+  bool makes_new_octrees = false;  ///< MeshPlan::makes_new_octrees
+  double fallback_voxel = 0;       ///< mm: of the grid where the tolerance is given up
+  double fallback_cells = 0;       ///< CarvePlan::cut_cells of that grid
+  double cut_cells = 0;            ///< CarvePlan::cut_cells
+  double cut_layers = 0;           ///< CarvePlan::cut_layers
+  double block_sweeps = 0;         ///< CarvePlan::block_sweeps
 };
 
 /// What was given; else what the size of stock and cutters suggests.
