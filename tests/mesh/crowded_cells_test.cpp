@@ -49,5 +49,19 @@ TEST(CrowdedCells, AreFoundWithinLayersAndBetweenNeighbours) {
   EXPECT_TRUE(crossed({}).empty());
 }
 
+TEST(CrowdedCells, TrianglesInsideOfABoxAreLeftOut) {
+  CrowdedTriangles triangles;
+  add_triangle(triangles, 5, 5, 5, false, 1);
+  add_triangle(triangles, 9.75f, 5, 5, false, 2);
+  add_triangle(triangles, 20, 5, 5, true, 3);
+  keep_outside(triangles, {{0, 0, 0}, {10, 10, 10}});
+  ASSERT_EQ(triangles.triangles.size(), 2u);
+  ASSERT_EQ(triangles.vertices.size(), 6u);
+  for (std::size_t t = 0; t < 2; ++t)
+    for (const std::uint32_t v : triangles.triangles[t])
+      EXPECT_EQ(triangles.cells[v].origin.x, static_cast<std::int32_t>(t) + 2);
+  EXPECT_EQ(triangles.vertices[triangles.triangles[1][0]][0], 20);
+}
+
 }  // namespace
 }  // namespace mrsim::detail

@@ -59,6 +59,19 @@ TEST(DefaultMesh, SurveyCountsEverySheetOfSurface) {
   EXPECT_NEAR(detail::survey_surface(one, one.all(), 2).crossed_cells(0.1), 200 / 0.01, 50 / 0.01);
 }
 
+// Slots and walls of 0.5 mm, many in one block.
+TEST(DefaultMesh, CellsAsLargeAsGapsAndWallsTakeMore) {
+  StockShape shape;
+  shape.box = {{0, 0, 0}, {200, 200, 8}};
+  std::vector<Motion> cuts;
+  for (int k = 0; k < 200; ++k) cuts.push_back(line({-10, 0.5 + k, 3}, {210, 0.5 + k, 3}));
+  const Tool narrow = endmill(0.5);
+  const PartField slots{StockSolid(shape), SweepTable(cuts, std::span(&narrow, 1))};
+  const auto survey = detail::survey_surface(slots, slots.all(), 2);
+  EXPECT_NEAR(survey.crossed_cells(0.05), 100 * survey.sheets * survey.cells(0.5), 1);
+  EXPECT_GT(survey.crossed_cells(0.5), 1.5 * survey.sheets * survey.cells(0.5));
+}
+
 // Twenty pecks share a wall; twenty passes of a ball beside one another leave creases everywhere.
 TEST(DefaultMesh, SurveyTellsSweepsThatLeaveCreases) {
   StockShape shape;

@@ -4,11 +4,16 @@
 #include "mesh/format/mesh_io.h"
 #include "mesh/mesh_part.h"
 #include "mesh/solid/check.h"
+#include "mesh/solid/mesh_block.h"
 #include "mesh/solid/mesh_source.h"
+#include "mesh/tiles/uniform.h"
 #include "removal/part/part_field.h"
 #include "support/crossed_slots.h"
 #include "support/moves.h"
 #include "support/temp_folder.h"
+
+#include <cstdint>
+#include <set>
 
 #include <gtest/gtest.h>
 
@@ -92,17 +97,29 @@ TEST(Slabs, TilesThatAreMadeAgainGiveTheSameFiles) {
 // A tile with cells that were split meets one without: both must see the creases that end on faces
 // with four crossings.
 TEST(Slabs, TilesThatWereSplitMeetTheOthers) {
+  constexpr int kHalvings = 3;
+  std::set<detail::CellPlace> split;  // about the border of two tiles
+  for (std::int32_t x = 55; x < 67; ++x)
+    for (std::int32_t y = 20; y < 80; ++y)
+      for (std::int32_t z = 0; z < 20; ++z)
+        split.insert({{x << kHalvings, y << kHalvings, z << kHalvings}, 1 << kHalvings});
   for (const double around : {20.0, 30.0}) {
-    MeshReport report;
-    const MeshSummary summary =
-        check_mesh(mesh_part(crossed_part(around), kCrossedVoxel, {}, &report));
-    EXPECT_EQ(report.passes, 2u);
-    EXPECT_TRUE(summary.closed && summary.oriented && summary.manifold) << summary.first_fault;
+    std::size_t cells[2];
+    for (const bool is_split : {false, true}) {
+      MeshReport report;
+      MeshCollector mesh;
+      detail::mesh_uniform(crossed_part(around), kCrossedVoxel, kHalvings, {}, mesh, report,
+                           is_split ? split : std::set<detail::CellPlace>());
+      const MeshSummary summary = check_mesh(mesh.mesh());
+      EXPECT_TRUE(summary.closed && summary.oriented && summary.manifold) << summary.first_fault;
+      cells[is_split] = report.cells;
+    }
+    EXPECT_GT(cells[1], cells[0] + 100);
   }
 }
 
 // Three slots narrower than a voxel: two pieces of surface in one cell have their vertices in the
-// same corner of the part. Then the cell is split.
+// same corner of the part. Then they go between their crossings.
 TEST(Slabs, PiecesInOneCellDoNotTouch) {
   StockShape stock;
   stock.box = {{0, 0, 0}, {53.956341099692509, 40.307636285433546, 4.5330535713583231}};

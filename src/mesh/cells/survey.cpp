@@ -20,6 +20,10 @@ constexpr int kApart = 2;                       ///< halvings after which parts 
 constexpr std::size_t kEnough = 12000;          ///< blocks that give the area well enough
 constexpr double kSweepBytes = 110;             ///< measured: each sweep, in the lists of all parts
 
+// Sheets beside another one in a cell with which some, and with which most, are crowded; triangles
+// of these, as a multiple of those of others.
+constexpr double kFewHeld = 0.3, kManyHeld = 0.6, kFans = 2.5;
+
 struct Count {
   std::size_t blocks = 0, sweeps = 0;
   std::size_t tried = 0, creasing = 0;  ///< of some blocks, and the sweeps that leave creases there
@@ -122,6 +126,14 @@ void find_parts(ExactField::Descent& descent, const Box3& box, std::size_t tier,
 
 double SurfaceSurvey::cells(double voxel) const {
   return static_cast<double>(blocks) * (block / voxel) * (block / voxel);
+}
+
+// Where gaps and walls are about as wide as a cell, most cells hold two sheets, whose polygons are
+// fans about their crossings. Larger cells hold more sheets, which they do not show.
+double SurfaceSurvey::crossed_cells(double voxel) const {
+  const double held = std::max(sheets - 1, 0.0) * voxel / block;
+  const double crowded = std::clamp((held - kFewHeld) / (kManyHeld - kFewHeld), 0.0, 1.0);
+  return (1 + (kFans - 1) * crowded) / std::max(held, 1.0) * sheets * cells(voxel);
 }
 
 SurfaceSurvey survey_surface(const ExactField& field, const Candidates& list, int threads,

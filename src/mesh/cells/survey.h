@@ -22,8 +22,9 @@ struct SurfaceSurvey {
   /// Cells of `voxel` mm that the cut surface passes, about. Flat sides of the stock do not count:
   /// their cells are merged. Rather too many than too few.
   double cells(double voxel) const;
-  /// An estimate of their number, with several sheets of surface in one cube.
-  double crossed_cells(double voxel) const { return sheets * cells(voxel); }
+  /// The same with several sheets of surface in one cube, as cells that hold one sheet each. One
+  /// that holds two takes more.
+  double crossed_cells(double voxel) const;
 };
 
 /// Looks at smaller and smaller blocks until they are some ten thousand, or 1/128 of the longest

@@ -42,6 +42,8 @@ class DualSurface {
   /// pieces of surface in one cell hardly meet then, but creases in it are cut off. False where all
   /// of them lie so.
   bool flatten(std::span<const std::int32_t> cells) { return vertices_.flatten(cells); }
+  /// Does so for no others.
+  void flatten_only(std::span<const std::int32_t> cells) { vertices_.flatten_only(cells); }
 
   /// Moves vertices to creases just beyond their cells and faces, as far as no triangles meet, and
   /// takes away triangles that have no area there; vertices may be left that none uses.

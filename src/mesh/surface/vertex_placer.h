@@ -43,6 +43,10 @@ class VertexPlacer : public SurfaceStep {
   /// surface in one cell hardly meet then, but creases in it are cut off. False where all of them
   /// lie so.
   bool flatten(std::span<const std::int32_t> cells);
+  /// DualSurface::flatten_only().
+  void flatten_only(std::span<const std::int32_t> cells) {
+    flat_cells_ = {cells.begin(), cells.end()};
+  }
 
  private:
   void find_creases();

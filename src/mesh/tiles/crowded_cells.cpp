@@ -4,6 +4,9 @@
 #include "mesh/solid/self_intersection.h"
 #include "mesh/solid/weld.h"
 
+#include <algorithm>
+#include <utility>
+
 namespace mrsim::detail {
 
 CrowdedTriangles crowded_triangles(std::span<const std::array<float, 3>> vertices,
@@ -27,6 +30,29 @@ CrowdedTriangles crowded_triangles(std::span<const std::array<float, 3>> vertice
     out.triangles.push_back(triangle);
   }
   return out;
+}
+
+void keep_outside(CrowdedTriangles& triangles, const Box3& box) {
+  const auto is_inside = [&](std::uint32_t v) {
+    const auto& [x, y, z] = triangles.vertices[v];
+    return x > box.lo.x && y > box.lo.y && z > box.lo.z && x < box.hi.x && y < box.hi.y &&
+           z < box.hi.z;
+  };
+  CrowdedTriangles out;
+  std::vector<std::uint32_t> id(triangles.vertices.size(), ~0u);
+  for (auto t : triangles.triangles) {
+    if (std::ranges::all_of(t, is_inside)) continue;
+    for (std::uint32_t& v : t) {
+      if (id[v] == ~0u) {
+        id[v] = static_cast<std::uint32_t>(out.vertices.size());
+        out.vertices.push_back(triangles.vertices[v]);
+        out.cells.push_back(triangles.cells[v]);
+      }
+      v = id[v];
+    }
+    out.triangles.push_back(t);
+  }
+  triangles = std::move(out);
 }
 
 namespace {

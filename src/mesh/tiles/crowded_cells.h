@@ -3,6 +3,7 @@
 #pragma once
 
 #include "mesh/solid/vertex_lattice.h"
+#include <mrsim/types.h>
 
 #include <array>
 #include <cstdint>
@@ -35,6 +36,9 @@ struct CrowdedTriangles {
 CrowdedTriangles crowded_triangles(std::span<const std::array<float, 3>> vertices,
                                    std::span<const std::array<std::uint32_t, 3>> triangles,
                                    std::span<const CellPlace> cell_of);
+
+/// Keeps only the triangles that are not inside of the box.
+void keep_outside(CrowdedTriangles& triangles, const Box3& box);
 
 struct CrowdedTile {
   std::int32_t layer = 0;  ///< tiles meet those of their own layer and of the next ones

@@ -14,6 +14,8 @@ namespace {
 constexpr double kShallowCrease =
     1.0 / 64;  ///< of a voxel: what cutting off a shallow crease may move
 constexpr std::int32_t kFirstOwned = CellTile::kFirstOwned;
+constexpr std::int32_t kReached = 2;  ///< owned cells, from the border, that triangles of other
+                                      ///< tiles may reach into; one more than they do
 
 }  // namespace
 
@@ -56,6 +58,12 @@ void TileMaker::give_memory(std::unique_ptr<Memory> memory) {
 
 CellPlace TileMaker::place_of(const SurfaceCells& cells, std::int32_t cell) const {
   return {lattice_.nearest(cells.box(cell).lo), cells.size_of(cell)};
+}
+
+// The lower corner of a cell on the tile's diagonal.
+Vec3 TileMaker::corner(const Tile& tile, std::int32_t cell) const {
+  return lattice_.position({(tile.first.x + cell) * unit(), (tile.first.y + cell) * unit(),
+                            (tile.first.z + cell) * unit()});
 }
 
 // The cells of vertices in cells with two pieces of surface; empty where there are none.
@@ -107,14 +115,9 @@ TileMesh TileMaker::collect(const DualSurface& surface, const Cells& cells, cons
                             TileNotes& notes) const {
   const BaseMesh& base = surface.mesh();
   TileMesh out;
-  const auto plane = [&](int axis, std::int32_t i) {
-    return lattice_.coordinate(axis, (component(tile.first, axis) + i) * unit());
-  };
-  const Vec3 inner_low{plane(0, kFirstOwned), plane(1, kFirstOwned), plane(2, kFirstOwned)};
   const std::int32_t last = kFirstOwned + kTileOwned - 1;
-  const Vec3 inner_high{plane(0, last), plane(1, last), plane(2, last)};
-  constexpr std::int32_t kMiddle = kFirstOwned + kTileOwned / 2;
-  const Vec3 middle{plane(0, kMiddle), plane(1, kMiddle), plane(2, kMiddle)};
+  const Vec3 inner_low = corner(tile, kFirstOwned), inner_high = corner(tile, last);
+  const Vec3 middle = corner(tile, kFirstOwned + kTileOwned / 2);
   std::vector<std::uint32_t> id(base.vertices.size(), ~0u);
   out.vertices.reserve(base.vertices.size());
   out.marks.reserve(base.vertices.size());
@@ -139,30 +142,43 @@ TileMesh TileMaker::collect(const DualSurface& surface, const Cells& cells, cons
   out.border = border_edges(out);
   notes = {};
   if (measure_) notes.distance = measured(surface, cells);
-  notes.crowded = crowded_triangles(out.vertices, out.triangles,
-                                    crowded_vertices(surface, cells, id, out.vertices.size()));
-  notes.touching = touching_cells(surface, cells);
+  CrowdedTriangles crowded = crowded_triangles(
+      out.vertices, out.triangles, crowded_vertices(surface, cells, id, out.vertices.size()));
+  notes.meeting = crossed_cells(std::vector{CrowdedTile{0, &crowded}}, 1);
+  const std::vector<CellPlace> touching = touching_cells(surface, cells);
+  notes.meeting.insert(touching.begin(), touching.end());
+  keep_outside(crowded, {corner(tile, kFirstOwned + kReached), corner(tile, last - kReached + 1)});
+  notes.crowded = std::move(crowded);
   for (const Loop& loop : surface.loops()) notes.cells += cells.is_owned_cell(loop.cell);
   notes.triangles = out.triangles.size();
   return out;
 }
 
-TileMesh TileMaker::make(const Tile& tile, const std::set<CellPlace>& split, const BareTiles& about,
+void TileMaker::flatten(DualSurface& surface, const SurfaceCells& cells,
+                        const std::set<CellPlace>& flat) const {
+  std::vector<std::int32_t> out;
+  if (!flat.empty())
+    for (const std::int32_t cell : surface.crowded())
+      if (flat.count(place_of(cells, cell)) > 0) out.push_back(cell);
+  surface.flatten_only(out);
+}
+
+TileMesh TileMaker::make(const Tile& tile, const MendedCells& mended, const BareTiles& about,
                          TileNotes& notes) {
-  const bool has_split = std::any_of(split.begin(), split.end(), [&](const CellPlace& cell) {
-    return reaches(tile, cell, lattice_);
-  });
-  if (has_split) return make_split(tile, split, notes);
+  const bool has_split = std::ranges::any_of(
+      mended.split, [&](const CellPlace& cell) { return reaches(tile, cell, lattice_); });
+  if (has_split) return make_split(tile, mended, notes);
   std::unique_ptr<Memory> memory = take_memory();
-  TileMesh mesh = make_whole(tile, about, notes, *memory);
+  TileMesh mesh = make_whole(tile, mended, about, notes, *memory);
   give_memory(std::move(memory));
   return mesh;
 }
 
-TileMesh TileMaker::make_whole(const Tile& tile, const BareTiles& about, TileNotes& notes,
-                               Memory& memory) {
+TileMesh TileMaker::make_whole(const Tile& tile, const MendedCells& mended, const BareTiles& about,
+                               TileNotes& notes, Memory& memory) {
   memory.cells.build(tile.first, tile.candidates, CellTile::FlatCells::merged, about);
   memory.surface.find_loops(memory.cells);
+  flatten(memory.surface, memory.cells, mended.flat);
   memory.surface.make_triangles();
   TileMesh mesh = collect(memory.surface, memory.cells, tile, notes);
   notes.thin = thin_features(field_, memory.cells, memory.cells.doubtful_edges());
@@ -170,7 +186,7 @@ TileMesh TileMaker::make_whole(const Tile& tile, const BareTiles& about, TileNot
 }
 
 // A tile of which some cells are split, here or next to it.
-TileMesh TileMaker::make_split(const Tile& tile, const std::set<CellPlace>& split,
+TileMesh TileMaker::make_split(const Tile& tile, const MendedCells& mended,
                                TileNotes& notes) const {
   OctreePart part;
   part.origin = {tile.first.x * unit(), tile.first.y * unit(), tile.first.z * unit()};
@@ -185,13 +201,15 @@ TileMesh TileMaker::make_split(const Tile& tile, const std::set<CellPlace>& spli
   for (std::size_t count = 1; count > 0;) {
     std::vector<std::int32_t> leaves;
     for (std::int32_t n = 0; n < static_cast<std::int32_t>(tree.size()); ++n)
-      if (tree.node(n).child < 0 && split.count({tree.node(n).origin, tree.node(n).size}) > 0)
+      if (tree.node(n).child < 0 &&
+          mended.split.count({tree.node(n).origin, tree.node(n).size}) > 0)
         leaves.push_back(n);
     count = tree.split(std::move(leaves));
   }
   CrossedGrid grid = split_badly_crossed(tree);
   DualSurface surface(field_, tree, {.shallow = kShallowCrease * lattice_.voxel(), .threads = 1});
   surface.find_loops(std::move(grid));
+  flatten(surface, tree, mended.flat);
   surface.make_triangles();
   TileMesh mesh = collect(surface, tree, tile, notes);
   for (std::int32_t n = 0; n < static_cast<std::int32_t>(tree.size()); ++n) {

@@ -21,12 +21,19 @@ class DualSurface;
 
 /// What is remembered of a tile when its mesh has gone to the sink.
 struct TileNotes {
-  CrowdedTriangles crowded;
-  std::vector<CellPlace> touching;  ///< owned cells with two vertices in one point
-  std::vector<CellPlace> splits;    ///< of owned cells
+  std::set<CellPlace> meeting;    ///< cells whose pieces of surface meet within the tile
+  CrowdedTriangles crowded;       ///< those that may meet triangles of other tiles
+  std::vector<CellPlace> splits;  ///< of owned cells
   std::vector<FoundThin> thin;
   MeshDistance distance;  ///< where it is to be measured
   std::size_t cells = 0, triangles = 0;
+};
+
+/// Cells in which pieces of surface met.
+struct MendedCells {
+  std::set<CellPlace> flat;   ///< their vertices are put between their crossings
+  std::set<CellPlace> split;  ///< where that was not enough, and what their neighbours then must
+                              ///< split
 };
 
 /// Whether the tile has the cell among its own or in its rings.
@@ -41,21 +48,24 @@ class TileMaker {
             bool measure);
   ~TileMaker();
 
-  /// The mesh of a tile; `split`: the cells that must be split. `about`: the tiles about it that
-  /// the stock alone decides. The same for equal arguments, but for what `common` has of other
-  /// tiles.
-  TileMesh make(const Tile& tile, const std::set<CellPlace>& split, const BareTiles& about,
+  /// The mesh of a tile. `about`: the tiles about it that the stock alone decides. The same for
+  /// equal arguments, but for what `common` has of other tiles.
+  TileMesh make(const Tile& tile, const MendedCells& mended, const BareTiles& about,
                 TileNotes& notes);
 
  private:
   struct Memory;
-  TileMesh make_whole(const Tile& tile, const BareTiles& about, TileNotes& notes, Memory& memory);
-  TileMesh make_split(const Tile& tile, const std::set<CellPlace>& split, TileNotes& notes) const;
+  TileMesh make_whole(const Tile& tile, const MendedCells& mended, const BareTiles& about,
+                      TileNotes& notes, Memory& memory);
+  TileMesh make_split(const Tile& tile, const MendedCells& mended, TileNotes& notes) const;
+  void flatten(DualSurface& surface, const SurfaceCells& cells,
+               const std::set<CellPlace>& flat) const;
   template <class Cells>
   TileMesh collect(const DualSurface& surface, const Cells& cells, const Tile& tile,
                    TileNotes& notes) const;
   template <class Cells>
   MeshDistance measured(const DualSurface& surface, const Cells& cells) const;
+  Vec3 corner(const Tile& tile, std::int32_t cell) const;
   CellPlace place_of(const SurfaceCells& cells, std::int32_t cell) const;
   std::vector<CellPlace> crowded_vertices(const DualSurface& surface, const SurfaceCells& cells,
                                           const std::vector<std::uint32_t>& id,

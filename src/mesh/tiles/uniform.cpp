@@ -54,6 +54,23 @@ class UniformMesher {
     finish_report();
   }
 
+  // Splits these cells, and what their neighbours then must split, until all tiles agree.
+  void split(std::set<CellPlace> fresh) {
+    while (!fresh.empty()) {
+      for (const CellPlace& cell : fresh)
+        if (cell.size < 2)
+          throw Error("mesh-unresolved", "pieces of surface in one cell of the mesh meet");
+      mended_.split.insert(fresh.begin(), fresh.end());
+      find_bare();
+      const std::vector<std::size_t> again = tiles_with(fresh);
+      make_again(again);
+      fresh.clear();
+      for (const std::size_t i : again)
+        for (const CellPlace& cell : notes_[i].splits)
+          if (mended_.split.count(cell) == 0) fresh.insert(cell);
+    }
+  }
+
  private:
   std::int32_t unit() const { return lattice_.per_voxel(); }
 
@@ -97,7 +114,7 @@ class UniformMesher {
   std::shared_ptr<const TileMesh> make_tile(std::size_t i) {
     const BareTiles about = bare_.about(set_.tiles[i].place);
     auto mesh =
-        std::make_shared<const TileMesh>(maker_.make(set_.tiles[i], forced_, about, notes_[i]));
+        std::make_shared<const TileMesh>(maker_.make(set_.tiles[i], mended_, about, notes_[i]));
     kept_.keep(i, about, mesh);
     return mesh;
   }
@@ -113,10 +130,25 @@ class UniformMesher {
     bool is_new = false;
     for (const auto& gap : gaps_) is_new = settle({gap[0], gap[1], gap[2]}) || is_new;
     for (std::set<CellPlace> bad = crossed(); !bad.empty(); bad = crossed()) {
-      split(std::move(bad));
+      std::set<CellPlace> uneven;
+      for (const CellPlace& cell : bad)
+        if (mended_.flat.count(cell) == 0) uneven.insert(cell);
+      if (uneven.empty())
+        split(std::move(bad));
+      else
+        flatten(uneven);
       is_new = true;
     }
     return is_new;
+  }
+
+  void flatten(const std::set<CellPlace>& cells) {
+    mended_.flat.insert(cells.begin(), cells.end());
+    make_again(tiles_with(cells));
+  }
+
+  void make_again(const std::vector<std::size_t>& tiles) {
+    parallel_for(tiles.size(), options_.threads, [&](std::size_t k) { make_tile(tiles[k]); });
   }
 
   // The cells about a vertex on which tiles do not agree, and those that theirs depend on.
@@ -136,7 +168,7 @@ class UniformMesher {
 
   void find_bare() {
     std::vector<LatticePoint> split;
-    for (const CellPlace& cell : forced_)
+    for (const CellPlace& cell : mended_.split)
       split.push_back({cell.origin.x / unit(), cell.origin.y / unit(), cell.origin.z / unit()});
     bare_.find(set_, split);
   }
@@ -158,25 +190,8 @@ class UniformMesher {
       if (!notes_[i].crowded.triangles.empty())
         crowded.push_back({set_.order.layer(set_.tiles[i].place), &notes_[i].crowded});
     std::set<CellPlace> bad = crossed_cells(crowded, options_.threads);
-    for (const TileNotes& notes : notes_) bad.insert(notes.touching.begin(), notes.touching.end());
+    for (const TileNotes& notes : notes_) bad.insert(notes.meeting.begin(), notes.meeting.end());
     return bad;
-  }
-
-  // Splits these cells, and what their neighbours then must split, until all tiles agree.
-  void split(std::set<CellPlace> fresh) {
-    while (!fresh.empty()) {
-      for (const CellPlace& cell : fresh)
-        if (cell.size < 2)
-          throw Error("mesh-unresolved", "pieces of surface in one cell of the mesh meet");
-      forced_.insert(fresh.begin(), fresh.end());
-      find_bare();
-      const std::vector<std::size_t> again = tiles_with(fresh);
-      parallel_for(again.size(), options_.threads, [&](std::size_t k) { make_tile(again[k]); });
-      fresh.clear();
-      for (const std::size_t i : again)
-        for (const CellPlace& cell : notes_[i].splits)
-          if (forced_.count(cell) == 0) fresh.insert(cell);
-    }
   }
 
   void finish_report() {
@@ -203,9 +218,9 @@ class UniformMesher {
   const TileSet set_;
   std::vector<TileNotes> notes_;
   std::vector<std::array<float, 3>> gaps_;  ///< between the tiles that were made last
-  std::set<CellPlace> forced_;              ///< cells that must be split
-  BareTileSet bare_;                        ///< of the tiles that were made last
-  CommonLists common_;                      ///< of cells in which tiles did not meet
+  MendedCells mended_;
+  BareTileSet bare_;    ///< of the tiles that were made last
+  CommonLists common_;  ///< of cells in which tiles did not meet
   TileMaker maker_;
   KeptTiles kept_;  ///< as they would be made now
 };
@@ -213,9 +228,11 @@ class UniformMesher {
 }  // namespace
 
 void mesh_uniform(const ExactField& field, double voxel, int halvings, const MeshPlan& options,
-                  MeshSink& sink, MeshReport& report) {
-  UniformMesher(field, Lattice(field.bounds(), voxel, halvings, kVoxelsBefore), options, report)
-      .run(sink);
+                  MeshSink& sink, MeshReport& report, const std::set<CellPlace>& split) {
+  UniformMesher mesher(field, Lattice(field.bounds(), voxel, halvings, kVoxelsBefore), options,
+                       report);
+  mesher.split(split);
+  mesher.run(sink);
 }
 
 }  // namespace mrsim::detail
