@@ -8,6 +8,7 @@
 #include <optional>
 #include <set>
 #include <tuple>
+#include <unordered_map>
 
 namespace mrsim::detail {
 namespace {
@@ -151,19 +152,16 @@ ThinFeature measured(const Probe& probe, const Box3& room, const Vec3& p) {
   return found;
 }
 
-// The feature that stands amid the cells about an edge without crossing one of theirs: a point up
-// to `depth` mm deep in it.
-template <class MayHide, class IsLost>
-std::optional<ThinFeature> find_hidden(const ExactField& field, const SurfaceCells& cells,
-                                       const MinimalEdge& e, double depth, const MayHide& may_hide,
-                                       const IsLost& is_lost) {
+// The feature that stands amid the cells about an edge without crossing one of theirs: what
+// `hidden` finds in the room of the first of them.
+template <class Hidden>
+std::optional<ThinFeature> first_hidden(const SurfaceCells& cells, const MinimalEdge& e,
+                                        const Hidden& hidden) {
   for (int k = 0; k < 4; ++k) {
     const std::int32_t cell = e.cells[k];
-    if (std::find(e.cells, e.cells + k, cell) != e.cells + k || !may_hide(cell)) continue;
-    const Probe probe{field, cells.candidates(cell), 0};
-    const Box3 room = room_about(cells, e, cell);
-    const std::optional<Vec3> p = find_hidden(probe, room, e.low_inside, depth);
-    if (p && is_lost(*p)) return measured(probe, room, *p);
+    if (std::find(e.cells, e.cells + k, cell) != e.cells + k) continue;
+    if (const std::optional<ThinFeature> found = hidden(cell, room_about(cells, e, cell)))
+      return found;
   }
   return {};
 }
@@ -200,9 +198,13 @@ class LostSearch {
  private:
   // Something thicker than the tolerance that passes no edge.
   std::optional<FoundThin> beside_edge(const MinimalEdge& e) const {
-    const auto found = find_hidden(
-        field_, cells_, e, tolerance_ / 2, [](auto) { return true; },
-        [&](const Vec3& p) { return !is_held(p, !e.low_inside); });
+    const auto found = first_hidden(
+        cells_, e, [&](std::int32_t cell, const Box3& room) -> std::optional<ThinFeature> {
+          const Probe probe{field_, cells_.candidates(cell), 0};
+          const auto p = find_hidden(probe, room, e.low_inside, tolerance_ / 2);
+          if (!p || is_held(*p, !e.low_inside)) return {};
+          return measured(probe, room, *p);
+        });
     if (!found) return {};
     return FoundThin{*found, block_of(cells_, e)};
   }
@@ -301,19 +303,54 @@ std::optional<ThinFeature> thin_between(const Probe& probe, const Vec3& low, con
   return feature_of(a, b, *found, !ends_inside);
 }
 
+namespace {
+
+// What single cells hide. The room about most edges is the whole cell, so that its twelve edges ask
+// for the same: it is remembered for the cell.
+class HiddenInCells {
+ public:
+  HiddenInCells(const ExactField& field, const SurfaceCells& cells)
+      : field_(field), cells_(cells), depth_(kGridDepth * cells.lattice().voxel()) {}
+
+  std::optional<ThinFeature> find(std::int32_t cell, const Box3& room, bool ends_inside) {
+    if (!cells_.is_far(cell)) return {};
+    const Box3 box = cells_.box(cell);
+    if (!(room.lo == box.lo && room.hi == box.hi)) return look(cell, room, ends_inside);
+    const auto [at, is_new] = known_[ends_inside].try_emplace(cell);
+    if (is_new) at->second = look(cell, room, ends_inside);
+    return at->second;
+  }
+
+ private:
+  std::optional<ThinFeature> look(std::int32_t cell, const Box3& room, bool ends_inside) const {
+    const Probe probe{field_, cells_.candidates(cell), 0};
+    const std::optional<Vec3> p = find_hidden(probe, room, ends_inside, depth_);
+    if (!p) return {};
+    return measured(probe, room, *p);
+  }
+
+  const ExactField& field_;
+  const SurfaceCells& cells_;
+  double depth_;                                                           ///< mm
+  std::unordered_map<std::int32_t, std::optional<ThinFeature>> known_[2];  ///< by side and cell
+};
+
+}  // namespace
+
 std::vector<FoundThin> thin_features(const ExactField& field, const SurfaceCells& cells,
                                      std::span<const MinimalEdge> doubtful) {
   std::vector<FoundThin> out;
+  HiddenInCells hidden(field, cells);
   for (const MinimalEdge& e : doubtful) {
     const EdgeEnds ends = cells.ends(e);
     const Probe probe{field, cells.candidates(e.cells[0]), 0};
     const EdgeEnd a = sampled(probe, ends.low), b = sampled(probe, high_end(ends, e.axis));
     if (const std::optional<Passage> found = find_passage(probe, a, b, e.low_inside))
       out.push_back(feature_of(cells, e, a, b, *found, !e.low_inside));
-    else if (const auto hidden = find_hidden(
-                 field, cells, e, kGridDepth * cells.lattice().voxel(),
-                 [&](std::int32_t cell) { return cells.is_far(cell); }, [](auto) { return true; }))
-      out.push_back({*hidden, block_of(cells, e)});
+    else if (const auto feature = first_hidden(cells, e, [&](std::int32_t cell, const Box3& room) {
+               return hidden.find(cell, room, e.low_inside);
+             }))
+      out.push_back({*feature, block_of(cells, e)});
   }
   return out;
 }
