@@ -178,10 +178,13 @@ StockShape choose_stock(const Job& job, JobResult& result) {
     check_reach(*program.workpiece, result);
     return *program.workpiece;
   }
-  StockShape shape = default_stock(program.motions, program.tools,
-                                   program.machine == MachineKind::lathe, program.zero_height);
-  report(result, Severity::note, "stock-assumed", "no --stock given: a stock " + shape.description);
-  return shape;
+  AssumedStock assumed = default_stock(program.motions, program.tools,
+                                       program.machine == MachineKind::lathe, program.zero_height);
+  const bool sure = assumed.guesses.empty();
+  report(result, sure ? Severity::note : Severity::warning, "stock-assumed",
+         "no --stock given: a stock " + assumed.shape.description +
+             (sure ? "" : "; " + assumed.guesses + ": say --stock if it is not so"));
+  return std::move(assumed.shape);
 }
 
 // Whether the stock is one around the cuts, for want of another.

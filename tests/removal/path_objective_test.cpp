@@ -41,7 +41,7 @@ ToolPath any_line(Random& r) {
   return path;
 }
 
-ToolPath any_helix(Random& r) {
+ToolPath any_helical_path(Random& r) {
   const Vec3 centre{r(-3, 3), r(-3, 3), r(-3, 3)};
   ToolPath path = path_of(arc(centre + Vec3{r(1, 10), r(-1, 1), 0}, centre, {0, 0, 1}, r(0.3, 7)));
   path.rise = {0, 0, r(-1, 1)};
@@ -54,7 +54,7 @@ TEST(PathObjective, DerivativesAreThoseOfDifferences) {
   Random r(31);
   int compared = 0;
   for (int round = 0; round < 4000; ++round) {
-    const ToolPath path = r.pick(3) == 0 ? any_line(r) : any_helix(r);
+    const ToolPath path = r.pick(3) == 0 ? any_line(r) : any_helical_path(r);
     const Profile tool = any_convex_tool(r);
     const double end = path.arc ? path.sweep : 1, t = r(0.1, 0.9) * end, h = 1e-4 * end;
     const Vec3 p = path_point(path, t).position + Vec3{r(-8, 8), r(-8, 8), r(-4, 6)};

@@ -5,6 +5,7 @@
 #include "removal/part/default_stock.h"
 #include "support/path_builder.h"
 
+#include <string>
 #include <vector>
 
 namespace mrsim::testing {
@@ -15,10 +16,18 @@ class StockPath : public PathBuilder<StockPath> {
   Box3 box(double zero = 0) const {
     Tool tool;
     tool.diameter = 4;
-    return default_stock(motions, std::vector<Tool>{tool}, false, zero).box;
+    return default_stock(motions, std::vector<Tool>{tool}, false, zero).shape.box;
   }
   double top(double zero = 0) const { return box(zero).hi.z; }
   StockShape bar(ToolType type = ToolType::turning, double zero = 0) const {
+    return assumed_bar(type, zero).shape;
+  }
+  std::string guesses(ToolType type = ToolType::turning) const {
+    return assumed_bar(type, 0).guesses;
+  }
+
+ private:
+  AssumedStock assumed_bar(ToolType type, double zero) const {
     Tool tool;
     tool.type = type;
     tool.diameter = 12;

@@ -3,13 +3,15 @@
 #include "core/numbers/motions.h"
 #include "core/numbers/units.h"
 #include "core/words/tool_types.h"
-#include "removal/part/default_stock.h"
+#include "removal/part/bar_signs.h"
 #include "removal/part/link_moves.h"
 #include "removal/part/stock_margin.h"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <string>
+#include <utility>
 #include <vector>
 
 #include <fmt/format.h>
@@ -27,6 +29,7 @@ struct TurnedCuts {
   bool only_passes = true;        // but for ways in from before the face
   double narrowest = -kNoHeight;  // smallest radius that one ends at
   double face = kNoHeight;        // highest Z at which a tool cuts across, towards the axis
+  double level_face = kNoHeight;  // and the highest at one Z
   double lowest = -kNoHeight, highest = kNoHeight, turned = kNoHeight;  // turned: inwards, ends
 };
 
@@ -91,8 +94,9 @@ TurnedCuts turned_cuts(std::span<const Motion> motions, std::span<const Tool> to
     if (inwards && is_upright_line(m)) cuts.passes = std::max(cuts.passes, wide);
     cuts.only_passes = cuts.only_passes && (is_upright_line(m) || leads_in);
     if (inwards) cuts.turned = std::max(cuts.turned, m.end.z);
-    if (to < from - kSameHeight && !leads_in && !goes_on_inwards(motions, i))
-      cuts.face = std::max(cuts.face, std::min(m.start.z, m.end.z));
+    if (to >= from - kSameHeight || leads_in || goes_on_inwards(motions, i)) continue;
+    cuts.face = std::max(cuts.face, std::min(m.start.z, m.end.z));
+    if (m.start.z == m.end.z) cuts.level_face = std::max(cuts.level_face, m.end.z);
   }
   return cuts;
 }
@@ -196,28 +200,6 @@ double entered_radius(std::span<const Motion> motions, std::span<const Tool> too
   return least;
 }
 
-// The largest radius at which the rapids of the first boring bar's first pass go behind `front`,
-// where nothing is drilled before: the raw part has a hole there. 0: none.
-double entered_hole(std::span<const Motion> motions, std::span<const Tool> tools, double front) {
-  double hole = 0;
-  int bar = -1;
-  bool has_cut = false, is_back = false;
-  for (const Motion& m : motions) {
-    if (m.tool < 0 || (bar >= 0 && m.tool != bar)) continue;
-    const Tool& tool = tools[static_cast<std::size_t>(m.tool)];
-    if (is_cut(m) && !is_turning(tool.type)) return 0;
-    if (!is_turning(tool.type) || !is_inside_tool(tool)) continue;
-    bar = m.tool;
-    if (is_cut(m) && is_back) break;
-    has_cut = has_cut || is_cut(m);
-    if (is_cut(m) || m.assumed_start || std::min(m.start.z, m.end.z) > front - kSameHeight)
-      continue;
-    hole = std::max(hole, std::min(std::fabs(m.start.x), std::fabs(m.end.x)));
-    is_back = has_cut;
-  }
-  return hole;
-}
-
 bool rapids_reach(std::span<const Motion> motions, double radius) {
   return std::any_of(motions.begin(), motions.end(), [&](const Motion& m) {
     return m.kind == MotionKind::rapid && std::fabs(std::fabs(m.end.x) - radius) < kSameHeight;
@@ -276,28 +258,86 @@ Bar bar_of(std::span<const Motion> motions, std::span<const Tool> tools,
   return bar;
 }
 
-}  // namespace
+// What a bar is taken for beyond its sizes, in words.
+struct Guesses {
+  std::string text;
+  void add(const std::string& guess) { text += (text.empty() ? "" : "; ") + guess; }
+};
 
-StockShape default_bar(std::span<const Motion> motions, std::span<const Tool> tools, double zero) {
+// The Z that the cuts count from: the program's zero, or where the bar begins far in front of that.
+// `ways`: what is to be told of it.
+double origin_of(std::span<const Motion> motions, std::span<const Tool> tools, double zero,
+                 FarWays& ways) {
+  const TurnedCuts cuts = turned_cuts(motions, tools, link_moves(motions, zero, true), zero);
+  ways = far_ways(motions, tools, zero);
+  const double nearest = ways.is_front ? ways.begin - kMostAir : zero + kMostAir;
+  if (cuts.level_face <= nearest) return ways.is_front ? ways.begin : zero;
+  ways = {};
+  return cuts.level_face;  // the bar begins at it
+}
+
+std::string guess_of_front(const FarWays& ways, double zero, double front) {
+  return fmt::format(
+      "tools begin to cut {:.6g} mm in front of the zero, and the bar is taken to begin {}",
+      ways.begin - zero, front > ways.begin - kLeastMargin ? "there" : "behind that");
+}
+
+StockShape bar_of_program(std::span<const Motion> motions, std::span<const Tool> tools, double zero,
+                          Guesses& guesses) {
   TurnedCuts all, cuts;
-  const Bar with_links = bar_of(motions, tools, std::vector<bool>(motions.size()), zero, all);
-  Bar bar = bar_of(motions, tools, link_moves(motions, zero, true), zero, cuts);
+  FarWays ways;
+  const double from = origin_of(motions, tools, zero, ways);
+  const Bar with_links = bar_of(motions, tools, std::vector<bool>(motions.size()), from, all);
+  Bar bar = bar_of(motions, tools, link_moves(motions, from, true), from, cuts);
   if (bar.radius < with_links.radius - kMostAir) bar.radius = with_links.radius;
   if (bar.front < with_links.front - kMostAir) bar.front = with_links.front;
+  if (ways.begin != kNoHeight) guesses.add(guess_of_front(ways, zero, bar.front));
   StockShape shape;
   shape.kind = StockShape::Kind::cylinder;
   shape.outer_radius = bar.radius;
   shape.box = {{-bar.radius, -bar.radius, bar.low}, {bar.radius, bar.radius, bar.front}};
-  const double hole = round_up(entered_hole(motions, tools, bar.front));
-  const bool is_hollow = hole >= kLeastMargin && hole < std::max(cuts.inside, cuts.across);
-  if (is_hollow) {
+  const double bored = std::max(cuts.inside, cuts.across);
+  double hole = round_up(entered_hole(motions, tools, bar.front));
+  if (!(hole >= kLeastMargin && hole < bored)) {
+    hole = round_down(needed_hole(motions, tools, bar.front));
+    if (hole > 0)
+      guesses.add(
+          fmt::format("a boring bar goes in where nothing drills before, and a hole of {:.6g} mm "
+                      "is taken to be there",
+                      2 * hole));
+  }
+  if (hole >= kLeastMargin && hole < bored) {
     shape.kind = StockShape::Kind::tube;
     shape.inner_radius = hole;
   }
-  shape.description = fmt::format(
-      "around the program's cuts: {}:{:.6g},{}{:.6g},{:.6g}", is_hollow ? "tube" : "cylinder",
-      2 * bar.radius, is_hollow ? fmt::format("{:.6g},", 2 * hole) : "", bar.low, bar.front);
   return shape;
+}
+
+}  // namespace
+
+AssumedStock default_bar(std::span<const Motion> motions, std::span<const Tool> tools,
+                         double zero) {
+  StockShape shape;
+  Guesses guesses;
+  const HeldEnd end = held_end(motions, zero);
+  if (end == HeldEnd::plus) {
+    shape = bar_of_program(mirrored_in_z(motions), mirrored_in_z(tools), -zero, guesses);
+    shape.box = {{shape.box.lo.x, shape.box.lo.y, 0 - shape.box.hi.z},
+                 {shape.box.hi.x, shape.box.hi.y, 0 - shape.box.lo.z}};
+  } else {
+    shape = bar_of_program(motions, tools, zero, guesses);
+  }
+  if (end != HeldEnd::minus)
+    guesses.add(
+        fmt::format("all tools cut towards +Z, and the bar is taken to be held at its end "
+                    "towards {}Z",
+                    end == HeldEnd::plus ? '+' : '-'));
+  const bool is_hollow = shape.kind == StockShape::Kind::tube;
+  shape.description = fmt::format("around the program's cuts: {}:{:.6g},{}{:.6g},{:.6g}",
+                                  is_hollow ? "tube" : "cylinder", 2 * shape.outer_radius,
+                                  is_hollow ? fmt::format("{:.6g},", 2 * shape.inner_radius) : "",
+                                  shape.box.lo.z, shape.box.hi.z);
+  return {std::move(shape), std::move(guesses.text)};
 }
 
 }  // namespace mrsim

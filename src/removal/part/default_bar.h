@@ -1,6 +1,7 @@
 // The bar of a lathe for those who give no stock.
 #pragma once
 
+#include "removal/part/default_stock.h"
 #include <mrsim/types.h>
 
 #include <span>
@@ -8,6 +9,6 @@
 namespace mrsim {
 
 /// The bar that default_stock() takes for a lathe. Requires: at least one cutting motion.
-StockShape default_bar(std::span<const Motion> motions, std::span<const Tool> tools, double zero);
+AssumedStock default_bar(std::span<const Motion> motions, std::span<const Tool> tools, double zero);
 
 }  // namespace mrsim

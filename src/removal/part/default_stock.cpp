@@ -311,8 +311,8 @@ StockShape box_round(const Box3& cuts, std::span<const Motion> motions,
 
 }  // namespace
 
-StockShape default_stock(std::span<const Motion> motions, std::span<const Tool> tools, bool lathe,
-                         double zero) {
+AssumedStock default_stock(std::span<const Motion> motions, std::span<const Tool> tools, bool lathe,
+                           double zero) {
   if (lathe) return default_bar(motions, tools, zero);
   const std::vector<bool> links = link_moves(motions, zero, false);
   Box3 points;
@@ -324,7 +324,7 @@ StockShape default_stock(std::span<const Motion> motions, std::span<const Tool> 
   for (std::size_t i = 0; i < sweeps.size(); ++i)
     if (!links[static_cast<std::size_t>(sweeps.motion(i))]) extend(cuts, sweeps.bounds(i));
   cuts.hi.z = points.hi.z;
-  return box_round(cuts, motions, links, tools, zero);
+  return {box_round(cuts, motions, links, tools, zero), ""};
 }
 
 }  // namespace mrsim

@@ -5,8 +5,14 @@
 #include <mrsim/types.h>
 
 #include <span>
+#include <string>
 
 namespace mrsim {
+
+struct AssumedStock {
+  StockShape shape;
+  std::string guesses;  ///< what nothing in the program says for sure, in words; or ""
+};
 
 /// Mill: a box round the swept volume, with a margin of 5 % of its longest side (at least 1 mm) at
 /// the sides and below. Its top is at `zero`, where all cuts below the start of the first
@@ -18,7 +24,7 @@ namespace mrsim {
 /// rapid. Throws what SweepTable throws. Requires: at least one cutting motion. Cost: motions;
 /// rapids down into the stock look back for the cut that made way. `zero`: height of the program's
 /// zero, mm (Program::zero_height).
-StockShape default_stock(std::span<const Motion> motions, std::span<const Tool> tools, bool lathe,
-                         double zero = 0);
+AssumedStock default_stock(std::span<const Motion> motions, std::span<const Tool> tools, bool lathe,
+                           double zero = 0);
 
 }  // namespace mrsim
