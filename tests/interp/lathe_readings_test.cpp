@@ -120,6 +120,8 @@ TEST(LatheToolReadings, BackTurningAsksForTheHand) {
       "? names a tool that turns backwards, and does not say its hand, hand=left or right";
   expect_readings({
       {lathe_mm, "BACK TURN VNMG 160404", kHand},
+      {lathe_mm, "BACK BORING BAR VBMT 110304", kHand},
+      {lathe_mm, "BACK-BORING BAR VBMT 110304 LH", "boring, insert 35, nose 0.4"},
       {lathe_mm, "BACK-TURNING TOOL", kHand},
       {lathe_mm, "BACK TURN VNMG 160404 LH", "turning, insert 35, nose 0.4"},
   });

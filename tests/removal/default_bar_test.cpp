@@ -330,10 +330,18 @@ TEST(DefaultBar, HasAWallAroundWhatIsBored) {
   path.rapid({15, 0, 2}).cut({15, 0, -30}).cut({14, 0, -30}).rapid({14, 0, 2});
   EXPECT_EQ(path.bar(ToolType::boring).outer_radius, 17);
   EXPECT_EQ(path.bar(ToolType::boring).box.hi.z, 0);
+  path.rapid({14, 0, -20}).cut({18, 0, -20}).cut({14, 0, -20});  // and a recess
+  EXPECT_EQ(path.bar(ToolType::boring).outer_radius, 20);
   StockPath across;  // G72 in a bore
   across.rapid({8.8, 0, 1}).cut({15, 0, 1}).rapid({8.8, 0, 1.3}).rapid({8.8, 0, -1});
   across.cut({15, 0, -1}).rapid({8.8, 0, -1});
   EXPECT_EQ(across.bar(ToolType::boring).outer_radius, 17);
+  StockPath blade;
+  blade.rapid({14, 0, -20}).cut({18, 0, -20}).cut({14, 0, -20}).rapid({14, 0, 2});
+  Tool inside;
+  inside.type = ToolType::grooving;
+  inside.tip = 2;
+  EXPECT_EQ(default_stock(blade.motions, std::vector<Tool>{inside}, true).shape.outer_radius, 20);
   const StockShape drilled = StockPath().rapid({0, 0, 2}).cut({0, 0, -30}).bar(ToolType::drill);
   EXPECT_EQ(drilled.outer_radius, 8);
   EXPECT_EQ(drilled.box.hi.z, 0);

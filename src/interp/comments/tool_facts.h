@@ -56,7 +56,7 @@ struct ToolFacts : PlainFacts {
   bool slot_mill = false;        ///< "SLOT MILL", "KEYWAY": a disc if a width is given
   bool flat_thread = false;      ///< "TR20X4", "ACME": the end of the tooth is no point
   bool whitworth = false;        ///< "WHITWORTH", "BSP": teeth of 55 degrees
-  bool back_turn = false;        ///< "BACK TURN" without the hand of the tool
+  bool back_turn = false;        ///< "BACK TURN", "BACK BORING" without the hand of the tool
   bool turned_side = false;      ///< "OD", "ID", "TURN": words of a lathe
   bool turns_before = false;     ///< "TURN FOR THREAD": the turning before the thread
   bool full_radius = false;      ///< "FULL RADIUS": the end of a blade is half a circle

@@ -236,7 +236,8 @@ void Settler::settle_turning() {
 
 // Settles the profile of a thread: a point of 60 degrees, unless the comment says otherwise.
 void Settler::settle_thread() {
-  if (hint_.type == ToolType::turning && facts_.back_turn)
+  const bool turns = hint_.type == ToolType::turning || hint_.type == ToolType::boring;
+  if (turns && facts_.back_turn)
     doubt("names a tool that turns backwards, and does not say its hand, hand=left or right");
   if (hint_.type != ToolType::threading && hint_.operation != ToolType::threading) return;
   if (facts_.flat_thread) doubt("names a thread whose teeth end in no point");

@@ -118,9 +118,9 @@ bool is_flat_thread(const CommentView& view, std::size_t i) {
 }
 
 bool names_back_turning(const CommentView& view, std::size_t i) {
-  return view.is_one(i, {"BACKTURN", "BACKTURNING"}) ||
-         (view.is(i, "BACK") && view.is_one(i + 1, {"TURN", "TURNING"})) ||
-         (view.is(i, "BACK") && view.is(i + 1, "-") && view.is_one(i + 2, {"TURN", "TURNING"}));
+  if (view.is_one(i, {"BACKTURN", "BACKTURNING", "BACKBORING"})) return true;
+  const std::size_t work = view.is(i + 1, "-") ? i + 2 : i + 1;
+  return view.is(i, "BACK") && view.is_one(work, {"TURN", "TURNING", "BORING"});
 }
 
 }  // namespace

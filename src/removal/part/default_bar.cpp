@@ -22,8 +22,8 @@ namespace {
 // What the cuts of a lathe show of its bar, in radius and Z.
 struct TurnedCuts {
   double along = 0;               // largest radius at which a tool cuts towards the chuck
-  double inside = 0;              // largest radius of a bore or a drill
-  double across = 0;              // of the points of boring bars
+  double inside = 0;              // largest radius of a bore, a recess in it, or a drill
+  double across = 0;              // of the points of inside tools
   double widest = 0;              // of all points
   double passes = 0;              // of passes straight towards the chuck
   bool only_passes = true;        // but for ways in from before the face
@@ -77,8 +77,9 @@ TurnedCuts turned_cuts(std::span<const Motion> motions, std::span<const Tool> to
     cuts.highest = std::max({cuts.highest, m.start.z, m.end.z});
     const auto tool = static_cast<std::size_t>(std::max(m.tool, 0));
     const ToolType type = m.tool >= 0 ? tools[tool].type : ToolType::turning;
-    if (type == ToolType::boring) {
-      if (inwards) cuts.inside = std::max(cuts.inside, wide);
+    if (m.tool >= 0 && is_turning(type) && is_inside_tool(tools[tool])) {
+      const bool recesses = std::min(m.start.z, m.end.z) < zero - kSameHeight;
+      if (inwards || recesses) cuts.inside = std::max(cuts.inside, wide);
       cuts.across = std::max(cuts.across, wide);
       continue;
     }
