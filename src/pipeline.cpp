@@ -29,6 +29,7 @@
 #include "run/files/voxel_module.h"
 #include "run/findings/assumed_sizes.h"
 #include "run/findings/collision_findings.h"
+#include "run/findings/feed_sides.h"
 #include "run/findings/part_findings.h"
 #include "run/mesh/mesh_choice.h"
 #include "run/mesh/mesh_maker.h"
@@ -195,6 +196,7 @@ bool assumes_stock(const Job& job, const JobResult& result) {
 // Sizes of tools that nothing says follow from the stock, and an assumed stock from the tools.
 void settle_tools_and_stock(const Job& job, JobResult& result) {
   complete_inserts(result.program);
+  turn_drills_round(result.program);
   const bool assumed = assumes_stock(job, result);
   if (assumed) complete_cones(result, std::nullopt);
   result.stock = choose_stock(job, result);
@@ -347,6 +349,7 @@ void simulate(const Job& job, JobResult& result) {
   settle_tools_and_stock(job, result);
   if (!job.until.empty()) end_program(job, result);
   warn_of_threads(result);
+  warn_of_hands(result);
   result.cycle = cycle_time(result.program, job.machine);
   const CutList cuts(result.stock.history, result.program);
   MeshChoice choice = choose_mesh(job, result.stock, cuts);

@@ -55,6 +55,25 @@ TEST_F(Figures, PartWithAThreadKeepsItsDiameter) {
   EXPECT_NEAR(number_after(outcome.out, "removed"), 596.9, 5) << outcome.out;
 }
 
+// For a counter spindle: the drill points to +Z, and an insert that cuts there has its hand to
+// tell.
+TEST_F(Figures, ToolsMayFeedTowardsACounterSpindle) {
+  write(
+      "drill.nc",
+      "O1\nG21 G40 G99\nT0101 (DRILL 10MM)\nG97 S800 M3\nG0 X0 Z-2.\nG1 Z30. F.1\nG0 Z-10.\nM30\n");
+  const Outcome drilled = run("drill.nc --machine lathe --stock cylinder:40,0,50 -o part.stl");
+  ASSERT_EQ(drilled.code, 0) << drilled.err;
+  const double point = 5 / std::tan(kPi * 59 / 180);
+  EXPECT_NEAR(number_after(drilled.out, "removed"), 25 * kPi * (30 - point * 2 / 3), 0.01);
+  const auto turn = [&](const std::string& comment) {
+    write("turn.nc", "O1\nG21 G40 G99\nT0101 (CNMG 120404" + comment +
+                         ")\nG96 S200 M3\nG0 X46. Z-2.\nG1 Z20. F.2\nX52.\nG0 Z-2.\nM30\n");
+    return run("turn.nc --stock cylinder:50,0,50 -o part.stl").err;
+  };
+  EXPECT_TRUE(contains(turn(""), "[insert-hand]")) << turn("");
+  EXPECT_FALSE(contains(turn(" LEFT HAND"), "[insert-hand]"));
+}
+
 // A coarse mesh still tells the volume of the exact part.
 TEST_F(Figures, VolumeIsThatOfTheExactPart) {
   EXPECT_NEAR(part_volume("PRIMER_2F.MPF --stock block.stl --tolerance 0.1 -o part.stl"), kPart2F,

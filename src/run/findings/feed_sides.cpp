@@ -1,0 +1,77 @@
+#include "run/findings/feed_sides.h"
+
+#include "core/numbers/motions.h"
+#include "core/words/tool_types.h"
+
+#include <vector>
+
+#include <fmt/format.h>
+
+namespace mrsim {
+namespace {
+
+// What a tool's cuts say of its direction.
+struct FeedSide {
+  bool to_minus = false;         // of any cut
+  bool enters_to_minus = false;  // of straight ones that a rapid leads to
+  const Motion* enters_to_plus = nullptr;
+};
+
+std::vector<FeedSide> feed_sides(const Program& program) {
+  std::vector<FeedSide> sides(program.tools.size());
+  bool after_cut = false;
+  for (const Motion& m : program.motions) {
+    const bool from_rapid = !after_cut;
+    after_cut = is_cut(m);
+    if (!after_cut || m.tool < 0 || m.lead != 0) continue;
+    FeedSide& side = sides[static_cast<std::size_t>(m.tool)];
+    const double rise = m.end.z - m.start.z;
+    if (rise < 0) side.to_minus = true;
+    if (!is_upright_line(m) || !from_rapid) continue;
+    if (rise < 0) side.enters_to_minus = true;
+    if (rise > 0 && !side.enters_to_plus) side.enters_to_plus = &m;
+  }
+  return sides;
+}
+
+// Whether the insert would cut another shape as a left-hand one.
+bool has_right_hand(const Tool& tool) {
+  const int tip = tip_orientation(tool);
+  const bool is_insert = tool.type == ToolType::turning || tool.type == ToolType::boring;
+  const bool is_round = tool.diameter > 0 || tool.insert.starts_with('R');
+  return is_insert && !is_round && !tool.tip_is_nose_centre && (tip == 2 || tip == 3);
+}
+
+}  // namespace
+
+void turn_drills_round(Program& program) {
+  if (program.machine != MachineKind::lathe) return;
+  const std::vector<FeedSide> sides = feed_sides(program);
+  std::vector<bool> turned(sides.size(), false);
+  for (std::size_t i = 0; i < sides.size(); ++i)
+    turned[i] = !is_turning(program.tools[i].type) && sides[i].enters_to_plus != nullptr &&
+                !sides[i].enters_to_minus;
+  for (Motion& m : program.motions)
+    if (m.tool >= 0 && turned[static_cast<std::size_t>(m.tool)]) m.tool_axis = {0, 0, -1};
+}
+
+void warn_of_hands(JobResult& result) {
+  Program& program = result.program;
+  if (program.machine != MachineKind::lathe) return;
+  const std::vector<FeedSide> sides = feed_sides(program);
+  for (std::size_t i = 0; i < sides.size(); ++i) {
+    const Tool& tool = program.tools[i];
+    const Motion* first = sides[i].enters_to_plus;
+    if (first == nullptr || sides[i].to_minus || !has_right_hand(tool)) continue;
+    Diagnostic& d = program.diagnostics.emplace_back();
+    d.severity = Severity::warning;
+    d.code = "insert-hand";
+    d.text = fmt::format(
+        "tool {} cuts towards +Z alone and is read as a right-hand insert, whose trailing edge "
+        "cuts there; of a left-hand one say hand = \"left\", or LEFT HAND in its comment",
+        tool.id);
+    d.place = {program.files[static_cast<std::size_t>(first->file)], first->line, first->column};
+  }
+}
+
+}  // namespace mrsim
