@@ -55,6 +55,16 @@ TEST(BarSigns, BeginsWhereCutsDoWithZeroInTheChuck) {
   EXPECT_EQ(inward.rapid({27, 0, 60}).bar().box.hi.z, 52);
 }
 
+// A groove or a cut-off alone does not show how far the bar reaches beyond it.
+TEST(BarSigns, TellsThatNothingShowsTheFront) {
+  StockPath off;
+  off.rapid({27, 0, 40}).cut({-0.5, 0, 40}).rapid({27, 0, 40});
+  EXPECT_EQ(off.bar(ToolType::grooving).box.hi.z, 40);
+  EXPECT_EQ(off.guesses(ToolType::grooving),
+            "nothing faces the bar, which is taken to begin 40 mm in front of the zero");
+  EXPECT_EQ(off.guesses(), "");  // a face
+}
+
 // The same program at another zero is cut from the same bar.
 TEST(BarSigns, TellsTheSameBarWhereverTheFacedFrontIs) {
   const auto bar_at = [](double z) {

@@ -29,7 +29,7 @@ struct TurnedCuts {
   bool only_passes = true;        // but for ways in from before the face
   double narrowest = -kNoHeight;  // smallest radius that one ends at
   double face = kNoHeight;        // highest Z at which a tool cuts across, towards the axis
-  double level_face = kNoHeight;  // and the highest at one Z
+  double level_face = kNoHeight;  // and the highest at one Z, but for grooves
   double lowest = -kNoHeight, highest = kNoHeight, turned = kNoHeight;  // turned: inwards, ends
 };
 
@@ -97,7 +97,8 @@ TurnedCuts turned_cuts(std::span<const Motion> motions, std::span<const Tool> to
     if (inwards) cuts.turned = std::max(cuts.turned, m.end.z);
     if (to >= from - kSameHeight || leads_in || goes_on_inwards(motions, i)) continue;
     cuts.face = std::max(cuts.face, std::min(m.start.z, m.end.z));
-    if (m.start.z == m.end.z) cuts.level_face = std::max(cuts.level_face, m.end.z);
+    if (m.start.z == m.end.z && type != ToolType::grooving)
+      cuts.level_face = std::max(cuts.level_face, m.end.z);
   }
   return cuts;
 }
@@ -292,7 +293,13 @@ StockShape bar_of_program(std::span<const Motion> motions, std::span<const Tool>
   Bar bar = bar_of(motions, tools, link_moves(motions, from, true), from, cuts);
   if (bar.radius < with_links.radius - kMostAir) bar.radius = with_links.radius;
   if (bar.front < with_links.front - kMostAir) bar.front = with_links.front;
-  if (ways.begin != kNoHeight) guesses.add(guess_of_front(ways, zero, bar.front));
+  if (ways.begin != kNoHeight)
+    guesses.add(guess_of_front(ways, zero, bar.front));
+  else if (from == zero && bar.front > zero + kMostAir)
+    guesses.add(
+        fmt::format("nothing faces the bar, which is taken to begin {:.6g} mm in front of "
+                    "the zero",
+                    bar.front - zero));
   StockShape shape;
   shape.kind = StockShape::Kind::cylinder;
   shape.outer_radius = bar.radius;
