@@ -350,6 +350,7 @@ void simulate(const Job& job, JobResult& result) {
   if (!job.until.empty()) end_program(job, result);
   warn_of_threads(result);
   warn_of_hands(result);
+  warn_of_blades(result);
   result.cycle = cycle_time(result.program, job.machine);
   const CutList cuts(result.stock.history, result.program);
   MeshChoice choice = choose_mesh(job, result.stock, cuts);

@@ -74,6 +74,18 @@ TEST_F(Figures, ToolsMayFeedTowardsACounterSpindle) {
   EXPECT_FALSE(contains(turn(" LEFT HAND"), "[insert-hand]"));
 }
 
+// A cycle for grooves in a face, and a blade for the outside.
+TEST_F(Figures, BladesThatPlungeAlongZAreTold) {
+  const auto groove = [&](const std::string& spec) {
+    write("face.nc",
+          "O1\nG21 G40 G99\nT0303\nG97 S500 M3\nG0 X40. Z2.\nG74 R.5\n"
+          "G74 X30. Z-5. P2000 Q2000 F.08\nG0 Z100.\nM30\n");
+    return run("face.nc --stock cylinder:60,-30,0 -o part.stl --tool 3=grooving:w=3," + spec).err;
+  };
+  EXPECT_TRUE(contains(groove("tip=3"), "[blade-direction]")) << groove("tip=3");
+  EXPECT_FALSE(contains(groove("tip=7"), "[blade-direction]"));
+}
+
 // A coarse mesh still tells the volume of the exact part.
 TEST_F(Figures, VolumeIsThatOfTheExactPart) {
   EXPECT_NEAR(part_volume("PRIMER_2F.MPF --stock block.stl --tolerance 0.1 -o part.stl"), kPart2F,

@@ -3,6 +3,8 @@
 #include "core/numbers/motions.h"
 #include "core/words/tool_types.h"
 
+#include <string>
+#include <utility>
 #include <vector>
 
 #include <fmt/format.h>
@@ -42,6 +44,20 @@ bool has_right_hand(const Tool& tool) {
   return is_insert && !is_round && !tool.tip_is_nose_centre && (tip == 2 || tip == 3);
 }
 
+// Blades that stand along Z have orientation 5 or 7.
+bool stands_along_x(const Tool& tool) {
+  const int tip = tip_orientation(tool);
+  return tool.type == ToolType::grooving && tip != 5 && tip != 7;
+}
+
+void warn(Program& program, const Motion& m, const char* code, std::string text) {
+  Diagnostic& d = program.diagnostics.emplace_back();
+  d.severity = Severity::warning;
+  d.code = code;
+  d.text = std::move(text);
+  d.place = {program.files[static_cast<std::size_t>(m.file)], m.line, m.column};
+}
+
 }  // namespace
 
 void turn_drills_round(Program& program) {
@@ -63,14 +79,31 @@ void warn_of_hands(JobResult& result) {
     const Tool& tool = program.tools[i];
     const Motion* first = sides[i].enters_to_plus;
     if (first == nullptr || sides[i].to_minus || !has_right_hand(tool)) continue;
-    Diagnostic& d = program.diagnostics.emplace_back();
-    d.severity = Severity::warning;
-    d.code = "insert-hand";
-    d.text = fmt::format(
-        "tool {} cuts towards +Z alone and is read as a right-hand insert, whose trailing edge "
-        "cuts there; of a left-hand one say hand = \"left\", or LEFT HAND in its comment",
-        tool.id);
-    d.place = {program.files[static_cast<std::size_t>(first->file)], first->line, first->column};
+    warn(program, *first, "insert-hand",
+         fmt::format(
+             "tool {} cuts towards +Z alone and is read as a right-hand insert, whose trailing "
+             "edge cuts there; of a left-hand one say hand = \"left\", or LEFT HAND in its comment",
+             tool.id));
+  }
+}
+
+void warn_of_blades(JobResult& result) {
+  Program& program = result.program;
+  if (program.machine != MachineKind::lathe) return;
+  std::vector<bool> told(program.tools.size(), false);
+  for (std::size_t i = 1; i + 1 < program.motions.size(); ++i) {
+    const Motion &m = program.motions[i], &next = program.motions[i + 1];
+    const bool plunges = is_cut(m) && !is_cut(program.motions[i - 1]) && is_upright_line(m) &&
+                         m.end.z < m.start.z && m.tool >= 0;
+    if (!plunges || !is_upright_line(next) || next.end.z <= next.start.z) continue;
+    const auto index = static_cast<std::size_t>(m.tool);
+    if (told[index] || !stands_along_x(program.tools[index])) continue;
+    told[index] = true;
+    warn(program, m, "blade-direction",
+         fmt::format("tool {0} goes straight in and out along Z, as the blade of a face groove "
+                     "does, and is read as a blade that stands along X; --tool "
+                     "{0}=grooving:w={1:g},tip=7 stands along Z, its middle the programmed point",
+                     program.tools[index].id, program.tools[index].width));
   }
 }
 

@@ -13,4 +13,8 @@ void turn_drills_round(Program& program);
 /// do.
 void warn_of_hands(JobResult& result);
 
+/// Warns of blades that stand along X and plunge along Z, straight in and out, as those of face
+/// grooves do.
+void warn_of_blades(JobResult& result);
+
 }  // namespace mrsim
