@@ -214,6 +214,16 @@ TEST(Sinumerik, MarkersAndOutputsKeepTheirValues) {
   EXPECT_EQ(run("T1 M6 ; SCHAFTFRAESER D6\nG1 F9 X=$TC_DP6[1,1]\n"), "3,0,0 ");
 }
 
+// The type of a tool and the orientation of its tip are read back as the program has set them, and
+// so is the wear of its radius.
+TEST(Sinumerik, ToolDataThatWereSetAreReadBack) {
+  EXPECT_EQ(run("$TC_DP1[1,1]=120 $TC_DP2[1,1]=3\nG1 F9 X=$TC_DP1[1,1] Y=$TC_DP2[1,1]\n"),
+            "120,3,0 ");
+  EXPECT_EQ(run("$TC_DP1[1,1]=120\nG1 F9 X=$TC_DP1[2,1]\n"), "variable-unset");
+  EXPECT_EQ(run("$TC_DP6[1,1]=5 $TC_DP15[1,1]=-0.2\nG1 F9 X=$TC_DP6[1,1] Y=$TC_DP15[1,1]\n"),
+            "5,-0.2,0 ");
+}
+
 // 802S and 802C: G158, G258, G259 are TRANS, ROT, AROT; LCYC82 and its kin read R parameters.
 TEST(Sinumerik, FramesAndCyclesOf802AreThoseOf840) {
   EXPECT_EQ(run("F9 G1\nG158 X5 Y2\nX1 Y0\nG259 RPL=90\nX1\nG258 RPL=90\nX2 Y0\nG158\nX3\n"),

@@ -19,7 +19,7 @@ namespace mrsim {
 // mm of a length of 1 in settable frames and tool data: G700 makes them inches, G70 does not.
 double SinumerikVariables::data_scale() const { return feed_scale(); }
 
-// Reads $P_TOOLNO, $P_TOOL, $P_TOOLR, $TC_DP3[t,d], $TC_DP6[t,d].
+// Reads $P_TOOLNO, $P_TOOL, $P_TOOLR, $TC_DP3[t,d], $TC_DP6[t,d], $TC_DP15[t,d].
 bool SinumerikVariables::tool_value(std::string_view name, std::span<const Value> indices,
                                     double& out) const {
   if (name == "$P_TOOLNO") {
@@ -42,12 +42,12 @@ bool SinumerikVariables::tool_value(std::string_view name, std::span<const Value
     out = set->mm / data_scale();
     return true;
   }
-  if (name != "$TC_DP3" && name != "$TC_DP6") return false;
+  if (name != "$TC_DP3" && name != "$TC_DP6" && name != "$TC_DP15") return false;
   const std::string id = fmt::format("{:g}", indices[0].number);
   const std::string wanted = fmt::format("T{}.D{:g}", id, indices[1].number);
   for (const OffsetRegister& reg : control_.registers)
     if (reg.name == wanted) {
-      out = (name == "$TC_DP3" ? reg.length : reg.radius) / data_scale();
+      out = (kind == 3 ? reg.length : kind == 6 ? reg.radius : reg.wear) / data_scale();
       return true;
     }
   for (const Tool& tool : options_.table.tools)
@@ -63,12 +63,17 @@ bool SinumerikVariables::tool_value(std::string_view name, std::span<const Value
 
 namespace {
 
-// The name of a variable in which programs keep values, or of an output to the PLC: a value that
-// was set is read back. Empty for others.
+// The name of a variable in which programs keep values, of an output to the PLC, or of a tool's
+// type and tip: a value that was set is read back. Empty for others.
 std::string kept_name(std::string_view key, std::span<const Value> indices) {
+  const bool numbers = std::all_of(indices.begin(), indices.end(),
+                                   [](const Value& index) { return index.is_number(); });
+  if (!numbers) return {};
+  if (indices.size() == 2 && (key == "$TC_DP1" || key == "$TC_DP2"))
+    return fmt::format("{}[{:g},{:g}]", key, indices[0].number, indices[1].number);
   static constexpr std::string_view kKept[] = {"$AC_MARKER", "$AC_PARAM", "$A_OUT", "$A_OUTA",
                                                "$A_DBB",     "$A_DBW",    "$A_DBD", "$A_DBR"};
-  if (indices.size() != 1 || !indices[0].is_number()) return {};
+  if (indices.size() != 1) return {};
   if (std::find(std::begin(kKept), std::end(kKept), key) == std::end(kKept)) return {};
   return fmt::format("{}[{:g}]", key, indices[0].number);
 }
@@ -135,6 +140,7 @@ bool SinumerikVariables::write_tool(std::string_view key, std::span<const Value>
   if (!key.starts_with("$TC_DP")) return false;
   const double number = parse_number(key.substr(6)).value_or(0);
   if (number < 1 || number > 25 || number != std::floor(number)) return false;
+  if (number <= 2) control_.kept_values[kept_name(key, indices)] = value.number;
   if (number == 2 && lathe()) {  // the orientation of the tip
     const double tip = value.number;
     if (indices[1].number != 1 || tip < 1 || tip > 8 || tip != std::floor(tip)) return false;
