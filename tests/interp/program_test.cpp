@@ -232,6 +232,13 @@ TEST(Subprograms, OneThatStandsTwiceIsToldOf) {
   EXPECT_EQ(codes(read_text("O100 sub\nG1 X#1 F1\nO100 endsub\nO100 call [5]\nM2\n",
                             at_origin(Dialect::ngc))),
             "");
+  EXPECT_EQ(path_text(read_text("O1 sub\nG1 X5 F1\nO1 endsub\nO1 sub\nG1 X7 F1\nO1 endsub\n"
+                                "O1 call\nO1 call\nM2\n",
+                                at_origin(Dialect::ngc))),
+            "l5,0,0 | subprogram-twice");
+  EXPECT_EQ(path_text(read_text("(CALL 3)\nM30\n(SUB 3)\nG1 X5 F1\n(RET)\n(SUB 3)\nX7\n(RET)\n",
+                                at_origin(Dialect::iso))),
+            "l5,0,0 | subprogram-twice");
 }
 
 TEST(Subprograms, MissingAndEndlessSubprogramsAreErrors) {

@@ -242,6 +242,15 @@ int BlockReader::call_site(int line) {
   return static_cast<int>(program_.calls.size()) - 1;
 }
 
+void BlockReader::tell_second(const std::string& name, int first, int second, const Word& word) {
+  reporter_.once(
+      Severity::warning, "subprogram-twice",
+      fmt::format("{} stands in this file more than once: the program of line {} is run, "
+                  "not that of line {}; a control has only one of that name",
+                  name, first, second),
+      word, name);
+}
+
 std::optional<SubprogramPlace> BlockReader::locate(const SubprogramName& name, const Word& word) {
   std::optional<SubprogramPlace> place = subprograms_.find(name);
   if (place) {
@@ -249,11 +258,7 @@ std::optional<SubprogramPlace> BlockReader::locate(const SubprogramName& name, c
         name.number >= 0 ? fmt::format("O{}", name.number) : upper_case(name.text);
     called_.insert(called);
     if (place->again != 0 && !is(Dialect::ngc))  // LinuxCNC has O100 at each part of a structure
-      reporter_.once(Severity::warning, "subprogram-twice",
-                     fmt::format("{} stands in this file more than once: the program of line {} is "
-                                 "run, not that of line {}; a control has only one of that name",
-                                 called, place->line + 1, place->again),
-                     word, called);
+      tell_second(called, place->line + 1, place->again, word);
     return place;
   }
   const std::string text =

@@ -55,6 +55,8 @@ class BlockReader : public ControlPart {
   int call_site(int line);
   /// Finds a subprogram. Nothing: it is missing, which was reported.
   std::optional<SubprogramPlace> locate(const SubprogramName& name, const Word& word);
+  /// Warns once that a subprogram stands in the file in the lines `first` and `second`.
+  void tell_second(const std::string& name, int first, int second, const Word& word);
   bool has_subprogram(const SubprogramName& name) { return subprograms_.find(name).has_value(); }
   /// Runs a stretch of text next. False: an error was reported.
   bool enter(CallRequest request, const Word& word);

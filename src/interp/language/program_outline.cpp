@@ -223,14 +223,12 @@ int ProgramOutline::find(const Place& at) const {
   return static_cast<int>(found - entries_.begin());
 }
 
-int ProgramOutline::find_name(FlowWord word, std::string_view name, int section) const {
+int ProgramOutline::find_name(FlowWord word, std::string_view name, int behind) const {
   const auto known = name_indices_.find(name);
   if (known == name_indices_.end()) return -1;
   const auto [begin, end] = named_.equal_range(known->second);
-  for (auto i = begin; i != end; ++i) {
-    const FlowEntry& one = entry(i->second);
-    if (one.word == word && (section < 0 || one.section == section)) return i->second;
-  }
+  for (auto i = begin; i != end; ++i)
+    if (entry(i->second).word == word && i->second > behind) return i->second;
   return -1;
 }
 

@@ -79,9 +79,9 @@ class ProgramOutline {
   const FlowEntry& entry(int i) const { return entries_[static_cast<std::size_t>(i)]; }
   std::size_t size() const { return entries_.size(); }
   const std::string& name(const FlowEntry& entry) const { return names_[entry.name]; }
-  /// The sub or label of a name (upper case) in a section, or in any section if that is -1. -1:
-  /// there is none.
-  int find_name(FlowWord word, std::string_view name, int section) const;
+  /// The first sub or label of a name (upper case), or the first behind an entry. -1: there is
+  /// none.
+  int find_name(FlowWord word, std::string_view name, int behind = -1) const;
   /// The first or the last label of a name between two places in the text; -1: there is none.
   int find_label(std::string_view name, const Place& from, const Place& to, bool last) const;
   /// The section that holds a place, and where it begins and ends.

@@ -240,10 +240,14 @@ void FagorStatements::end_block(bool moved) {
 bool FagorStatements::call(long subprogram, CallKind kind, const Arguments& arguments,
                            const Word& where) {
   const ProgramOutline& all = places_.outline();
-  const int found = all.find_name(FlowWord::label, std::to_string(subprogram), -1);
+  const std::string name = std::to_string(subprogram);
+  const int found = all.find_name(FlowWord::label, name);
   if (found < 0)
     return error("subprogram-missing",
                  fmt::format("there is no (SUB {}) in the program's file", subprogram), where);
+  if (const int again = all.find_name(FlowWord::label, name, found); again >= 0)
+    reader_.tell_second(fmt::format("(SUB {})", name), all.entry(found).at.line + 1,
+                        all.entry(again).at.line + 1, where);
   CallRequest request;
   request.file = reader_.file();
   request.begin = all.entry(found).at;

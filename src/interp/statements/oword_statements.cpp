@@ -244,15 +244,24 @@ bool OwordStatements::values(std::size_t p, std::vector<double>& out) {
   return true;
 }
 
+// Finds a sub in one file.
+bool OwordStatements::locate_in(const std::string& file, const std::string& name,
+                                CallRequest& request, const Word& word) {
+  const ProgramOutline& all = places_.outline(file);
+  const int i = all.find_name(FlowWord::sub, name);
+  if (i < 0) return false;
+  request.file = file;
+  request.begin = all.entry(i).at;
+  request.begin.position = all.entry(i).behind;
+  if (const int again = all.find_name(FlowWord::sub, name, i); again >= 0)
+    reader_.tell_second(fmt::format("o<{}>", to_utf8(name.substr(0, 60))), request.begin.line + 1,
+                        all.entry(again).at.line + 1, word);
+  return true;
+}
+
 // Finds a sub in the main program, or in its own file. Other subs of such a file are not found.
-bool OwordStatements::locate(const std::string& name, CallRequest& request) {
-  const ProgramOutline& main = places_.outline(program_.files.front());
-  if (const int i = main.find_name(FlowWord::sub, name, -1); i >= 0) {
-    request.file = program_.files.front();
-    request.begin = main.entry(i).at;
-    request.begin.position = main.entry(i).behind;
-    return true;
-  }
+bool OwordStatements::locate(const std::string& name, CallRequest& request, const Word& word) {
+  if (locate_in(program_.files.front(), name, request, word)) return true;
   std::string lower = name;
   for (char& c : lower)
     if (c >= 'A' && c <= 'Z') c = static_cast<char>(c + 32);
@@ -260,14 +269,7 @@ bool OwordStatements::locate(const std::string& name, CallRequest& request) {
   wanted.text = lower;
   wanted.own_file = true;
   if (!reader_.has_subprogram(wanted)) return false;
-  const auto place = reader_.locate(wanted, {});
-  const ProgramOutline& all = places_.outline(place->file);
-  const int i = all.find_name(FlowWord::sub, name, -1);
-  if (i < 0) return false;
-  request.file = place->file;
-  request.begin = all.entry(i).at;
-  request.begin.position = all.entry(i).behind;
-  return true;
+  return locate_in(reader_.locate(wanted, {})->file, name, request, word);
 }
 
 bool OwordStatements::call(const std::string& name, std::size_t from, std::size_t p) {
@@ -281,7 +283,7 @@ bool OwordStatements::call_sub(const std::string& name, CallRequest&& request, c
 
 bool OwordStatements::enter_sub(const std::string& name, CallRequest request,
                                 std::vector<double> arguments, const Word& word) {
-  if (!locate(name, request))
+  if (!locate(name, request, word))
     return error("subprogram-missing",
                  fmt::format("there is no \"o<{}> sub\" in this file, nor in a file of that name "
                              "beside it or in --path",
@@ -315,8 +317,8 @@ bool OwordStatements::enter_sub(const std::string& name, CallRequest request,
 bool OwordStatements::call_program(const SubprogramName& name, long repeats, const Word& word) {
   const std::string number = fmt::format("{}", name.number);
   const ProgramOutline& all = places_.outline(program_.files.front());
-  const int i = name.number >= 0 ? all.find_name(FlowWord::label, number, -1) : -1;
-  if (i < 0 && all.find_name(FlowWord::sub, number, -1) >= 0)
+  const int i = name.number >= 0 ? all.find_name(FlowWord::label, number) : -1;
+  if (i < 0 && all.find_name(FlowWord::sub, number) >= 0)
     return error("subprogram-missing",
                  fmt::format("O{} is defined with sub: call it with \"O{} call\"", number, number),
                  word);

@@ -50,7 +50,9 @@ class OwordStatements : public Statements {
   bool call(const std::string& name, std::size_t from, std::size_t p);
   bool enter_sub(const std::string& name, CallRequest request, std::vector<double> arguments,
                  const Word& word);
-  bool locate(const std::string& name, CallRequest& request);
+  bool locate_in(const std::string& file, const std::string& name, CallRequest& request,
+                 const Word& word);
+  bool locate(const std::string& name, CallRequest& request, const Word& word);
   bool leave(std::size_t p, bool required);
   bool values(std::size_t p, std::vector<double>& out);
   std::size_t end_of_line(std::size_t p) const;

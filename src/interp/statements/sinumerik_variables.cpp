@@ -63,26 +63,28 @@ bool SinumerikVariables::tool_value(std::string_view name, std::span<const Value
 
 namespace {
 
-// The name of a variable in which programs keep values, of an output to the PLC, or of a tool's
-// type and tip: a value that was set is read back. Empty for others.
+// The name of a variable in which programs keep values, or of an output to the PLC: a value that
+// was set is read back. Empty for others.
 std::string kept_name(std::string_view key, std::span<const Value> indices) {
-  const bool numbers = std::all_of(indices.begin(), indices.end(),
-                                   [](const Value& index) { return index.is_number(); });
-  if (!numbers) return {};
-  if (indices.size() == 2 && (key == "$TC_DP1" || key == "$TC_DP2"))
-    return fmt::format("{}[{:g},{:g}]", key, indices[0].number, indices[1].number);
   static constexpr std::string_view kKept[] = {"$AC_MARKER", "$AC_PARAM", "$A_OUT", "$A_OUTA",
                                                "$A_DBB",     "$A_DBW",    "$A_DBD", "$A_DBR"};
-  if (indices.size() != 1) return {};
+  if (indices.size() != 1 || !indices[0].is_number()) return {};
   if (std::find(std::begin(kKept), std::end(kKept), key) == std::end(kKept)) return {};
   return fmt::format("{}[{:g}]", key, indices[0].number);
+}
+
+// The name of a tool's type or tip, which are read back as they were set. Empty for others.
+std::string kept_tool_data(std::string_view key, std::span<const Value> indices) {
+  if ((key != "$TC_DP1" && key != "$TC_DP2") || indices.size() != 2) return {};
+  return fmt::format("{}[{:g},{:g}]", key, indices[0].number, indices[1].number);
 }
 
 }  // namespace
 
 bool SinumerikVariables::kept_value(std::string_view key, std::span<const Value> indices,
                                     double& out) const {
-  const auto kept = control_.kept_values.find(kept_name(key, indices));
+  const std::string name = kept_name(key, indices);
+  const auto kept = control_.kept_values.find(name.empty() ? kept_tool_data(key, indices) : name);
   if (kept == control_.kept_values.end()) return false;
   out = kept->second;
   return true;
@@ -140,7 +142,8 @@ bool SinumerikVariables::write_tool(std::string_view key, std::span<const Value>
   if (!key.starts_with("$TC_DP")) return false;
   const double number = parse_number(key.substr(6)).value_or(0);
   if (number < 1 || number > 25 || number != std::floor(number)) return false;
-  if (number <= 2) control_.kept_values[kept_name(key, indices)] = value.number;
+  if (const std::string kept = kept_tool_data(key, indices); !kept.empty())
+    control_.kept_values[kept] = value.number;
   if (number == 2 && lathe()) {  // the orientation of the tip
     const double tip = value.number;
     if (indices[1].number != 1 || tip < 1 || tip > 8 || tip != std::floor(tip)) return false;
