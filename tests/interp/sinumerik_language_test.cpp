@@ -339,5 +339,34 @@ TEST(SinumerikLanguage, ModalCodesInForceAreRead) {
   EXPECT_EQ(path("R1=$P_GG[13]\nG1 X5 F9\n"), "l5,0,0 | variable-unset");
 }
 
+// What stands behind a condition is an error whether the condition holds or not: "IF R1=5" would
+// ask whether R1 is 0, and words there would be lost.
+TEST(SinumerikStructures, NothingStandsBehindACondition) {
+  const std::string body = "X1\nENDIF\nX2\n";
+  for (const char* value : {"R1=0\n", "R1=5\n"}) {
+    EXPECT_EQ(moves(value + ("IF R1=5\n" + body)), " | statement") << value;
+    EXPECT_EQ(moves(value + ("IF R1==5 THEN\n" + body)), " | statement") << value;
+    EXPECT_EQ(moves(value + ("IF R1==5 X9\n" + body)), " | statement") << value;
+    EXPECT_EQ(moves(value + std::string("WHILE R1=5\nR1=0\nENDWHILE\nX2\n")), " | statement");
+    EXPECT_EQ(moves(value + std::string("FOR R2=R1 TO 4 STEP 2\nX1\nENDFOR\n")), " | statement");
+    EXPECT_EQ(moves(value + std::string("REPEAT\nR1=0\nUNTIL R1=5\n")), " | statement");
+    EXPECT_EQ(moves(value + std::string("IF R1==5 GOTOF AA BB\nAA: X1\n")), " | statement");
+  }
+  EXPECT_EQ(moves("GOTOF AA BB\nAA: X1\n"), " | statement");
+  EXPECT_EQ(moves("GOTOF AA ; BB\nX9\nAA: X1\nGOTOF \"N\"<<20\nN20 X2\n"), "l1,0,0 l2,0,0");
+}
+
+// "=" stands before what is computed, with blanks behind a sign or not.
+TEST(SinumerikStructures, AnEqualSignStandsBeforeWhatIsComputed) {
+  EXPECT_EQ(moves("R1=5\nX=- R1 Y=-  3\n"), "l-5,-3,0");
+  const auto told = [](const std::string& word) {
+    const Program p = read_text("G1 F9 R1=5\nX2 " + word + "\n", at_origin(Dialect::sinumerik));
+    return p.diagnostics.empty() ? std::string() : p.diagnostics.front().text;
+  };
+  for (const char* word : {"Y-R1", "Y R1", "Y(R1+2)", "Y-(R1)"})
+    EXPECT_NE(told(word).find("= is missing"), std::string::npos) << word << told(word);
+  EXPECT_NE(told("YR1").find("is Y=R1 meant?"), std::string::npos) << told("YR1");
+}
+
 }  // namespace
 }  // namespace mrsim

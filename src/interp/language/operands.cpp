@@ -71,6 +71,8 @@ bool Operands::bracketed(Value& out) {
   if (!expression_within(out)) return false;
   --depth_;
   skip_blanks();
+  if (at(p_) == '=' && rules_.spelling == Spelling::hash)
+    return fail("expression", "a comparison is written EQ here: [#1 EQ 2]", p_, p_ + 1);
   if (at(p_) != rules_.close)
     return fail("bracket",
                 fmt::format("the {} here is not closed with {}", rules_.open, rules_.close), from,

@@ -49,7 +49,7 @@ bool SinumerikStatements::statement(std::size_t from) {
   std::size_t p = from;
   const std::string name = name_at(p);
   if (name == "IF" || name == "ELSE" || name == "ENDIF") return branch(from, p);
-  if (name.starts_with("GOTO")) return go_to(name, p);
+  if (name.starts_with("GOTO")) return jump_if(true, name, p);
   if (name == "CASE") return case_of(p);
   if (name == "DEF") return define(p);
   if (name == "DEFINE") return define_macro(p, false);
@@ -79,43 +79,54 @@ bool SinumerikStatements::statement(std::size_t from) {
   return call_statement(from, p);
 }
 
-// Carries out IF ... GOTOF, or a part of the structure IF ELSE ENDIF.
+// Reads a condition. An assignment is none: "IF R1=5" would ask whether R1 is 0.
+bool SinumerikStatements::asked(std::size_t& p, bool& holds) {
+  if (!condition(p, holds)) return false;
+  p = skip_blanks(p);
+  return at(p) != '=' ||
+         fail("statement", "= assigns: a comparison is written == (alarm 12080)", p, p + 1);
+}
+
+// Carries out IF ... GOTOF, or a part of the structure IF ELSE ENDIF. Words behind the condition
+// are an error whether it holds or not.
 bool SinumerikStatements::branch(std::size_t from, std::size_t p) {
   bool holds = false;
   const bool asks = upper(at(from)) == 'I';
-  if (asks && !condition(p, holds)) return false;
+  if (asks && !asked(p, holds)) return false;
   std::size_t behind = p;
   if (const std::string word = asks ? name_at(behind) : ""; word.starts_with("GOTO"))
-    return holds ? go_to(word, behind) : next_jump(word, behind);
+    return jump_if(holds, word, behind);
   const FlowEntry* const entry = entry_at(from);
   if (!entry) return false;
   if (entry->word == FlowWord::branch_else)
     return jump_behind(places_.outline().entry(entry->last));
-  if (asks && !holds) return jump_behind(places_.outline().entry(entry->next));
-  return end_statement(p);
+  if (!end_statement(p)) return false;
+  return !asks || holds || jump_behind(places_.outline().entry(entry->next));
 }
 
-// Behind a jump that is not taken stands another one, IF ... GOTOF, or the end of the block.
-bool SinumerikStatements::next_jump(const std::string& word, std::size_t p) {
-  p = skip_blanks(p);
-  std::size_t behind = p;
-  const std::string target = word == "GOTOS" ? "" : name_at(behind);
-  if (variables_.is_defined(target) || at(p) == '"' || at(p) == '(') {
+// Behind a jump stands the end of the block or another one, IF ... GOTOF, which is asked where this
+// one is not taken.
+bool SinumerikStatements::jump_if(bool holds, const std::string& word, std::size_t p) {
+  const std::size_t from = p = skip_blanks(p);
+  const std::string target = word == "GOTOS" ? "" : name_at(p);
+  if (variables_.is_defined(target) || at(from) == '"' || at(from) == '(') {
     Value value;
-    behind = p;
-    if (!evaluator_.expression(block_.line, behind, value)) return report(evaluator_.fault());
+    p = from;
+    if (!evaluator_.expression(block_.line, p, value)) return report(evaluator_.fault());
   }
-  const std::size_t next = skip_blanks(behind);
-  p = next;
-  return name_at(p) == "IF" ? branch(next, p) : end_statement(next);
+  const bool named = p > from || word == "GOTOS";
+  const std::size_t next = p = skip_blanks(p);
+  const bool another = name_at(p) == "IF";
+  if (named && !another && !end_statement(next)) return false;
+  if (holds) return go_to(word, from);
+  return !another || branch(next, p);
 }
 
 bool SinumerikStatements::loop(const FlowEntry& entry, std::size_t p) {
   if (entry.word == FlowWord::loop_for) return for_loop(entry, p, !std::exchange(stepping_, false));
   bool holds = true;
-  if (entry.word == FlowWord::loop_while && !condition(p, holds)) return false;
-  if (!holds) return jump_behind(places_.outline().entry(entry.last));
-  return end_statement(p);
+  if (entry.word == FlowWord::loop_while && !asked(p, holds)) return false;
+  return end_statement(p) && (holds || jump_behind(places_.outline().entry(entry.last)));
 }
 
 // Carries out FOR variable = first TO last.
@@ -146,15 +157,15 @@ bool SinumerikStatements::for_loop(const FlowEntry& entry, std::size_t p, bool f
       r ? store(parse_number(name.substr(1)).value_or(-1), Value::of(begin), target, to)
         : store(name, at_index, Value::of(begin), target, to);
   if (!stored) return false;
-  if (begin > end) return jump_behind(places_.outline().entry(entry.last));
-  return end_statement(p);
+  return end_statement(p) && (begin <= end || jump_behind(places_.outline().entry(entry.last)));
 }
 
 bool SinumerikStatements::loop_end(const FlowEntry& entry, std::size_t p) {
   const FlowEntry& first = places_.outline().entry(entry.first);
   bool done = false;
-  if (entry.word == FlowWord::loop_until && !condition(p, done)) return false;
-  if (done) return end_statement(p);
+  if (entry.word == FlowWord::loop_until && !asked(p, done)) return false;
+  if (!end_statement(p)) return false;
+  if (done) return true;
   stepping_ = first.word == FlowWord::loop_for;
   return reader_.jump(first.at);
 }

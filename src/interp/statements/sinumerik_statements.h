@@ -20,8 +20,9 @@ class SinumerikStatements : public SinumerikCalls {
   bool statement(std::size_t p) override;
 
  private:
+  bool asked(std::size_t& p, bool& holds);
   bool branch(std::size_t from, std::size_t p);
-  bool next_jump(const std::string& word, std::size_t p);
+  bool jump_if(bool holds, const std::string& word, std::size_t p);
   bool loop(const FlowEntry& entry, std::size_t p);
   bool for_loop(const FlowEntry& entry, std::size_t p, bool first);
   bool loop_end(const FlowEntry& entry, std::size_t p);

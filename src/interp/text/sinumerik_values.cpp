@@ -99,6 +99,7 @@ bool SinumerikValues::more_follows() const {
   } else {
     const std::size_t signs = i;
     while (at(i) == '-' || at(i) == '+') ++i;
+    if (i > signs && blank(at(i)) && i < line_.size()) return true;  // "- R1"
     if ((is_name(at(i)) && !is_digit(at(i))) || at(i) == '(' || at(i) == '$') return true;
     while (is_digit(at(i)) || at(i) == '.') ++i;
     if (i == signs) return false;

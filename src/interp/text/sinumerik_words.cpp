@@ -54,10 +54,13 @@ std::string missing_equal_sign(std::string_view name) {
   std::size_t letters = 0;
   while (letters < name.size() && is_letter(name[letters])) ++letters;
   const std::string_view digits = name.substr(letters);
-  if (digits.empty() || digits.find_first_not_of("0123456789") != std::string_view::npos ||
-      find_address(upper_case(name.substr(0, letters))) == Address::none)
-    return {};
-  return fmt::format("; is {}={} meant?", name.substr(0, letters), digits);
+  if (digits.empty() || digits.find_first_not_of("0123456789") != std::string_view::npos) return {};
+  std::size_t end = letters;
+  if (find_address(upper_case(name.substr(0, letters))) == Address::none) {
+    if (letters != 2 || upper(name[1]) != 'R') return {};
+    end = 1;  // "XR1"
+  }
+  return fmt::format("; is {}={} meant?", name.substr(0, end), name.substr(end));
 }
 
 void SinumerikWords::read(Block& block) {
@@ -77,8 +80,7 @@ void SinumerikWords::read(Block& block) {
   if (n == ':' && block.words.empty()) return label(block, from, from + 1);
   if (n == '[' && c == 'R' && language_) return assignment(block, from);
   if (n == '[') return arrays_.read(block, from, std::string(1, c));
-  if (n == '$' || n == '(')
-    return unsupported(block, line_.substr(from, p_ - from + 1), "an expression", from);
+  if (lacks_equal_sign(block, from)) return;
   if (!starts_number(n))
     return fault(block, "address-without-number", fmt::format("no number after {}", c), from, p_);
   if (!number(block, word, true)) return;
@@ -89,6 +91,20 @@ void SinumerikWords::read(Block& block) {
   if (at(p_) == '=') return numbered_address(block, word, from, c);
   if (c == 'N') return block_number(block, from);
   push(block, word, from);
+}
+
+// "X-R1" and "X(R1+2)": an expression stands behind "=".
+bool SinumerikWords::lacks_equal_sign(Block& block, std::size_t from) {
+  std::size_t end = p_;
+  while (at(end) == '-' || at(end) == '+') ++end;
+  const bool parameter = upper(at(end)) == 'R' && (is_digit(at(end + 1)) || at(end + 1) == '[');
+  if (!parameter && at(end) != '(' && at(end) != '$') return false;
+  fault(block, "address-without-number",
+        fmt::format("= is missing: what is computed stands behind it, as in {}=R1 (alarm 12080)",
+                    upper(line_[from])),
+        from, end + 1);
+  p_ = std::min(line_.find(';', end), line_.size());
+  return true;
 }
 
 // I1= X1= S2= M2= R5=: `word` has the number, the place is at the "=".

@@ -108,8 +108,8 @@ bool WordIndex::refuse_address(const Word& word) {
         return true;
   if (is(Dialect::sinumerik) && c == 'R')
     return error("not-supported",
-                 "R is a variable of SINUMERIK, which is not supported yet; "
-                 "for a radius write CR=",
+                 "R is a variable of SINUMERIK, set by R1=5 and read by X=R1; for a radius write "
+                 "CR=",
                  word);
   if (c == 'E' && chooses_fixture()) return true;
   return error("address-unknown",
