@@ -214,6 +214,19 @@ TEST(Sinumerik, MarkersAndOutputsKeepTheirValues) {
   EXPECT_EQ(run("T1 M6 ; SCHAFTFRAESER D6\nG1 F9 X=$TC_DP6[1,1]\n"), "3,0,0 ");
 }
 
+TEST(Sinumerik, SynchronisedActionsAreNamed) {
+  for (const char* text : {"ID=1 WHEN $AA_IW[X]>5 DO M8\n", "WHENEVER $AA_IW[X]>5 DO M8\n"}) {
+    const Program p = read_text(text, at_origin(Dialect::sinumerik));
+    EXPECT_NE(listing(p).find("is a synchronised action"), std::string::npos) << listing(p);
+  }
+}
+
+TEST(Sinumerik, CountersOfPartsBeginAtZero) {
+  EXPECT_EQ(run("$AC_ACTUAL_PARTS=$AC_ACTUAL_PARTS+1\nG1 F9 X=$AC_ACTUAL_PARTS\n"
+                "IF $AC_TOTAL_PARTS<5 GOTOF AA\nX9\nAA: X2\n"),
+            "1,0,0 2,0,0 ");
+}
+
 // The type of a tool and the orientation of its tip are read back as the program has set them, and
 // so is the wear of its radius.
 TEST(Sinumerik, ToolDataThatWereSetAreReadBack) {

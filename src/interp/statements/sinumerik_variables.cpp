@@ -63,11 +63,18 @@ bool SinumerikVariables::tool_value(std::string_view name, std::span<const Value
 
 namespace {
 
+// The counters of parts: 0 until a program sets them, as FANUC's #3901.
+bool counts_parts(std::string_view key) {
+  return key == "$AC_ACTUAL_PARTS" || key == "$AC_TOTAL_PARTS" || key == "$AC_REQUIRED_PARTS" ||
+         key == "$AC_SPECIAL_PARTS";
+}
+
 // The name of a variable in which programs keep values, or of an output to the PLC: a value that
 // was set is read back. Empty for others.
 std::string kept_name(std::string_view key, std::span<const Value> indices) {
   static constexpr std::string_view kKept[] = {"$AC_MARKER", "$AC_PARAM", "$A_OUT", "$A_OUTA",
                                                "$A_DBB",     "$A_DBW",    "$A_DBD", "$A_DBR"};
+  if (counts_parts(key) && indices.empty()) return std::string(key);
   if (indices.size() != 1 || !indices[0].is_number()) return {};
   if (std::find(std::begin(kKept), std::end(kKept), key) == std::end(kKept)) return {};
   return fmt::format("{}[{:g}]", key, indices[0].number);
@@ -85,9 +92,9 @@ bool SinumerikVariables::kept_value(std::string_view key, std::span<const Value>
                                     double& out) const {
   const std::string name = kept_name(key, indices);
   const auto kept = control_.kept_values.find(name.empty() ? kept_tool_data(key, indices) : name);
-  if (kept == control_.kept_values.end()) return false;
-  out = kept->second;
-  return true;
+  const bool set = kept != control_.kept_values.end();
+  out = set ? kept->second : 0;
+  return set || counts_parts(key);
 }
 
 bool SinumerikVariables::axis_value_of(std::string_view name, int axis, double& out) const {

@@ -185,8 +185,10 @@ void SinumerikWords::name(Block& block) {
     }
     for (const std::string_view off : kOffWithZero)
       if (name == off && zero_follows()) return;
-    return unsupported(block, token,
-                       "no variable of DEF or of a .DEF file (--path), but an address", from);
+    const std::string_view known = unsupported_name(name);  // ID=1 WHEN ...
+    constexpr std::string_view kOther =
+        "no variable of DEF or of a .DEF file (--path), but an address";
+    return unsupported(block, token, known.empty() ? kOther : known, from);
   }
   if (c == '(') return call(block, from, token);
   if (name == "MCALL") {
