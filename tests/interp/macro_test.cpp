@@ -387,5 +387,17 @@ TEST(Macro, CallsThatBeginAtABlock) {
   EXPECT_EQ(run(Dialect::fanuc, "G1 F9\nG43 H20 M98 P7" + sub), "1,0,0 2,0,0 3,0,0 9,0,0 ");
 }
 
+// Words behind a GOTO are lost, whether it is taken or not.
+TEST(Macro, WordsBehindAJumpAreToldOf) {
+  const auto told = [](const std::string& line) {
+    return path_text(
+        read_text("#1=0\nG1 X1 F9\n" + line + "\nX2\nN10 X3\nM30\n", at_origin(Dialect::fanuc)));
+  };
+  EXPECT_EQ(told("IF[#1EQ5]GOTO10 X9."), "l1,0,0 l2,0,0 l3,0,0 | word-without-effect");
+  EXPECT_EQ(told("GOTO 10 Y9."), "l1,0,0 l3,0,0 | word-without-effect");
+  EXPECT_EQ(told("IF[#1EQ0]GOTO 10 (NEXT) ;"), "l1,0,0 l3,0,0");
+  EXPECT_EQ(told("IF[#1EQ5]GOTO[10+#1]"), "l1,0,0 l2,0,0 l3,0,0");
+}
+
 }  // namespace
 }  // namespace mrsim

@@ -66,7 +66,7 @@ bool MacroStatements::statement(std::size_t from) {
   if (name == "ELSEIF" && std::exchange(arriving_, false)) return if_statement(from, p);
   if (is_branch(name)) return branch(from, std::nullopt);
   if (abbreviates(name, "WHILE")) return while_statement(from, p);
-  if (abbreviates(name, "GOTO")) return go_to(p);
+  if (abbreviates(name, "GOTO")) return go_to(p, true);
   if (abbreviates(name, "END")) return loop_end(from);
   if (name == "DO") {
     const FlowEntry* const entry = entry_at(from);
@@ -98,9 +98,8 @@ bool MacroStatements::if_statement(std::size_t from, std::size_t p) {
   if (!condition(p, holds)) return false;
   std::size_t behind = p = behind_comments(block_.line, p);
   const std::string word = letters(behind);
-  if (abbreviates(word, "GOTO")) {
-    if (holds) return go_to(behind);
-  } else if (abbreviates(word, "THEN")) {
+  if (abbreviates(word, "GOTO")) return go_to(behind, holds);
+  if (abbreviates(word, "THEN")) {
     if (ends_block(block_.line, behind)) return branch(from, holds);
     if (const std::size_t other = else_at(behind); other < block_.line.size())
       return fail("not-supported",
@@ -153,8 +152,15 @@ bool MacroStatements::loop_end(std::size_t from) {
   return reader_.jump(places_.outline().entry(entry->first).at);
 }
 
-bool MacroStatements::go_to(std::size_t p) {
+// Words behind a GOTO are lost even where it is not taken.
+bool MacroStatements::go_to(std::size_t p, bool taken) {
+  if (const std::size_t words = words_behind_jump(block_.line, p); words < block_.line.size())
+    warning("word-without-effect",
+            "what stands behind GOTO is not read: write it into a block of its own",
+            place_word(words, end_of_block(words)));
   const std::size_t from = skip_blanks(p);
+  if (!taken) reader_.set_position(end_of_block(p));
+  if (!taken) return true;
   p = from;
   double target = 0;
   if (!number(p, target, true)) return false;

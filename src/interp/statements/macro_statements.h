@@ -52,7 +52,7 @@ class MacroStatements : public Statements {
   bool branch(std::size_t from, std::optional<bool> holds);
   bool while_statement(std::size_t at, std::size_t p);
   bool loop_end(std::size_t at);
-  bool go_to(std::size_t p);
+  bool go_to(std::size_t p, bool taken);
   double argument_value(const Word& word) const;
   bool collect(const Word* code, Arguments& out);
   bool number_leads();

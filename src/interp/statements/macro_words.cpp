@@ -1,7 +1,9 @@
 #include "interp/statements/macro_words.h"
 
+#include "interp/language/flow_scan.h"
 #include "interp/text/block.h"
 
+#include <algorithm>
 #include <array>
 
 namespace mrsim {
@@ -20,6 +22,13 @@ bool is_macro_a(const std::vector<Word>& words, const Word& code) {
   const Word* const next = &code + 1;
   return code.value == 65 && next < words.data() + words.size() && next->address == letter('H') &&
          !next->point;
+}
+
+std::size_t words_behind_jump(std::string_view line, std::size_t p) {
+  p = std::min(line.find_first_not_of(" \t", p), line.size());
+  const std::size_t digits = p;
+  p = std::min(line.find_first_not_of("0123456789. \t", p), line.size());
+  return p == digits || ends_block(line, p) ? line.size() : p;
 }
 
 }  // namespace mrsim

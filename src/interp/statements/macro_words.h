@@ -2,6 +2,8 @@
 // of old controls. Private to src/interp.
 #pragma once
 
+#include <cstddef>
+#include <string_view>
 #include <vector>
 
 namespace mrsim {
@@ -17,5 +19,9 @@ bool is_probing_macro(long number);
 /// Whether H stands right behind G65 and has no point, as in macro A of old controls: "G65 H02
 /// P#101 Q#102 R5" adds, and calls no program. In macro B P stands there.
 bool is_macro_a(const std::vector<Word>& words, const Word& code);
+
+/// The place of the words behind the number of a GOTO, which is at `p`. The end of the line: there
+/// are none, or the number is computed.
+std::size_t words_behind_jump(std::string_view line, std::size_t p);
 
 }  // namespace mrsim
