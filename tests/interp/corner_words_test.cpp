@@ -54,5 +54,22 @@ TEST(CornerWords, LathesWriteThemWithoutAComma) {
   EXPECT_EQ(turned_corners("G0 C0\nG1 Z-5. C45. F.2\n"), " | not-supported") << "C is an axis here";
 }
 
+// A scale makes a shape larger as a whole, its corners, too.
+TEST(CornerWords, AScaleCountsForRoundingsAndChamfers) {
+  const auto path = [](Dialect dialect, const std::string& text) {
+    return path_text(read_text(text, at_origin(dialect)));
+  };
+  EXPECT_EQ(path(Dialect::sinumerik, "SCALE X2 Y2\nG1 X10 RND=2 F9\nY10 CHR=1\nX0\n"),
+            path(Dialect::sinumerik, "G1 X20 RND=4 F9\nY20 CHR=2\nX0\n"));
+  EXPECT_EQ(path(Dialect::sinumerik, "SCALE X2 Y2\nRNDM=2\nG1 X10 F9\nY10 CHF=1\nX0\n"),
+            path(Dialect::sinumerik, "RNDM=4\nG1 X20 F9\nY20 CHF=2\nX0\n"));
+  EXPECT_EQ(path(Dialect::fanuc, "G51 X0 Y0 P2.\nG1 X10. ,R2. F9\nY10. ,C1.\nX0\n"),
+            path(Dialect::fanuc, "G1 X20. ,R4. F9\nY20. ,C2.\nX0\n"));
+  EXPECT_EQ(path(Dialect::sinumerik, "MIRROR X0\nG1 X10 RND=2 F9\nY10\n"),
+            path(Dialect::sinumerik, "G1 X-10 RND=2 F9\nY10\n"));
+  EXPECT_EQ(path(Dialect::sinumerik, "SCALE X2\nG1 X10 RND=2 F9\nY10\n"),
+            "l20,0,0 l20,10,0 | arc-scaled-unequally");
+}
+
 }  // namespace
 }  // namespace mrsim

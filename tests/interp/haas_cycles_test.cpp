@@ -60,6 +60,10 @@ TEST(HaasCycles, G12AndG13ClearCircularPockets) {
   EXPECT_EQ(haas_path("G0 Z0\nG12 G91 Z-2. I8. K15. Q4. L2 D1 F100.\nG90\n"),
             "l0,0,-2 a3,0,-2 a3,0,-2 l7,0,-2 a7,0,-2 l10,0,-2 a10,0,-2 a0,0,-2 "
             "l0,0,-4 a3,0,-4 a3,0,-4 l7,0,-4 a7,0,-4 l10,0,-4 a10,0,-4 a0,0,-4");
+  EXPECT_EQ(haas_path("G51 X0 Y0 I2. J2. K1.\nG13 Z-2. I8. F100. D1\n"),
+            "l0,0,-2 a11,0,-2 a11,0,-2 a0,0,-2")
+      << "G51 scales I, not the tool";
+  EXPECT_EQ(haas_path("G51 X0 Y0 I2. J1. K1.\nG13 Z-2. I8. F100. D1\n"), " | arc-scaled-unequally");
   const Program p = read_text("G13 Z-2. I8. F100. D1\n", at_origin(Dialect::fanuc));
   ASSERT_EQ(p.motions.size(), 4U);
   EXPECT_NEAR(p.motions[2].sweep, kTwoPi, 1e-12);

@@ -199,6 +199,10 @@ TEST(MillCycles, FaultsAreNamed) {
   EXPECT_EQ(code("CYCLE77(50,0,2,-6,,30,0,0,3,0,0,800,200,0,1,900000000)"), "value-range");
   EXPECT_EQ(code("POCKET4(50,0,2,-6,22,1EX100,4,3)"), "number-too-large");
   EXPECT_EQ(code("CYCLE79(50,0,2,-6,,6,10)"), "not-supported");
+  const std::string pocket = "POCKET3(50,0,2,-6,60,40,8,0,0,0,3,0,0,800,200,0,11)";
+  EXPECT_EQ(code("SCALE X2 Y2\n" + pocket), "not-supported") << "what of the cutter's radius?";
+  EXPECT_EQ(code("SCALE Z2\n" + pocket), "");
+  EXPECT_EQ(code("MIRROR X0\n" + pocket), "");
 }
 
 TEST(MillCycles, AMissingRadiusIsToldOnceForATool) {

@@ -6,6 +6,7 @@
 #include "interp/control/block_words.h"
 #include "interp/control/set_lengths.h"
 #include "interp/control/state.h"
+#include "interp/path/frames.h"
 #include "interp/text/reporter.h"
 #include <mrsim/options.h>
 
@@ -125,6 +126,8 @@ class ControlPart {
   Basis basis() const {
     return modal_.plane == 3 ? normal_basis(modal_.normal) : plane_basis(modal_.plane);
   }
+  /// The factor by which the frames in force scale the plane; 0: unequally.
+  double plane_factor() const { return plane_scale(frames_.total, basis().u, basis().v); }
   /// The axes of basis() in the stock's coordinates, of length 1; left-handed under a mirror.
   Basis stock_basis() const;
   /// FANUC: whether a variable or an expression gives the word its value.

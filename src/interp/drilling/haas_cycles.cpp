@@ -137,7 +137,11 @@ bool HaasCycles::read_pocket(Pocket& out) {
   if (!i || (!z && !is_haas))
     return error("value-missing", fmt::format("a circular pocket needs {}", i ? 'Z' : 'I'),
                  *block_.oneshot);
-  const double tool = compensation_.register_radius(*block_.oneshot);
+  const double factor = plane_factor();  // G51 scales I and K, not the tool
+  if (!(factor > 0))
+    return error("arc-scaled-unequally", "a circular pocket in a plane that is scaled unequally",
+                 *block_.oneshot);
+  const double tool = compensation_.register_radius(*block_.oneshot) / factor;
   out.first = out.last = length_of('I') - tool;
   if (peek('K') && peek('Q')) {
     out.last = length_of('K') - tool;

@@ -36,7 +36,10 @@ bool HaasPocket::read_words() {
     return error("value-range", "I, J and Q of G150 are lengths above 0", where_);
   if (levels_.bottom >= levels_.reference)
     return error("value-range", "Z of G150 must lie below R", *z);
-  radius_ = compensation_.register_radius(where_);
+  const double factor = plane_factor();  // G51 scales the contour, not the tool
+  if (!(factor > 0))
+    return error("arc-scaled-unequally", "G150 in a plane that is scaled unequally", where_);
+  radius_ = compensation_.register_radius(where_) / factor;
   return radius_ > 0 ||
          error("tool-unknown", "G150 needs the radius of its tool: give --tool or --tools", where_);
 }

@@ -1,5 +1,6 @@
 #include "interp/milling/mill_values.h"
 
+#include "core/numbers/rounding.h"
 #include "core/numbers/trig.h"
 
 #include <algorithm>
@@ -28,6 +29,10 @@ bool MillValues::begin(const CycleCall& call, const Word& where, bool at_positio
   mover_.begin(where);
   if (modal_.comp != Code::comp_off)
     return fail("cycle-compensation", "a milling cycle under radius compensation: G40 before it");
+  if (std::abs(plane_factor() - 1) > kTurnRounding)
+    return fail("not-supported",
+                "a milling cycle under a scale: whether the control scales the cutter's radius, "
+                "too, is not known; write the sizes that are to be cut");
   radius_ = tools_.radius_for(call.shown(), modal_.edge, where_);
   return radius_ > 0;
 }

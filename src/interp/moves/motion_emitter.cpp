@@ -325,6 +325,18 @@ void MotionEmitter::turned_corner(const Word*& round, const Word*& leg) {
   if (!leg) leg = take(z ? 'I' : 'K');
 }
 
+// A scale makes the shape larger as a whole, its corners, too. ("all X, Y, Z, I, J, K, or R values
+// addressing machine motion are multiplied", Haas says of G51.)
+void MotionEmitter::scale_corner(CornerSpec& spec) {
+  const double factor = plane_factor();
+  spec.size *= factor;
+  if (factor > 0) return;
+  spec.kind = CornerSpec::Kind::none;
+  error("arc-scaled-unequally",
+        "the frame scales the plane unequally: the rounding or chamfer would lose its form",
+        block_.words.front());
+}
+
 CornerSpec MotionEmitter::corner_spec() {
   CornerSpec spec;
   const Word* round = take(Address::rnd);
@@ -351,6 +363,7 @@ CornerSpec MotionEmitter::corner_spec() {
     if (word && word->value < 0 && word->address >= Address::function)
       warning("corner-void", "the size is negative: no rounding or chamfer is inserted", *word);
   if (spec.size <= 0) spec.kind = Kind::none;
+  if (spec.kind != Kind::none) scale_corner(spec);
   spec.feed = feed ? feed->value * feed_scale() : modal_.frcm;
   return spec;
 }

@@ -32,6 +32,7 @@ class MotionEmitter : public ControlPart {
   void change_tool();
   /// The corner that RND, CHF or CHR of the block, else RNDM, asks for.
   CornerSpec corner_spec();
+  void scale_corner(CornerSpec& spec);
   /// Emits what was held back, at the end of the program.
   void flush();
   /// The most motions of a contour that are kept.

@@ -170,7 +170,7 @@ bool Moves::spline(const Vec3& from, const Frame& frame) {
 bool Moves::emit_arc(const SolvedArc& arc, const Frame& frame, double feed) {
   const Vec3 u = turn(frame, arc.u), v = turn(frame, arc.v);
   const double su = length(u), sv = length(v);
-  if (std::abs(su - sv) > kTurnRounding * su || std::abs(dot(u, v)) > kTurnRounding * su * sv)
+  if (plane_scale(frame, arc.u, arc.v) == 0)
     return error("arc-scaled-unequally",
                  arc.spatial
                      ? std::string("the frame scales the arc's plane unequally: it would be an "

@@ -1,6 +1,9 @@
 #include "interp/path/frames.h"
 
+#include "core/numbers/rounding.h"
 #include "core/numbers/trig.h"
+
+#include <cmath>
 
 namespace mrsim {
 
@@ -75,6 +78,15 @@ Frame about(const Frame& frame, const Vec3& center) {
   Frame f = frame;
   f.shift = frame.shift + center - turn(frame, center);
   return f;
+}
+
+double plane_scale(const Frame& frame, const Vec3& u, const Vec3& v) {
+  if (frame.plain) return 1;
+  const Vec3 a = turn(frame, u), b = turn(frame, v);
+  const double factor = length(a);
+  const bool round = std::abs(factor - length(b)) <= kTurnRounding * factor &&
+                     std::abs(dot(a, b)) <= kTurnRounding * factor * factor;
+  return round ? factor : 0;
 }
 
 Basis plane_basis(int plane) {

@@ -28,6 +28,10 @@ Frame inverse(const Frame& frame);
 /// The determinant of the linear part: the factor on volumes, below 0 where the frame mirrors.
 double determinant(const Frame& frame);
 
+/// The factor by which the frame scales the plane of two unit vectors that are square to each
+/// other; 0: unequally, so that circles become ellipses.
+double plane_scale(const Frame& frame, const Vec3& u, const Vec3& v);
+
 /// The frame that applies first `inner`, then `outer`.
 Frame compose(const Frame& outer, const Frame& inner);
 

@@ -1,5 +1,7 @@
 #include "interp/sinumerik/contour_pocket.h"
 
+#include "core/numbers/rounding.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -67,6 +69,11 @@ bool ContourPocket::surroundings(double radius, const Loop& blank, Loop& out) {
 bool ContourPocket::run() {
   RegionCutter::Levels l;
   if (!read(l)) return false;
+  if (std::abs(plane_factor() - 1) > kTurnRounding)
+    return error("not-supported",
+                 "CYCLE63 under a scale: whether the control scales the cutter's radius, too, is "
+                 "not known; write the contour that is to be cut",
+                 where_);
   double radius = tools_.radius_for("CYCLE63", modal_.edge, where_);
   if (radius <= 0) return false;
   std::vector<Loop> loops(contours_.size());
