@@ -345,5 +345,14 @@ TEST(LinuxCncWords, ALengthThatTouchingOffChanges) {
       << "the table tells the length of the tool";
 }
 
+// Its interpreter carries out the O word of a line and nothing else there.
+TEST(LinuxCncWords, WordsBehindAnOWordAreLeftOut) {
+  EXPECT_EQ(path_of_words("F9\nO1 if [1] G1 X5\nG1 Y1\nO1 endif\nM2\n"),
+            "l0,1,0 | word-without-effect");
+  EXPECT_EQ(path_of_words("F9\nO1 repeat [2] G1 X5\nG91 G1 Y1\nO1 endrepeat\nM2\n"),
+            "l0,1,0 l0,2,0 | word-without-effect");
+  EXPECT_EQ(path_of_words("F9\nO1 if [1] (YES) ; so\nG1 Y1\nO1 endif (END)\nM2\n"), "l0,1,0");
+}
+
 }  // namespace
 }  // namespace mrsim

@@ -109,6 +109,20 @@ std::size_t OwordStatements::end_of_line(std::size_t p) const {
   return p;
 }
 
+// LinuxCNC carries out the O word of a line and leaves its other words.
+bool OwordStatements::pass_rest(std::size_t p) {
+  const std::size_t end = block_.line.size();
+  p = end_of_line(p);
+  if (p < end && at(p) != ';') {
+    warning("word-without-effect",
+            "words behind an O word are not read: write them into a block of their own",
+            place_word(p, end));
+    p = end;
+  }
+  reader_.set_position(p);
+  return true;
+}
+
 bool OwordStatements::statement(std::size_t from) {
   has_owords_ = true;
   std::size_t p = from;
@@ -149,8 +163,7 @@ bool OwordStatements::oword(const FlowEntry& entry, std::size_t p) {
       bool again = false;
       if (!condition(p, again)) return false;
       if (again) return jump_past(places_.outline().entry(entry.first));
-      reader_.set_position(p);
-      return true;
+      return pass_rest(p);
     }
     case FlowWord::loop_break:
       return jump_past(places_.outline().entry(places_.outline().entry(entry.first).last));
@@ -168,8 +181,7 @@ bool OwordStatements::oword(const FlowEntry& entry, std::size_t p) {
     case FlowWord::sub_return:
       return leave(p, true);
     default:
-      reader_.set_position(end_of_line(p));
-      return true;
+      return pass_rest(p);
   }
 }
 
@@ -181,10 +193,7 @@ bool OwordStatements::branch(const FlowEntry& entry, std::size_t p) {
   if (!asked) return jump_past(places_.outline().entry(entry.last));
   bool holds = true;
   if (entry.word != FlowWord::branch_else && !condition(p, holds)) return false;
-  if (holds) {
-    reader_.set_position(end_of_line(p));
-    return true;
-  }
+  if (holds) return pass_rest(p);
   const FlowEntry& next = places_.outline().entry(entry.next);
   if (next.word == FlowWord::branch_end) return jump_past(next);
   arriving_ = true;
@@ -200,14 +209,12 @@ bool OwordStatements::loop(const FlowEntry& entry, std::size_t p) {
     if (!evaluator_.number_expression(block_.line, p, count)) return report(evaluator_.fault());
     if (count < 1) return jump_past(end);
     passes_left(entry.last) = static_cast<long>(std::min(nearest_whole(count), 1e9));
-    reader_.set_position(end_of_line(p));
-    return true;
+    return pass_rest(p);
   }
   bool holds = false;
   if (!condition(p, holds)) return false;
   if (!holds) return jump_past(end);
-  reader_.set_position(end_of_line(p));
-  return true;
+  return pass_rest(p);
 }
 
 bool OwordStatements::loop_again(const FlowEntry& entry) {
