@@ -260,5 +260,18 @@ TEST(Language, SystemVariablesOfGeometryAreRead) {
   EXPECT_EQ(run(Dialect::fanuc, "G1 F100 X3\nX#3011\n"), "3,0,0 variable-number");
 }
 
+// A fault in a loop is told once, and such a loop is given up early: the fault may be why it does
+// not end.
+TEST(Limits, ALoopWithAFaultIsToldOfOnce) {
+  const Program p = read_text("DEF INT NN=3\nG1 F9 X1\nWHILE NN>0\nNN)NN-1\nX2\nENDWHILE\nM30\n",
+                              at_origin(Dialect::sinumerik));
+  EXPECT_EQ(codes(p), "character number-without-address address-twice program-endless");
+  EXPECT_NE(p.diagnostics.back().text.find("behind an error"), std::string::npos) << listing(p);
+  EXPECT_EQ(
+      codes(read_text("G1 F9 X1\n#1=0\nWHILE[#1LT3]DO1\nG1 X[#1+1] Q;\nT\n#1=#1+1\nEND1\nM30\n",
+                      at_origin(Dialect::fanuc))),
+      codes(read_text("G1 F9 X1\n#1=0\nG1 X[#1+1] Q;\nT\nM30\n", at_origin(Dialect::fanuc))));
+}
+
 }  // namespace
 }  // namespace mrsim

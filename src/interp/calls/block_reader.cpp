@@ -20,6 +20,8 @@ std::size_t depth_limit(Dialect dialect) {
   return dialect == Dialect::codesys ? 14 : 16;
 }
 
+// Nothing is cut behind an error, so that loops run on for its sake in vain.
+constexpr std::uint64_t kStepsBehindAnError = 1'000'000;
 constexpr std::size_t kMostStretches = 200;  // calls and repeated parts inside one another
 
 }  // namespace
@@ -111,11 +113,17 @@ Place BlockReader::place_at(std::size_t position) const {
 bool BlockReader::count_steps(std::uint64_t steps) {
   reporter_.set_repeating();
   steps_ += steps;
-  if (steps_ <= options_.max_steps) return true;
+  if (reporter_.errors() > 0) steps_behind_error_ += steps;
+  const bool whole = steps_behind_error_ <= kStepsBehindAnError;
+  if (whole && steps_ <= options_.max_steps) return true;
   reporter_.add(
       Severity::error, "program-endless",
-      fmt::format("stopped after {} steps of loops and calls (--max-steps)", options_.max_steps), 0,
-      1);
+      whole ? fmt::format("stopped after {} steps of loops and calls (--max-steps)",
+                          options_.max_steps)
+            : fmt::format("stopped {} steps of loops and calls behind an error, which may be why "
+                          "they do not end",
+                          kStepsBehindAnError),
+      0, 1);
   stop();
   return false;
 }

@@ -125,9 +125,10 @@ class BlockReader : public ControlPart {
   Parser parser_;
   SubprogramIndex subprograms_;
   std::vector<Activation> stack_;
-  Macros macros_;                 ///< the names of files of definitions
-  std::size_t levels_ = 0;        ///< running calls
-  std::uint64_t steps_ = 0;       ///< jumps, calls and repeats so far
+  Macros macros_;            ///< the names of files of definitions
+  std::size_t levels_ = 0;   ///< running calls
+  std::uint64_t steps_ = 0;  ///< jumps, calls and repeats so far
+  std::uint64_t steps_behind_error_ = 0;
   std::set<std::string> called_;  ///< programs, "O2" or "ONAME"
   std::map<std::string, std::vector<std::unique_ptr<LineSource>>>
       idle_;  ///< open files to be used again

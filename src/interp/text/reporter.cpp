@@ -26,10 +26,12 @@ bool Reporter::seen(const std::string& key) {
 
 // Counts a finding. False: it, or enough of its kind, has been reported before.
 bool Reporter::is_told(Severity severity, const char* code, const SourcePlace& place, int call) {
-  // A subprogram that runs fifty times says everything once.
+  // A subprogram that runs fifty times says everything once. What is told before the first jump
+  // may stand in a loop, too.
+  const std::string key = fmt::format("{}:{}:{}:{}", code, place.file, place.line, place.column);
   const bool again = call >= 0 || repeating_;
-  if (again && seen(fmt::format("{}:{}:{}:{}", code, place.file, place.line, place.column)))
-    return false;
+  if (again && seen(key)) return false;
+  if (!again && seen_.size() < kMostRemembered / 2) seen_.insert(key);
   if (severity == Severity::error) ++errors_;
   auto kind = std::find_if(kinds_.begin(), kinds_.end(),
                            [&](const Kind& k) { return k.severity == severity && k.code == code; });
