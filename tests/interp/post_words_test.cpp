@@ -281,6 +281,9 @@ TEST(PostWords, RemarksOfWinCncStandInSquareBrackets) {
     EXPECT_EQ(p.tools[0].diameter, 6);
   }
   EXPECT_EQ(codes(read_text("G1 X5 [A] F100\n", at_origin(Dialect::iso))), "not-supported");
+  for (const Dialect dialect : {Dialect::ngc, Dialect::fanuc})
+    EXPECT_EQ(codes(read_text("#2=3\nG1 X5 F100\n[#2+1]\n", at_origin(dialect))), "not-supported")
+        << "no remark, but an expression that has lost its address";
 }
 
 TEST(PostWords, SmoothingOfCentroidAndMazakIsReadOver) {

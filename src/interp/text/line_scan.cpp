@@ -59,7 +59,8 @@ bool calls_lap(std::string_view code) {
 bool is_remark(std::string_view line, std::size_t from) {
   const std::size_t end = line.find_last_not_of(" \t\r");
   if (end == line.npos || end <= from || line[from] != '[' || line[end] != ']') return false;
-  return line.find_first_not_of(" \t") == from;
+  // "[#2+1]" has lost its address.
+  return line.find_first_not_of(" \t") == from && line.find('#', from) == line.npos;
 }
 
 void scan_line(std::string_view line, LineScan& out) {

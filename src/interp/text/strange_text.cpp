@@ -83,7 +83,8 @@ void StrangeText::character(Block& block) {
     while (is_digit(at(p_))) ++p_;
     return unsupported(block, line_.substr(from, p_ - from), "a variable", from);
   }
-  if (c == '[') return unsupported(block, "[", "an expression", from);
+  if (c == '[')
+    return unsupported(block, "[", "an expression without its address, such as X[#1+2]", from);
   if (c == '<') {
     if (const std::size_t close = line_.substr(from, kNearby).find('>'); close != line_.npos) {
       p_ = from + close + 1;
