@@ -11,37 +11,51 @@
 #include <openvdb/tools/Composite.h>
 #include <openvdb/tools/LevelSetUtil.h>
 #include <openvdb/tools/MeshToVolume.h>
+#include <openvdb/tools/SignedFloodFill.h>
 
 namespace mrsim {
 namespace {
 
 // Each piece has a tree of its own for a while. OpenVDB's usual one takes 300 kB where it holds a
 // single voxel, and there may be ten thousand pieces; in this one the nodes above the leaves are
-// small.
-using Grid = openvdb::Grid<openvdb::tree::Tree3<float, 3, 3>::Type>;
+// small. Grids that there is one of are OpenVDB's usual ones, whose functions are compiled in its
+// library.
+using SmallGrid = openvdb::Grid<openvdb::tree::Tree3<float, 3, 3>::Type>;
+using openvdb::FloatGrid;
 
 constexpr float kBand = 4;            // voxels on both sides of a surface
 constexpr std::size_t kPlaces = 256;  // of a piece
 constexpr double kNear = 2;           // voxels from the nominal
 
-Grid::Ptr voxels_of(const TriMesh& mesh, double voxel) {
+FloatGrid::Ptr voxels_of(const TriMesh& mesh, double voxel) {
   std::vector<openvdb::Vec3s> points;
   std::vector<openvdb::Vec3I> triangles;
   for (const auto& v : mesh.vertices) points.emplace_back(v[0], v[1], v[2]);
   for (const auto& t : mesh.triangles) triangles.emplace_back(t[0], t[1], t[2]);
   const auto transform = openvdb::math::Transform::createLinearTransform(voxel);
-  return openvdb::tools::meshToLevelSet<Grid>(*transform, points, triangles, kBand);
+  return openvdb::tools::meshToLevelSet<FloatGrid>(*transform, points, triangles, kBand);
 }
 
 // The solid grown by `by`, which is less than its band.
-Grid::Ptr grown(const Grid& solid, double by) {
-  Grid::Ptr out = solid.deepCopy();
+FloatGrid::Ptr grown(const FloatGrid& solid, double by) {
+  FloatGrid::Ptr out = solid.deepCopy();
   for (auto it = out->beginValueOn(); it; ++it) it.setValue(*it - float(by));
   return out;
 }
 
+// The same level set in a small grid, whose class tells volumeToMesh on which side the solid is.
+SmallGrid::Ptr in_small_nodes(const FloatGrid& grid) {
+  SmallGrid::Ptr out = SmallGrid::create(grid.background());
+  out->setTransform(grid.transform().copy());
+  out->setGridClass(grid.getGridClass());
+  for (auto leaf = grid.tree().cbeginLeaf(); leaf; ++leaf)
+    out->tree().addLeaf(new SmallGrid::TreeType::LeafNodeType(*leaf));
+  openvdb::tools::signedFloodFill(out->tree());
+  return out;
+}
+
 // Middles of voxels of the piece close above the nominal, evenly chosen.
-std::vector<Vec3> places_of(const Grid& piece, const Grid& nominal) {
+std::vector<Vec3> places_of(const SmallGrid& piece, const FloatGrid& nominal) {
   const double near = kNear * nominal.voxelSize().x();
   std::vector<Vec3> all, out;
   auto at = nominal.getConstAccessor();
@@ -64,8 +78,8 @@ std::vector<RestVoxels> find_rest_voxels(const RestTask& task) {
     const auto part = voxels_of(task.part, task.voxel);
     const auto nominal = voxels_of(task.nominal, task.voxel);
     const auto rest = openvdb::tools::csgDifferenceCopy(*part, *grown(*nominal, task.above));
-    std::vector<Grid::Ptr> pieces;
-    openvdb::tools::segmentSDF(*rest, pieces);
+    std::vector<SmallGrid::Ptr> pieces;
+    openvdb::tools::segmentSDF(*in_small_nodes(*rest), pieces);
     out.resize(pieces.size());
     for (std::size_t i = 0; i < pieces.size(); ++i)
       out[i] = {surface_of(*pieces[i]), places_of(*pieces[i], *nominal)};
