@@ -60,9 +60,9 @@ bool has_creases(const ExactField& field, const Box3& box, const Candidates& swe
 // the points on a line. The points begin up to half a step before the box or in it, so that a sheet
 // between two boxes counts in one of them.
 double sheets_in(const ExactField& field, const Box3& box, const Candidates& sweeps) {
-  constexpr std::size_t kMost = 24, kLeast = 6, kAsked = 400;  // steps; distances to sweeps in all
+  constexpr std::size_t kMostSteps = 24, kLeastSteps = 6, kDistances = 400;  // to sweeps, in all
   constexpr double kGolden = 0.618033988749895;
-  const std::size_t steps = std::clamp(kAsked / sweeps.size(), kLeast, kMost);
+  const std::size_t steps = std::clamp(kDistances / sweeps.size(), kLeastSteps, kMostSteps);
   const double size = box.hi.x - box.lo.x;
   const Vec3 number = (1 / size) * box.lo;
   double spread = number.x * 0.7548776662 + number.y * 0.5698402910 + number.z * 0.8191725134;
@@ -70,8 +70,8 @@ double sheets_in(const ExactField& field, const Box3& box, const Candidates& swe
     spread += kGolden;
     return spread - std::floor(spread);
   };
-  std::array<Vec3, kMost + 1> points;
-  std::array<FieldSample, kMost + 1> samples;
+  std::array<Vec3, kMostSteps + 1> points;
+  std::array<FieldSample, kMostSteps + 1> samples;
   int crossed = 0;
   for (int axis = 0; axis < 3; ++axis) {
     Vec3 at = box.lo + size * Vec3{next(), next(), next()};

@@ -56,14 +56,14 @@ Corners sorted_corners(const TriMesh& mesh, std::uint32_t face) {
 // Of faces with the same corners, the first. A ray that meets one of them meets all of them, so
 // that thousands of bodies in one place would take thousands of times as long.
 std::vector<std::uint32_t> distinct_faces(const TriMesh& mesh) {
-  struct Key {
+  struct FaceKey {
     std::uint64_t hash = 0;
     std::uint32_t face = 0;
-    bool operator<(const Key& other) const {
+    bool operator<(const FaceKey& other) const {
       return hash != other.hash ? hash < other.hash : face < other.face;
     }
   };
-  std::vector<Key> keys(mesh.triangles.size());
+  std::vector<FaceKey> keys(mesh.triangles.size());
   for (std::uint32_t f = 0; f < keys.size(); ++f) {
     const Corners corners = sorted_corners(mesh, f);
     ContentHash hash;

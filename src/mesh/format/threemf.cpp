@@ -221,8 +221,8 @@ std::optional<double> unit_in_mm(std::string_view unit) {
 }
 
 void ModelReader::read_triangle() {
-  constexpr std::size_t kTriangle = sizeof object_->triangles[0] + sizeof object_->owners[0];
-  detail::require_growth(object_->triangles, kTriangle, name_);
+  constexpr std::size_t kOwnedTriangle = sizeof object_->triangles[0] + sizeof object_->owners[0];
+  detail::require_growth(object_->triangles, kOwnedTriangle, name_);
   object_->triangles.push_back({integer("v1"), integer("v2"), integer("v3")});
   const auto base = xml_.attribute("p1");
   const auto index = base ? detail::to_integer(*base) : std::nullopt;
