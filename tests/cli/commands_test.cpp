@@ -160,7 +160,7 @@ TEST_F(Cli, PicturesAreNamedAsWhatTheyHold) {
   expect_failure("render block.stl -o picture.jpg", 2, "picture.jpg: a picture is written as .png");
   expect_failure("render PRIMER_2F.MPF --stock block.stl --frames 2 -o f%d.jpg", 2,
                  "f%d.jpg: a picture is written as .png");
-  EXPECT_EQ(run("render block.stl -o P.PNG").code, 0);
+  EXPECT_EQ(run("render block.stl --size 160x120 -o P.PNG").code, 0);
   EXPECT_EQ(run("trace PRIMER_2F.MPF -q -o P.HTML").code, 0);
   expect_failure("trace PRIMER_2F.MPF -q -o p.png", 2,
                  "p.png: a tool path is written as .svg, .ply or .html");

@@ -138,7 +138,7 @@ TEST_F(OutputFiles, FollowLinks) {
 }
 
 TEST_F(OutputFiles, GoToDevicesAndPipes) {
-  const std::string json = "compare block.stl block.stl -q --json ";
+  const std::string json = "compare block.stl block.stl --density 1 -q --json ";
   ASSERT_EQ(run(json + "r.json").code, 0);
   EXPECT_EQ(run(json + "/dev/stdout").out, read("r.json"));
   EXPECT_EQ(run(json + "-").out, read("r.json"));

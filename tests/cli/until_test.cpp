@@ -80,7 +80,9 @@ TEST_F(Until, LinesWithoutMovesEndTheProgramWhereTheyAreDone) {
   const std::string loop =
       "WHILE [#1 LT 3] DO1\nG1 Y[5+#1*10] F1000\nX60\n#1=#1+1\nG0 X-10\nEND1\n";
   const std::string rest =
-      " --dialect fanuc --machine mill --stock box:0,0,-20,50,40,0 --tool 1=endmill:d=6 -q --json ";
+      " --dialect fanuc --machine mill --stock box:0,0,-20,50,40,0 --tool 1=endmill:d=6 --voxel 2 "
+      "-q "
+      "--json ";
   write("main.nc", head + loop + "(NEXT)\nM5\nG4 P2000\nG4 P3000\n\nG1 X0 F500\nM30\n");
   const auto expect = [&](int line, double removed, double dwell) {
     const Outcome outcome = run("main.nc" + rest + "out.json --until " + std::to_string(line));
@@ -215,7 +217,7 @@ TEST_F(Until, AJobMayBeRenderedInFrames) {
 // Stands for ffmpeg: the film names its pictures.
 TEST_F(Until, FramesAreAFilm) {
   const std::string rest =
-      "render PRIMER_2F.MPF --stock block.stl -q --size 160x120 --frames 3 -o film.webm";
+      "render PRIMER_2F.MPF --stock block.stl --voxel 5 -q --size 160x120 --frames 3 -o film.webm";
   const Outcome without = run(rest, "PATH=" + folder_.string());
   EXPECT_EQ(without.code, 1);
   EXPECT_NE(without.err.find("ffmpeg, which is not installed"), std::string::npos) << without.err;
