@@ -18,7 +18,7 @@ class Limits : public CliTest {
   }
 };
 
-TEST_F(Limits, FilesThatNeverEnd) {
+TEST_F(Limits, FilesThatNeverEndAreRefused) {
   std::filesystem::create_symlink("/dev/zero", folder_ / "zero.stl");
   std::filesystem::create_symlink("/dev/zero", folder_ / "zero.MPF");
   expect_failure("PRIMER_2F.MPF --stock zero.stl -o part.stl", 1, "[file-too-large]");
@@ -27,7 +27,7 @@ TEST_F(Limits, FilesThatNeverEnd) {
 }
 
 // Each part of a key is a table in the next one, freed by recursion.
-TEST_F(Limits, PartsOfAKey) {
+TEST_F(Limits, KeysOfManyPartsAreRefusedAtTheirLine) {
   std::string key = "a";
   for (int i = 0; i < 100000; ++i) key += ".a";
   for (const std::string& text : {key + " = 1\n", "[" + key + "]\n", "b = { " + key + " = 1 }\n"}) {
@@ -44,7 +44,7 @@ TEST_F(Limits, PartsOfAKey) {
   EXPECT_FALSE(contains(run("tools fine.toml").err, "16 parts"));
 }
 
-TEST_F(Limits, MessagesOfADamagedProgram) {
+TEST_F(Limits, ADamagedProgramGetsFewMessages) {
   write("flood.MPF", std::string(200000, '!') + "\n");
   const Outcome outcome = run("flood.MPF --machine mill --stock block.stl -o part.stl");
   EXPECT_EQ(outcome.code, 1);
@@ -52,11 +52,14 @@ TEST_F(Limits, MessagesOfADamagedProgram) {
   EXPECT_TRUE(contains(outcome.err, "more of these")) << outcome.err.substr(0, 2000);
 }
 
-TEST_F(Limits, DensityAndDistanceOfAComparison) {
+TEST_F(Limits, DensitiesBeyondTheSamplesAreWrongUsage) {
   const Outcome dense = run("compare block.stl block.stl --density 1e300");
   EXPECT_EQ(dense.code, 2) << dense.err;
   EXPECT_TRUE(contains(dense.err, "[density-too-large]")) << dense.err;
   EXPECT_TRUE(contains(dense.err, "at most 5000000")) << dense.err;
+}
+
+TEST_F(Limits, MeshesTooFarAwayAreRefused) {
   std::string far = read("block.stl");
   const float coordinate = 1e38F;
   far.replace(96, 4, std::string(reinterpret_cast<const char*>(&coordinate), 4));
@@ -67,13 +70,16 @@ TEST_F(Limits, DensityAndDistanceOfAComparison) {
     EXPECT_EQ(outcome.code, 1) << arguments << outcome.err;
     EXPECT_TRUE(contains(outcome.err, "[stl-too-far]")) << arguments << outcome.err;
   }
+}
+
+TEST_F(Limits, AComparisonBeyondTheMemoryIsRefused) {
   const Outcome small = run("compare block.stl block.stl --max-memory 20M");
   EXPECT_EQ(small.code, 1) << small.err;
   EXPECT_TRUE(contains(small.err, "[memory]")) << small.err;
 }
 
 // What is read before and beside motions: tables of tools, long lines, comments, many tools.
-TEST_F(Limits, MemoryOfToolsAndText) {
+TEST_F(Limits, ToolsAndTextBeyondTheMemoryAreRefused) {
   if (!kIsPlain) GTEST_SKIP();
   std::filesystem::create_symlink("/dev/zero", folder_ / "zero.toml");
   const std::string cut = "G1 X9 Y9 Z-1 F500\n",
@@ -95,7 +101,7 @@ TEST_F(Limits, MemoryOfToolsAndText) {
 }
 
 // Commands that read a file without running its program.
-TEST_F(Limits, MemoryOfEachCommand) {
+TEST_F(Limits, EachCommandIsRefusedBeyondTheMemory) {
   if (!kIsPlain) GTEST_SKIP();
   const Outcome large = run("render block.stl -o a.png --size 1600x1200 --max-memory 100M");
   EXPECT_EQ(large.code, 1) << large.err;

@@ -152,7 +152,7 @@ TEST_F(Memory, LittleAddressSpaceIsAnErrorInOtherCommands) {
 }
 
 // A mesh with a tolerance is refused once its cells are known, or too many.
-TEST_F(Memory, LimitsMeshesWithATolerance) {
+TEST_F(Memory, MeshesWithAToleranceAreRefusedBeyondIt) {
   const std::string milled =
       "raster.MPF --stock box:0,0,-8,20,20,0 --tool ballmill:d=6 --threads 1 -o part.stl "
       "--tolerance ";
@@ -165,7 +165,7 @@ TEST_F(Memory, LimitsMeshesWithATolerance) {
 
 // Cells about the tip of a drill that mills are split far beyond what the first ones tell: a grid
 // takes the place of the mesh where they do not fit, and the limit holds.
-TEST_F(Memory, LimitsMeshesWhoseCellsAreSplitLate) {
+TEST_F(Memory, AGridReplacesAMeshWhoseCellsDoNotFit) {
   if (!kIsPlain) GTEST_SKIP();
   write("helix.nc", "G17 G90 G71\nT1 M6\nS500 M3\nG0 X35 Y25 Z1\nG3 I-10 Z-4 F600\nG0 Z5\nM30\n");
   const Outcome outcome =
@@ -176,7 +176,7 @@ TEST_F(Memory, LimitsMeshesWhoseCellsAreSplitLate) {
 }
 
 // A wall of 0.05 mm askew to the grid, whose cells all have a surface once they are small.
-TEST_F(Memory, LimitsMeshesOfThinWalls) {
+TEST_F(Memory, MeshesOfThinWallsKeepToIt) {
   if (!kIsPlain) GTEST_SKIP();
   write("wall.nc",
         "G90 G21 G17 G94\nT1 M6\nS3000 M3\nG0 X34.0595 Y3.0767 Z5\nG1 Z-3.5573 F600\n"
@@ -190,7 +190,7 @@ TEST_F(Memory, LimitsMeshesOfThinWalls) {
 }
 
 // A stock whose mesh has details finer than the voxel: nearly all of its cells are split.
-TEST_F(Memory, LimitsStocksOfFineDetail) {
+TEST_F(Memory, StocksOfFineDetailKeepToItOrAreRefused) {
   if (!kIsPlain) GTEST_SKIP();
   write_rough_stock();
   write("slot.nc", "G90 G21 G17\nT1 M6\nG0 X5 Y5 Z5\nG1 Z-1 F500\nX18\nG0 Z5\nM30\n");
@@ -211,7 +211,7 @@ TEST_F(Memory, LimitsStocksOfFineDetail) {
 
 // Steps of a flat end mill whose mesh is given up: the grid in its place is planned, done in slabs
 // or refused like any other, and what the mesh took is told too.
-TEST_F(Memory, LimitsTheGridInThePlaceOfAMesh) {
+TEST_F(Memory, TheGridInThePlaceOfAMeshKeepsToItOrIsRefused) {
   if (!kIsPlain) GTEST_SKIP();
   std::string text = "G54 G17 G90\nT1 M6\nG0 X0 Y0 Z9\n";
   for (int row = 0; row <= 120; ++row)
@@ -237,8 +237,8 @@ TEST_F(Memory, LimitsTheGridInThePlaceOfAMesh) {
   }
 }
 
-// Lists that grow hand back what they had: 122 MB were taken here.
-TEST_F(Memory, LimitsLoopsWithoutAnEnd) {
+// A list that grows hands back its earlier memory: 122 MB were taken here before it did.
+TEST_F(Memory, LoopsWithoutAnEndAreRefusedWithinIt) {
   write("loop.nc", "%\nO1\nT1 M6\nG0 X0 Y0 Z5\nWHILE[1EQ1]DO1\nG1 Z-1 F100\nG0 Z5\nEND1\nM30\n%\n");
   expect_failure(
       "loop.nc --stock box:0,0,-8,20,20,0 --tool ballmill:d=6 -o part.stl --json r.json "
@@ -250,7 +250,7 @@ TEST_F(Memory, LimitsLoopsWithoutAnEnd) {
 }
 
 // A history of many motions, whose rows are written one by one.
-TEST_F(Memory, LimitsHistories) {
+TEST_F(Memory, HistoriesKeepToItOrAreRefused) {
   if (!kIsPlain) GTEST_SKIP();
   std::string text = "G54 G17 G90\nT1 M6\nG0 X0 Y0 Z9\n";
   for (int i = 0; i < 100000; ++i)
@@ -267,7 +267,7 @@ TEST_F(Memory, LimitsHistories) {
 }
 
 // A page for the browser, made from the whole mesh.
-TEST_F(Memory, LimitsReports) {
+TEST_F(Memory, ReportsKeepToItOrAreRefused) {
   if (!kIsPlain) GTEST_SKIP();
   const std::string cut =
       "raster.MPF --stock box:0,0,-8,20,20,0 --tool ballmill:d=6 --threads 1 --voxel 0.03 -v -q "
@@ -285,9 +285,8 @@ TEST_F(Memory, LimitsReports) {
   }
 }
 
-// A turned part, once its rings are counted.
-// Tools whose shanks and rapids run into material: the search for that asks, too.
-TEST_F(Memory, LimitsTheSearchForCollisions) {
+// The search for shanks and rapids that run into material asks for its memory, too.
+TEST_F(Memory, TheSearchForCollisionsIsRefusedBeyondIt) {
   if (!kIsPlain) GTEST_SKIP();
   std::string tools, program = "G21 G90 G17\n";
   for (int i = 1; i <= 1500; ++i) {
@@ -356,7 +355,7 @@ TEST_F(Memory, OfWhatIsLeftGrowsLittleWithThePieces) {
 }
 
 // Skins of an onion, each ray through all of them: their crossings took gigabytes.
-TEST_F(Memory, LimitsComparisonsOfManyLayers) {
+TEST_F(Memory, ComparisonsOfManyLayersKeepToIt) {
   if (!kIsPlain) GTEST_SKIP();
   constexpr int kSkins = 60;
   std::string corners, faces;
@@ -381,7 +380,8 @@ TEST_F(Memory, LimitsComparisonsOfManyLayers) {
   EXPECT_LT(number_after(read("c.json"), "\"memory\": "), 158e6);
 }
 
-TEST_F(Memory, LimitsTurnedMeshes) {
+// The mesh of a turned part is refused once its rings are counted.
+TEST_F(Memory, TurnedMeshesAreRefusedBeyondIt) {
   const std::string turned = "PRIMER_2S.MPF --stock bar.stl --threads 1 -o part.stl --tolerance ";
   EXPECT_EQ(run(turned + "0.001 --max-memory 100M").code, 0);
   std::filesystem::remove(folder_ / "part.stl");

@@ -145,7 +145,7 @@ TEST(Policy, LongLinesCostTheirLength) {
 }
 
 // SINUMERIK: 512 characters, 5 M words, texts that close on their line.
-TEST(Policy, LimitsOfABlock) {
+TEST(Policy, BlocksOfSinumerikHave512CharactersAtMost) {
   const InterpOptions s = at_origin(Dialect::sinumerik);
   const auto line = [](std::size_t n) { return "G1 X1 F1" + std::string(n - 8, ' '); };
   EXPECT_EQ(codes(read_text(line(512) + "\r\n", s)), "");
@@ -156,7 +156,9 @@ TEST(Policy, LimitsOfABlock) {
   EXPECT_EQ(p.diagnostics[0].place.column, 513);
   EXPECT_EQ(p.motions.size(), 1U);
   EXPECT_EQ(codes(read_text(line(513) + "\n", at_origin(Dialect::iso))), "");
+}
 
+TEST(Policy, BlocksHave4096WordsAtMost) {
   const auto words = [](std::size_t n) {
     std::string text = "G1 X1 F1";
     for (std::size_t i = 3; i < n; ++i) text += " M0";
@@ -165,14 +167,21 @@ TEST(Policy, LimitsOfABlock) {
   const InterpOptions iso = at_origin(Dialect::iso);
   EXPECT_EQ(codes(read_text(words(4096), iso)).find("block-too-long"), std::string::npos);
   EXPECT_NE(codes(read_text(words(4097), iso)).find("block-too-long"), std::string::npos);
+}
+
+TEST(Policy, BlocksOfSinumerikHaveFiveMWordsAtMost) {
+  const InterpOptions s = at_origin(Dialect::sinumerik);
   EXPECT_EQ(codes(read_text("M3 M8 M7 M41 M10 G1 X1 F1\n", s)), "");
   const Program m = read_text("M3 M8 M7 M41 M10 M11 G1 X1 F1\nG1 X1 F1\n", s);
   EXPECT_EQ(codes(m), "m-words");
   EXPECT_EQ(m.diagnostics[0].place.column, 18);
   EXPECT_EQ(m.motions.size(), 1U);
+}
 
+TEST(Policy, StringsWithoutAnEndNameTheirAlarm) {
   for (const char* text : {"MSG(\"open)", "T=\"MILL", "CALL \"A", "G1 X1 F1 MSG(\"a"}) {
-    const Program open = read_text(std::string(text) + "\nG1 X1 F1\n", s);
+    const Program open =
+        read_text(std::string(text) + "\nG1 X1 F1\n", at_origin(Dialect::sinumerik));
     EXPECT_EQ(codes(open), "string-unterminated") << text;
     EXPECT_NE(open.diagnostics[0].text.find("(alarm 12080)"), std::string::npos);
   }
