@@ -64,6 +64,8 @@ class JobReader {
   std::vector<std::string> list(const OptionRow& key, const toml::node& node) const;
   std::vector<std::string> variables(const OptionRow& key, const toml::table& table) const;
   void read_machine_table(JobFile& job, const OptionRow& key, const toml::table& table) const;
+  void read_program(JobFile& job, const OptionRow& key, const toml::node& node) const;
+  void read_key(JobFile& job, const OptionRow& key, const toml::node& node) const;
 
   std::string_view text_;
   const std::string& name_;
@@ -228,6 +230,35 @@ std::string with_hint(const std::string& why) {
   return why + ": leave the key machine out, and write kind = \"mill\" or \"lathe\" in the table";
 }
 
+void JobReader::read_program(JobFile& job, const OptionRow& key, const toml::node& node) const {
+  job.program = list(key, node)[0];
+  job.line = static_cast<int>(node.source().begin.line);
+  job.column = static_cast<int>(node.source().begin.column);
+  // A name is no option: "--help".
+  if (job.program.size() > 1 && job.program[0] == '-') job.program.insert(0, "./");
+  if (std::filesystem::path(job.program).extension() == ".toml")
+    fail_value(key, node, "must be an NC program, not another job");
+}
+
+void JobReader::read_key(JobFile& job, const OptionRow& key, const toml::node& node) const {
+  if (key.name == "--machine" && node.is_table())
+    return read_machine_table(job, key, *node.as_table());
+  if (key.name.empty()) return read_program(job, key, node);
+  if (key.name == "--set" && node.is_table()) {
+    job.options.push_back({"--set", variables(key, *node.as_table())});
+    return;
+  }
+  if (key.value == Value::flag) {
+    if (flag(key, node)) job.options.push_back({std::string(key.name), {}});
+    return;
+  }
+  std::vector<std::string> values = list(key, node);
+  if (values.empty()) return;
+  job.options.push_back({std::string(key.name), std::move(values),
+                         static_cast<int>(node.source().begin.line),
+                         static_cast<int>(node.source().begin.column)});
+}
+
 JobFile JobReader::read() const {
   toml::table root;
   try {
@@ -237,37 +268,8 @@ JobFile JobReader::read() const {
   }
   check_keys(root);
   JobFile job;
-  for (const OptionRow& key : keys_) {
-    const toml::node* node = root.get(key.key);
-    if (node == nullptr) continue;
-    if (key.name == "--machine" && node->is_table()) {
-      read_machine_table(job, key, *node->as_table());
-      continue;
-    }
-    if (key.name == "--set" && node->is_table()) {
-      job.options.push_back({"--set", variables(key, *node->as_table())});
-      continue;
-    }
-    if (key.value == Value::flag) {
-      if (flag(key, *node)) job.options.push_back({std::string(key.name), {}});
-      continue;
-    }
-    std::vector<std::string> values = list(key, *node);
-    const int line = static_cast<int>(node->source().begin.line);
-    const int column = static_cast<int>(node->source().begin.column);
-    if (!key.name.empty()) {
-      if (!values.empty())
-        job.options.push_back({std::string(key.name), std::move(values), line, column});
-      continue;
-    }
-    job.program = values[0];
-    job.line = line;
-    job.column = column;
-    // A name is no option: "--help".
-    if (job.program.size() > 1 && job.program[0] == '-') job.program.insert(0, "./");
-    if (std::filesystem::path(job.program).extension() == ".toml")
-      fail_value(key, *node, "must be an NC program, not another job");
-  }
+  for (const OptionRow& key : keys_)
+    if (const toml::node* node = root.get(key.key)) read_key(job, key, *node);
   if (job.program.empty()) fail({1, 1}, "job-value", "the job names no program");
   return job;
 }

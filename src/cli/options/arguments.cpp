@@ -75,6 +75,42 @@ std::vector<std::string> job_words(const JobFile& job, const std::string& path, 
   return words;
 }
 
+void read_variables(Arguments& out, const TypedOptions& typed) {
+  for (const std::string& word : typed.texts("--set")) {
+    const std::size_t equal = word.find('=');
+    if (equal == word.npos || equal == 0 || equal + 1 == word.size())
+      fail_usage(fmt::format("--set {}: write a variable, = and its value, such as R1=5", word));
+    out.interp.variables.emplace_back(word.substr(0, equal), word.substr(equal + 1));
+  }
+}
+
+void add_typed_tool(ToolTable& table, const std::string& spec) {
+  table.tools.push_back(parse_tool(spec));
+  const std::string_view id = tool_number(table.tools.back().id);
+  if (std::count_if(table.tools.begin(), table.tools.end(),
+                    [&](const Tool& tool) { return tool_number(tool.id) == id; }) > 1)
+    fail_usage(fmt::format("--tool {}: this tool is given twice", spec));
+}
+
+// Adds the tools and offsets of a file. A tool that the table has already, from the command line or
+// an earlier file, is meant to replace the one in this file.
+void add_tools_of_file(ToolTable& table, const std::string& file, bool quiet) {
+  std::vector<std::string> notes;
+  ToolTable more = load_tools(file, &notes);
+  for (const std::string& note : notes)
+    if (!quiet) say("note: " + note + "\n");
+  const std::size_t given = table.tools.size();
+  for (Tool& tool : more.tools) {
+    const auto end = table.tools.begin() + static_cast<std::ptrdiff_t>(given);
+    if (std::none_of(table.tools.begin(), end, [&](const Tool& other) {
+          return tool_number(other.id) == tool_number(tool.id);
+        }))
+      table.tools.push_back(std::move(tool));
+  }
+  table.offsets.insert(table.offsets.end(), more.offsets.begin(), more.offsets.end());
+  table.work.insert(table.work.end(), more.work.begin(), more.work.end());
+}
+
 void read_program_options(Arguments& out, const TypedOptions& typed) {
   out.carve.max_memory = limit_memory(typed);  // of the tables of tools, too
   typed.read("--dialect", out.interp.dialect, dialect_value);
@@ -87,41 +123,15 @@ void read_program_options(Arguments& out, const TypedOptions& typed) {
   out.interp.least_increments = typed.flag("--least-increments");
   typed.read("--block-skip", out.interp.block_skip, skip_value);
   out.interp.search_path = existing_paths("--path", typed.texts("--path"));
-  for (const std::string& word : typed.texts("--set")) {
-    const std::size_t equal = word.find('=');
-    if (equal == word.npos || equal == 0 || equal + 1 == word.size())
-      fail_usage(fmt::format("--set {}: write a variable, = and its value, such as R1=5", word));
-    out.interp.variables.emplace_back(word.substr(0, equal), word.substr(equal + 1));
-  }
+  read_variables(out, typed);
   typed.read("--max-blocks", out.interp.max_blocks, count_value);
   typed.read("--max-steps", out.interp.max_steps, count_value);
   out.interp.trace_variables = typed.flag("--variables");
   out.interp.programmed_contour = typed.flag("--programmed");
   ToolTable& table = out.interp.table;
-  for (const std::string& spec : typed.texts("--tool")) {
-    table.tools.push_back(parse_tool(spec));
-    const std::string_view id = tool_number(table.tools.back().id);
-    if (std::count_if(table.tools.begin(), table.tools.end(),
-                      [&](const Tool& tool) { return tool_number(tool.id) == id; }) > 1)
-      fail_usage(fmt::format("--tool {}: this tool is given twice", spec));
-  }
-  for (const std::string& file : typed.texts("--tools")) {
-    std::vector<std::string> notes;
-    ToolTable more = load_tools(file, &notes);
-    for (const std::string& note : notes)
-      if (!typed.flag("--quiet")) say("note: " + note + "\n");
-    const std::size_t given = table.tools.size();
-    // A tool on the command line is meant to replace the one in the file.
-    for (Tool& tool : more.tools) {
-      const auto end = table.tools.begin() + static_cast<std::ptrdiff_t>(given);
-      if (std::none_of(table.tools.begin(), end, [&](const Tool& other) {
-            return tool_number(other.id) == tool_number(tool.id);
-          }))
-        table.tools.push_back(std::move(tool));
-    }
-    table.offsets.insert(table.offsets.end(), more.offsets.begin(), more.offsets.end());
-    table.work.insert(table.work.end(), more.work.begin(), more.work.end());
-  }
+  for (const std::string& spec : typed.texts("--tool")) add_typed_tool(table, spec);
+  for (const std::string& file : typed.texts("--tools"))
+    add_tools_of_file(table, file, typed.flag("--quiet"));
 }
 
 void read_simulation_options(Arguments& out, const TypedOptions& typed) {

@@ -42,7 +42,18 @@ class ReachSearch {
   struct Radius {
     double least = 0, most = 0;
   };
+  // The best tool that comes to one place, as far as it has been searched.
+  struct Best {
+    Vec3 root;  // that tools are tried about: center_over() of the place
+    double leaves = 0, enough = 0;
+    double radius = 0;
+  };
   Radius radius_at(const SurfacePlace& place, double leaves, double enough);
+  bool is_enough(const Best& best) const { return best.radius >= best.enough - gap(); }
+  void try_center(Best& best, const Vec3& center, double room);
+  void try_outwards(Best& best, Vec3 normal);
+  bool try_known_centers(Best& best);
+  Radius search_boxes(Best& best);
   Vec3 center_over(const Vec3& place, double leaves) const {
     return is_flat_ ? place + Vec3{0, 0, leaves} : place;
   }
@@ -70,38 +81,46 @@ bool ReachSearch::comes_near(const Vec3& place, const Vec3& center, double r, co
   return away - other - r * change <= leaves;
 }
 
-// Bounds of the largest radius at one place. Ends as soon as it is known to be `enough`.
-ReachSearch::Radius ReachSearch::radius_at(const SurfacePlace& place, double leaves,
-                                           double enough) {
-  const Vec3 root = center_over(place.point, leaves);
-  double found = 0;
-  const auto try_center = [&](const Vec3& c, double d) {
-    if (distance(c, root) > d + leaves || d <= found) return;
-    found = d;
-    if (d < enough - gap()) return;
-    if (centers_.size() == kRemembered) centers_.erase(centers_.begin());
-    centers_.push_back(c);
-  };
-  Vec3 out = place.normal;
-  if (is_flat_) out = normalized(Vec3{out.x, out.y, 0});
-  for (double far = enough; far > leaves && found < enough - gap(); far /= 2) {
-    const Vec3 c = root + far * out;
-    try_center(c, free_(c).distance);
-    if (found > far / 2) break;
+// `room`: D of the centre.
+void ReachSearch::try_center(Best& best, const Vec3& center, double room) {
+  if (distance(center, best.root) > room + best.leaves || room <= best.radius) return;
+  best.radius = room;
+  if (!is_enough(best)) return;
+  if (centers_.size() == kRemembered) centers_.erase(centers_.begin());
+  centers_.push_back(center);
+}
+
+// Tools that touch the place, from the largest on.
+void ReachSearch::try_outwards(Best& best, Vec3 normal) {
+  if (is_flat_) normal = normalized(Vec3{normal.x, normal.y, 0});
+  for (double far = best.enough; far > best.leaves && !is_enough(best); far /= 2) {
+    const Vec3 center = best.root + far * normal;
+    try_center(best, center, free_(center).distance);
+    if (best.radius > far / 2) break;
   }
+}
+
+// Tools that came to other places, until one is enough.
+bool ReachSearch::try_known_centers(Best& best) {
   const std::vector<Vec3> known = centers_;
-  for (Vec3 c : known) {
-    if (is_flat_) c.z = root.z;
-    if (distance(c, root) <= enough + leaves) try_center(c, free_(c).distance);
-    if (found >= enough - gap()) return {found, enough};
+  for (Vec3 center : known) {
+    if (is_flat_) center.z = best.root.z;
+    if (distance(center, best.root) <= best.enough + best.leaves)
+      try_center(best, center, free_(center).distance);
+    if (is_enough(best)) return true;
   }
-  std::vector<Box> heap{{root, task_.most + leaves, task_.most}};
+  return false;
+}
+
+// Branch and bound over all centres that may come to the place.
+ReachSearch::Radius ReachSearch::search_boxes(Best& best) {
+  std::vector<Box> heap{{best.root, task_.most + best.leaves, task_.most}};
   for (std::size_t boxes = 0; !heap.empty(); ++boxes) {
     std::pop_heap(heap.begin(), heap.end());
     const Box box = heap.back();
     heap.pop_back();
-    if (box.bound <= found + gap() || found >= enough - gap() || boxes > kMostBoxes)
-      return {found, std::max(box.bound, found + gap())};
+    if (box.bound <= best.radius + gap() || is_enough(best) || boxes > kMostBoxes)
+      return {best.radius, std::max(box.bound, best.radius + gap())};
     const double half = box.half / 2;
     for (int k = 0; k < (is_flat_ ? 4 : 8); ++k) {
       const Vec3 c = box.center + half * Vec3{k & 1 ? 1.0 : -1.0, k & 2 ? 1.0 : -1.0,
@@ -109,16 +128,25 @@ ReachSearch::Radius ReachSearch::radius_at(const SurfacePlace& place, double lea
                                               : k & 4  ? 1.0
                                                        : -1.0};
       const double r = reach(half);
-      if (distance(c, root) - r > box.bound + leaves) continue;
+      if (distance(c, best.root) - r > box.bound + best.leaves) continue;
       const Room room = free_(c);
       const double bound = std::min(room.distance + r, box.bound);
-      try_center(c, room.distance);
-      if (bound <= found + gap() || !comes_near(root, c, r, room, leaves)) continue;
+      try_center(best, c, room.distance);
+      if (bound <= best.radius + gap() || !comes_near(best.root, c, r, room, best.leaves)) continue;
       heap.push_back({c, half, bound});
       std::push_heap(heap.begin(), heap.end());
     }
   }
-  return {found, found + gap()};
+  return {best.radius, best.radius + gap()};
+}
+
+// Bounds of the largest radius at one place. Ends as soon as it is known to be `enough`.
+ReachSearch::Radius ReachSearch::radius_at(const SurfacePlace& place, double leaves,
+                                           double enough) {
+  Best best{center_over(place.point, leaves), leaves, enough};
+  try_outwards(best, place.normal);
+  if (try_known_centers(best)) return {best.radius, enough};
+  return search_boxes(best);
 }
 
 Reach ReachSearch::run(std::span<const SurfacePlace> places) {

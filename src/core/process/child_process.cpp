@@ -137,6 +137,19 @@ ChildOutcome::End end_of(int status) {
   return ChildOutcome::End::crashed;
 }
 
+// Throws where the child had too little memory because this process has little left. Otherwise the
+// limit that the caller gave has ended it, which is the caller's to tell.
+void require_memory_for_child(const ChildLimits& limits, bool is_little, double left) {
+  if (is_address_space_limited() && !has_address_space(limits.bytes))
+    throw Error(
+        "memory",
+        limits.what + " takes more address space than is free; raise its limit (ulimit -v)");
+  if (is_little)
+    throw Error("memory", fmt::format("{} takes more than the {} that are left of the limit; "
+                                      "--max-memory allows more",
+                                      limits.what, size_text(left)));
+}
+
 }  // namespace
 
 ChildOutcome run_in_child(const ChildLimits& given,
@@ -174,15 +187,9 @@ ChildOutcome run_in_child(const ChildLimits& given,
   }
   if (fault) std::rethrow_exception(fault);
   if (out.end == ChildOutcome::End::done) out.end = end_of(status);
-  if (out.end != ChildOutcome::End::out_of_memory) return out;
-  if (is_address_space_limited() && !has_address_space(limits.bytes))
-    throw Error(
-        "memory",
-        limits.what + " takes more address space than is free; raise its limit (ulimit -v)");
-  if (!is_little) return out;
-  throw Error("memory", fmt::format("{} takes more than the {} that are left of the limit; "
-                                    "--max-memory allows more",
-                                    limits.what, size_text(left)));
+  if (out.end == ChildOutcome::End::out_of_memory)
+    require_memory_for_child(limits, is_little, left);
+  return out;
 }
 
 int start_program(const std::vector<std::string>& words, ProgramLife life) {

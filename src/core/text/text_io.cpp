@@ -120,6 +120,36 @@ ReadPipes& read_pipes() {
   return all;
 }
 
+// By what errno says.
+[[noreturn]] void fail_unreadable(const std::string& path) {
+  throw Error("file-unreadable", fmt::format("cannot read {}: {}", path, std::strerror(errno)));
+}
+
+[[noreturn]] void fail_read_once(const std::string& path) {
+  throw Error(
+      "file-read-once",
+      fmt::format("{} is a pipe and gives its text once, which has been read; store it in a file",
+                  path));
+}
+
+[[noreturn]] void fail_too_large(const std::string& path, const struct stat& info,
+                                 std::size_t limit) {
+  throw Error("file-too-large",
+              S_ISREG(info.st_mode)
+                  ? fmt::format("{} is larger than {} bytes", path, limit)
+                  : fmt::format("{} is no file and gives more than {} bytes; store in a file what "
+                                "is meant to be read",
+                                path, limit));
+}
+
+int open_to_read(const std::string& path, int flags) {
+  const int fd = ::open(path.c_str(), O_RDONLY | O_CLOEXEC | flags);
+  if (fd >= 0) return fd;
+  if (errno == ENOENT || errno == ENOTDIR)
+    throw Error("file-missing", fmt::format("{}: no such file", path));
+  fail_unreadable(path);
+}
+
 }  // namespace
 
 std::optional<double> parse_number(std::string_view text, bool exponent) {
@@ -140,14 +170,8 @@ std::optional<double> parse_number(std::string_view text, bool exponent) {
 std::string read_file(const std::string& path, std::size_t limit) {
   struct stat info {};
   bool was_read = ::stat(path.c_str(), &info) == 0 && read_pipes().contains(info);
-  const FileDescriptor fd(::open(path.c_str(), O_RDONLY | O_CLOEXEC | (was_read ? O_NONBLOCK : 0)));
-  if (fd.get() < 0) {
-    if (errno == ENOENT || errno == ENOTDIR)
-      throw Error("file-missing", fmt::format("{}: no such file", path));
-    throw Error("file-unreadable", fmt::format("cannot read {}: {}", path, std::strerror(errno)));
-  }
-  if (::fstat(fd.get(), &info) != 0)
-    throw Error("file-unreadable", fmt::format("cannot read {}: {}", path, std::strerror(errno)));
+  const FileDescriptor fd(open_to_read(path, was_read ? O_NONBLOCK : 0));
+  if (::fstat(fd.get(), &info) != 0) fail_unreadable(path);
   if (S_ISDIR(info.st_mode))
     throw Error("file-is-directory", fmt::format("{} is a directory, a file is needed", path));
   // A pipe or a device may never end.
@@ -160,29 +184,18 @@ std::string read_file(const std::string& path, std::size_t limit) {
   for (;;) {
     const ssize_t n = ::read(fd.get(), chunk.data(), chunk.size());
     if (n < 0 && errno == EINTR) continue;
-    if (n == 0 && was_read)
-      throw Error("file-read-once",
-                  fmt::format("{} is a pipe and gives its text once, which has been read; store it "
-                              "in a file",
-                              path));
+    if (n == 0 && was_read) fail_read_once(path);
     if (was_read) {  // there is a writer again
       was_read = false;
       ::fcntl(fd.get(), F_SETFL, 0);
       if (n < 0 && errno == EAGAIN) continue;
     }
-    if (n < 0)
-      throw Error("file-unreadable", fmt::format("cannot read {}: {}", path, std::strerror(errno)));
+    if (n < 0) fail_unreadable(path);
     if (n == 0) {
       read_pipes().add(info);
       return text;
     }
-    if (text.size() + static_cast<std::size_t>(n) > limit)
-      throw Error("file-too-large",
-                  S_ISREG(info.st_mode)
-                      ? fmt::format("{} is larger than {} bytes", path, limit)
-                      : fmt::format("{} is no file and gives more than {} bytes; store in a file "
-                                    "what is meant to be read",
-                                    path, limit));
+    if (text.size() + static_cast<std::size_t>(n) > limit) fail_too_large(path, info, limit);
     if (text.size() + static_cast<std::size_t>(n) > text.capacity())
       // Twice as much room, beside the room that smaller ones have left in the heap.
       require_memory(3.0 * static_cast<double>(text.capacity()), "reading " + path);

@@ -100,16 +100,7 @@ std::string group_name(const OwnerTable& table, std::int32_t owner) {
   return name;
 }
 
-}  // namespace
-
-TriMesh parse_obj(std::string_view text, const std::string& name) {
-  return ObjReader(text, name).read();
-}
-
-void write_obj(const MeshSource& mesh, const ByteSink& out, int threads) {
-  std::string head = "# mrsim, mm\n";
-  for (const std::string& line : origin_lines(mesh.origin())) head += "# mrsim " + line + "\n";
-  detail::write_text(head, out);
+void write_vertices(const MeshSource& mesh, const ByteSink& out, int threads) {
   mesh.for_each_block([&](const MeshBlock& block) {
     const auto fresh = block.fresh();
     detail::write_items(fresh.size(), threads, out, [&](std::string& text, std::size_t v) {
@@ -126,6 +117,10 @@ void write_obj(const MeshSource& mesh, const ByteSink& out, int threads) {
       text += '\n';
     });
   });
+}
+
+// A group begins where the owner changes.
+void write_faces(const MeshSource& mesh, const ByteSink& out, int threads) {
   std::optional<std::int32_t> last;  // owner of the last triangle of the block before
   mesh.for_each_block([&](const MeshBlock& block) {
     const auto begins_group = [&](std::size_t f) {
@@ -148,6 +143,20 @@ void write_obj(const MeshSource& mesh, const ByteSink& out, int threads) {
                         });
     if (!block.owners.empty()) last = block.owners.back();
   });
+}
+
+}  // namespace
+
+TriMesh parse_obj(std::string_view text, const std::string& name) {
+  return ObjReader(text, name).read();
+}
+
+void write_obj(const MeshSource& mesh, const ByteSink& out, int threads) {
+  std::string head = "# mrsim, mm\n";
+  for (const std::string& line : origin_lines(mesh.origin())) head += "# mrsim " + line + "\n";
+  detail::write_text(head, out);
+  write_vertices(mesh, out, threads);
+  write_faces(mesh, out, threads);
 }
 
 }  // namespace mrsim

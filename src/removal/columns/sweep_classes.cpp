@@ -103,6 +103,76 @@ bool are_alike(const SweepColumns& c, int threads) {
   return alike;
 }
 
+// The classes of the columns, as they are met; numbered at the end.
+class ClassList {
+ public:
+  explicit ClassList(SweepColumns& columns) : columns_(columns) {}
+
+  void add_sweeps(int threads);
+  void add_packs();
+  void number_by_keys();
+
+ private:
+  // Group, form, shape; grade of a pack, -1 for sweeps.
+  using Key = std::tuple<std::int32_t, SweepClass::Form, std::int32_t, int>;
+  std::uint32_t number_of(const Key& key, const SweepClass& k) {
+    const auto [at, added] = seen_.try_emplace(key, static_cast<std::uint32_t>(found_.size()));
+    if (added) found_.push_back(k);
+    return at->second;
+  }
+
+  SweepColumns& columns_;
+  std::map<Key, std::uint32_t> seen_;
+  std::vector<SweepClass> found_;
+  std::size_t sweep_classes_ = 0;
+};
+
+// Where all sweeps are alike, the first tells the class of all.
+void ClassList::add_sweeps(int threads) {
+  SweepColumns& c = columns_;
+  HeightNumbers numbers;
+  Key last{-2, {}, 0, 0};
+  std::uint32_t last_class = 0;
+  c.class_of.resize(are_alike(c, threads) ? 1 : c.refs.size());
+  for (std::size_t i = 0; i < c.class_of.size(); ++i) {
+    const SweepRef& ref = c.refs[i];
+    const SweepClass::Form form = c.form_of(i);
+    const Key key{group_of(ref), form, ref.shape, -1};
+    if (key != last) last = key, last_class = number_of(key, class_of_sweep(c, ref, form));
+    c.class_of[i] = last_class;
+    if (!is_plan(ref)) continue;
+    if (c.height_numbers.empty()) c.height_numbers.resize(c.refs.size());
+    c.height_numbers[i] = numbers.of(tip_height(c, ref));
+  }
+  sweep_classes_ = found_.size();
+}
+
+void ClassList::add_packs() {
+  SweepColumns& c = columns_;
+  for (SweepPack& pack : c.packs.all()) {
+    SweepClass k = found_[c.class_of[c.class_of.size() == 1 ? 0 : pack.first]];
+    const SweepClass::Form form = c.form_of(pack.first);
+    k.packs = true;
+    pack.class_index = number_of({k.group, form, c.refs[pack.first].shape, pack_grade(pack)}, k);
+    SweepClass& of = found_[pack.class_index];
+    of.spread = std::max<double>(of.spread, pack.spread);
+    of.expand_below = std::max<double>(of.expand_below, pack.expand_below);
+  }
+}
+
+// In the order of the keys the classes of a group follow one another.
+void ClassList::number_by_keys() {
+  SweepColumns& c = columns_;
+  std::vector<std::uint32_t> new_index(found_.size());
+  for (const auto& [key, old] : seen_) {
+    new_index[old] = static_cast<std::uint32_t>(c.classes.size());
+    c.classes.push_back(found_[old]);
+  }
+  if (sweep_classes_ <= 1) c.class_of = {};  // the key of the only class is the least
+  for (std::uint32_t& of : c.class_of) of = new_index[of];
+  for (SweepPack& pack : c.packs.all()) pack.class_index = new_index[pack.class_index];
+}
+
 }  // namespace
 
 void cut_segments(SweepColumns& c) {
@@ -128,50 +198,10 @@ void cut_segments(SweepColumns& c) {
 }
 
 void classify(SweepColumns& c, int threads) {
-  // Group, form, shape; grade of a pack, -1 for sweeps.
-  using Key = std::tuple<std::int32_t, SweepClass::Form, std::int32_t, int>;
-  std::map<Key, std::uint32_t> seen;
-  std::vector<SweepClass> found;
-  const auto number_of = [&](const Key& key, const SweepClass& k) {
-    const auto [at, added] = seen.try_emplace(key, static_cast<std::uint32_t>(found.size()));
-    if (added) found.push_back(k);
-    return at->second;
-  };
-  HeightNumbers numbers;
-  Key last{-2, {}, 0, 0};
-  std::uint32_t last_class = 0;
-  const std::size_t told =
-      are_alike(c, threads) ? 1 : c.refs.size();  // where all are alike, one tells the class of all
-  c.class_of.resize(told);
-  for (std::size_t i = 0; i < told; ++i) {
-    const SweepRef& ref = c.refs[i];
-    const SweepClass::Form form = c.form_of(i);
-    const Key key{group_of(ref), form, ref.shape, -1};
-    if (key != last) last = key, last_class = number_of(key, class_of_sweep(c, ref, form));
-    c.class_of[i] = last_class;
-    if (!is_plan(ref)) continue;
-    if (c.height_numbers.empty()) c.height_numbers.resize(c.refs.size());
-    c.height_numbers[i] = numbers.of(tip_height(c, ref));
-  }
-  const std::size_t sweep_classes = found.size();
-  for (SweepPack& pack : c.packs.all()) {
-    SweepClass k = found[c.class_of[told == 1 ? 0 : pack.first]];
-    const SweepClass::Form form = c.form_of(pack.first);
-    k.packs = true;
-    pack.class_index = number_of({k.group, form, c.refs[pack.first].shape, pack_grade(pack)}, k);
-    found[pack.class_index].spread = std::max<double>(found[pack.class_index].spread, pack.spread);
-    found[pack.class_index].expand_below =
-        std::max<double>(found[pack.class_index].expand_below, pack.expand_below);
-  }
-  // Numbered in the order of the keys, so that the classes of a group follow one another.
-  std::vector<std::uint32_t> new_index(found.size());
-  for (const auto& [key, old] : seen) {
-    new_index[old] = static_cast<std::uint32_t>(c.classes.size());
-    c.classes.push_back(found[old]);
-  }
-  if (sweep_classes <= 1) c.class_of = {};  // the key of the only class is the least
-  for (std::uint32_t& of : c.class_of) of = new_index[of];
-  for (SweepPack& pack : c.packs.all()) pack.class_index = new_index[pack.class_index];
+  ClassList classes(c);
+  classes.add_sweeps(threads);
+  classes.add_packs();
+  classes.number_by_keys();
   SweepClass turn;
   turn.form = SweepClass::Form::turn;
   if (!c.turns.empty()) c.classes.push_back(turn);
