@@ -212,7 +212,7 @@ TEST(Corners, CornersOfLinesAreRoundedAndCut) {
   EXPECT_EQ(codes(small), "corner-reduced");
 }
 
-TEST(Corners, ChamferOfATurn) {
+TEST(Corners, ChrIsTheLegOfAChamfer) {
   // Turn 60 degrees: leg 2 gives a cut of 3.4641.
   const Program p =
       read_text("G1 X20 CHR=2 F1\nX30 Y17.320508075688775\n", at_origin(Dialect::sinumerik));
@@ -221,7 +221,7 @@ TEST(Corners, ChamferOfATurn) {
   EXPECT_NEAR(std::hypot(a.x - b.x, a.y - b.y), 2 * std::sqrt(3.0), 1e-9);
 }
 
-TEST(Corners, FeedOfTheInsertedElement) {
+TEST(Corners, FrcIsTheFeedOfOneInsertedElement) {
   const Program p =
       read_text("G1 X20 RND=3 FRC=50 F100\nY20 RND=1\nX0\n", at_origin(Dialect::sinumerik));
   ASSERT_EQ(p.motions.size(), 5U) << listing(p);
@@ -246,7 +246,7 @@ TEST(Corners, ALoneAngleIsReportedOnce) {
   EXPECT_EQ(codes(read_text("G1 X1 F1\nG1 ANG=30\nM30\n", s)), "angle-incomplete");
 }
 
-TEST(Corners, AnglesOfTwoBlocks) {
+TEST(Corners, TwoAnglesMeetInTheirCorner) {
   InterpOptions options = at_origin(Dialect::sinumerik, MachineKind::lathe);
   const Program p = read_text("DIAMOF\nG0 X10 Z100\nG1 ANG=140 F.1\nX80 Z70 ANG=95.824\n", options);
   ASSERT_EQ(p.motions.size(), 3U) << listing(p);
@@ -259,14 +259,14 @@ TEST(Corners, AnglesOfTwoBlocks) {
 }
 
 // A frame between two blocks turns the axes, not the corner.
-TEST(Corners, AFrameBetweenTheElements) {
+TEST(Corners, AFrameBetweenTheElementsTurnsNoCorner) {
   const InterpOptions s = at_origin(Dialect::sinumerik);
   for (const char* text : {"G1 X20 RND=3 F1\nROT RPL=90\nX20 Y-20\n",  // the point (20, 20)
                            "G1 X20 RND=3 F1\nMIRROR X0\nX-20 Y20\n"})
     EXPECT_EQ(track(read_text(text, s), 0), "17,0 a20,3 20,20") << text;
 }
 
-TEST(Compensation, AFrameBetweenTheElements) {
+TEST(Compensation, AFrameBetweenTheElementsTurnsNoCorner) {
   const InterpOptions s = at_origin(Dialect::sinumerik);
   for (const char* frame : {"ROT RPL=90\nX40 Y-20", "TRANS X-20\nX40 Y40"})
     EXPECT_EQ(
@@ -277,7 +277,7 @@ TEST(Compensation, AFrameBetweenTheElements) {
 }
 
 // The rounding takes the whole line of the G40 block: a line leads to where it begins.
-TEST(Compensation, ARoundingBehindTheEnd) {
+TEST(Compensation, ARoundingMayTakeTheWholeLineOfG40) {
   const Program p = read_text("G0 X-20 Y0\nG41 G1 X0 Y0 F1\nX20\nG40 X23 RND=3\nY20\n",
                               at_origin(Dialect::sinumerik));
   EXPECT_EQ(track(p), "0,5 20,5 20,0 a23,3 23,20") << listing(p);
@@ -295,7 +295,7 @@ TEST(Corners, AnInfeedComesBehindTheRounding) {
 }
 
 // Slanted neighbours: the rounding joins the heights at which it touches them.
-TEST(Corners, RoundingBetweenSlantedLines) {
+TEST(Corners, ARoundingJoinsTheHeightsOfSlantedLines) {
   const Program p = read_text("G1 X50 Z10 RND=5 F1\nZ4\nY60 Z16\n", at_origin(Dialect::sinumerik));
   ASSERT_EQ(p.motions.size(), 4U) << listing(p);
   expect_near(p.motions[0].end, {45, 0, 9});

@@ -298,7 +298,7 @@ TEST(Frames, TheLeadIsThatOfTheLongerPath) {
   EXPECT_EQ(codes(read_text("S100\nG33 X60 Z-25 I2\nG33 Z-90 K2\n", s)), "");
 }
 
-TEST(Frames, SurfaceSpeedsAndTheirFeeds) {
+TEST(Frames, SurfaceSpeedsChooseTheUnitOfTheFeed) {
   const std::pair<const char*, FeedUnit> rows[] = {
       {"G94 G96 S1", FeedUnit::mm_per_rev},      {"G95\nG961 S1", FeedUnit::mm_per_min},
       {"G94\nG962 S1", FeedUnit::mm_per_min},    {"G95\nG962 S1", FeedUnit::mm_per_rev},

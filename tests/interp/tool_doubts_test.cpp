@@ -6,7 +6,7 @@ namespace {
 
 using namespace mrsim::testing;
 
-TEST(ToolCommentDoubts, RegistersBesideADiameter) {
+TEST(ToolCommentDoubts, RegistersBesideADiameterAreNoSizes) {
   expect_readings({
       {mm, "T01 FRAISE 2T D10 H1 D1", "endmill 10"},
       {mm, "T01 H1 D1 FRAISE D10", "endmill 10"},
@@ -19,7 +19,7 @@ TEST(ToolCommentDoubts, RegistersBesideADiameter) {
 }
 
 // Numbers of the work beside a kind that names a tool, too.
-TEST(ToolCommentDoubts, SizesOfTheWork) {
+TEST(ToolCommentDoubts, SizesOfTheWorkAreNoDiameters) {
   for (const char* none :
        {"FACE MILL 0.5MM OFF TOP", "FACE MILL TOP 0.5MM", "BALL MILL 0.2MM STEPOVER",
         "END MILL 45MM BOSS", "ENDMILL POCKET 20MM", "ENDMILL 30MM POCKET",
@@ -67,7 +67,7 @@ TEST(ToolCommentDoubts, NumbersOfNamesAreNoDiameters) {
   });
 }
 
-TEST(ToolCommentDoubts, SizesWithAnotherSignForThePoint) {
+TEST(ToolCommentDoubts, SizesWithAnotherSignForThePointAreDoubted) {
   expect_readings({
       {mm, "DRILL 8-5", "? can be read as size 8 or 8.5"},
       {mm, "DRILL_8-5", "? can be read as size 8 or 8.5"},
@@ -80,7 +80,7 @@ TEST(ToolCommentDoubts, SizesWithAnotherSignForThePoint) {
 }
 
 // The angle was left out: a drill had 118 degrees, a face mill upright walls.
-TEST(ToolCommentDoubts, AnglesWithoutAWord) {
+TEST(ToolCommentDoubts, AnglesWithoutAWordAreDoubted) {
   constexpr const char* k90 = "? can be read as having 90 degrees: say 90 DEG";
   expect_readings({
       {mm, "DRILL D10 90", k90},
@@ -96,7 +96,7 @@ TEST(ToolCommentDoubts, AnglesWithoutAWord) {
 }
 
 // A size with a unit went before the number beside the kind: these were tools of 40 and 117 mm.
-TEST(ToolCommentDoubts, LengthsBehindTheDiameter) {
+TEST(ToolCommentDoubts, ALengthBesideADiameterWithoutAUnitIsDoubted) {
   expect_readings({
       {mm, "ENDMILL 10 40MM LONG", "? can be read as diameter 40 mm or 10"},
       {mm, "DRILL 8.5 117MM", "? can be read as diameter 117 mm or 8.5"},
@@ -111,7 +111,7 @@ TEST(ToolCommentDoubts, LengthsBehindTheDiameter) {
 }
 
 // Numbers of centre drills and screws were those of number drills.
-TEST(ToolCommentDoubts, NumbersThatAreNoGauge) {
+TEST(ToolCommentDoubts, NumbersOfCentreDrillsAndScrewsAreNoGauge) {
   expect_readings({
       {inch, "CTR DRL #3", "? gives no diameter"},
       {inch, "CNTR DRILL #2", "? gives no diameter"},
@@ -127,7 +127,7 @@ TEST(ToolCommentDoubts, NumbersThatAreNoGauge) {
 }
 
 // 1/8 inch in mm, in a program in inches.
-TEST(ToolCommentDoubts, InchSizesInMillimetres) {
+TEST(ToolCommentDoubts, MetricSizesInAProgramInInchesAreRefused) {
   expect_readings({
       {inch, "3.175 BALL MILL",
        "? gives the diameter 3.175 without a unit, in a program in inches"},
@@ -154,7 +154,7 @@ TEST(ToolCommentDoubts, RadiiWithoutAPointAreDoubted) {
 }
 
 // A behind a size is the angle of the point; alone it may be a rotary axis or a steel.
-TEST(ToolCommentDoubts, AnglesByTheirLetter) {
+TEST(ToolCommentDoubts, ABehindASizeIsTheAngle) {
   expect_readings({
       {mm, "T3 - SPOT DRILL - D10. A120.", "drill 10, point 120"},
       {mm, "SPOTDRILL D=6 A=142", "drill 6, point 142"},
@@ -167,7 +167,7 @@ TEST(ToolCommentDoubts, AnglesByTheirLetter) {
   });
 }
 
-TEST(ToolCommentDoubts, AngleThatNoSideHas) {
+TEST(ToolCommentDoubts, AnglesThatNoSideHasAreThePoints) {
   expect_readings({
       {mm, "T5 D=10. CR=0. TAPER=45DEG - CHAMFER MILL", "chamfer 10, side 45"},
       {mm, "T5 D=10. CR=0. TAPER=90DEG - CHAMFER MILL", "chamfer 10, point 90"},
@@ -175,7 +175,7 @@ TEST(ToolCommentDoubts, AngleThatNoSideHas) {
   });
 }
 
-TEST(ToolCommentDoubts, MoreNamesOfMills) {
+TEST(ToolCommentDoubts, MillsHaveManyNames) {
   expect_readings({
       {mm, "WENDEPLATTENFRAESER D32 R0.8", "bullmill 32, corner 0.8"},
       {inch, "3/4 HOGGER", "endmill 19.05"},
@@ -185,7 +185,7 @@ TEST(ToolCommentDoubts, MoreNamesOfMills) {
 }
 
 // A size and a word for a shape that is no end mill.
-TEST(ToolCommentDoubts, ShapesWithoutAKind) {
+TEST(ToolCommentDoubts, ShapesWithoutAKindAreRefused) {
   for (const char* shape :
        {"T1 6MM TAPER 2", "T1 6MM TAPER 5 DEG", "T1 3MM CONE", "T1 20MM UNDERCUT", "T1 20MM COVE",
         "T1 20MM FORM", "T1 6MM VEE", "T1 6MM DEBURR", "T1 12MM ROUND NOSE"})
@@ -200,7 +200,7 @@ TEST(ToolCommentDoubts, ShapesWithoutAKind) {
 
 // Work that has a diameter of its own, or that other tools do: an end mill was taken to stand
 // there. Words that no table has leave it the end mill, with a warning.
-TEST(ToolCommentDoubts, OtherWorkBesideADiameter) {
+TEST(ToolCommentDoubts, ADiameterBesideOtherWorkIsRefused) {
   constexpr const char* kUnknown = "? names no kind of tool that is known";
   for (const char* unknown :
        {"T1 KREISTASCHE D30", "T1 BOHRUNG D30 FRAESEN", "T1 FORO D30", "T1 CAJERA CIRCULAR D30",
@@ -226,7 +226,7 @@ TEST(ToolCommentDoubts, OtherWorkBesideADiameter) {
 }
 
 // The size of a tool that was ground anew, or of another in its place.
-TEST(ToolCommentDoubts, SizesThatHaveChanged) {
+TEST(ToolCommentDoubts, SizesThatHaveChangedAreRefused) {
   for (const char* changed :
        {"T1 WAS 10MM ENDMILL NOW 12MM", "T1 12MM ENDMILL WAS 10MM", "T1 ENDMILL 10MM REGROUND 9.8",
         "T1 ENDMILL 10MM REGROUND TO 9.8", "T1 10MM ENDMILL 0.2 UNDERSIZE"})
@@ -251,7 +251,7 @@ TEST(ToolCommentDoubts, NumbersOfOperationsAreNoSizes) {
 }
 
 // What mills cut round has a diameter of its own.
-TEST(ToolCommentDoubts, DiametersOfRoundWork) {
+TEST(ToolCommentDoubts, DiametersOfRoundWorkAreDoubted) {
   constexpr const char* kEither = "? can be read as the diameter of the tool or of what it mills";
   expect_readings({
       {inch, "CIRCLE MILL 2.5 DIA", kEither},

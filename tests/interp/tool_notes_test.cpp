@@ -208,7 +208,7 @@ TEST(ToolNotes, AThreadMillIsACylinderWithAWarning) {
 
 // Fusion's D of a tapered ball mill lies within the ball; how long the taper is stands nowhere: the
 // run takes it to be as long as it cuts.
-TEST(ToolNotes, ATaperedMillWithoutFlutes) {
+TEST(ToolNotes, ATaperedMillNeedsNoFlutes) {
   InterpOptions options;
   options.dialect = Dialect::fanuc;
   options.machine = MachineKind::mill;
@@ -231,7 +231,7 @@ TEST(ToolNotes, AListOfNumberedToolsIsRead) {
 }
 
 // A comment between the change and the first cut, if it names a tool and its size.
-TEST(ToolNotes, AToolNamedBeforeItsFirstCut) {
+TEST(ToolNotes, ACommentBeforeTheFirstCutNamesTheTool) {
   const std::string cut = kCut;
   EXPECT_EQ(diameters("M06 T01\nG0 X0 Y0 Z25. S1200 M3\n(12MM SLOT DRILL)\n" + cut), "1:12");
   EXPECT_EQ(diameters("M06 T01\nG0 X0 Y0 Z25.\n(DRILL 12MM HOLES)\n" + cut), "1:0 tool-unknown");
@@ -242,7 +242,7 @@ TEST(ToolNotes, AToolNamedBeforeItsFirstCut) {
 }
 
 // pcb2gcode: the message between T and M6 is about that tool, whatever the one before is.
-TEST(ToolNotes, AMessageBetweenTheCallAndTheChange) {
+TEST(ToolNotes, AMessageBetweenCallAndChangeNamesTheTool) {
   const std::string cut = kCut;
   EXPECT_EQ(diameters("T0\nM5 (Spindle stop.)\n(MSG, Change tool bit to mill diameter 0.15000mm)\n"
                       "M6\n" +
@@ -286,7 +286,7 @@ TEST(ToolNotes, SmallSizesNeedAUnit) {
 }
 
 // "#7 DRILL" beside T7 may number the tool.
-TEST(ToolNotes, ANumberDrillOrTheToolsNumber) {
+TEST(ToolNotes, TheToolsOwnNumberNamesNoNumberDrill) {
   const std::string cut = kCut;
   EXPECT_EQ(diameters("G20\nT5 M6 (#7 DRILL)\n" + cut), "5:5.1054");
   EXPECT_EQ(diameters("G20\nT7 M6 (#7 DRILL)\n" + cut), "7:0 tool-unknown");
@@ -316,8 +316,8 @@ TEST(ToolNotes, ARegisterOfAnUnknownToolIsNoSecondFault) {
             "tool-unknown");
 }
 
-// Where T makes a tool ready and M6 brings the one that waits.
-TEST(ToolNotes, ToolsThatWaitForTheirM6) {
+// Where T makes a tool ready and M6 brings it.
+TEST(ToolNotes, M6BringsTheToolThatWaits) {
   const auto tools = [](const std::string& text) {
     InterpOptions options = at_origin(Dialect::fanuc);
     options.table.tools.clear();

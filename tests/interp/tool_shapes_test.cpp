@@ -92,7 +92,7 @@ TEST(ToolShapes, ChamferMillsHaveTheirAngle) {
   });
 }
 
-TEST(ToolShapes, TipsOfChamferMills) {
+TEST(ToolShapes, TipsOfChamferMillsAreRead) {
   const char* const read = "chamfer 10, point 90, tip 2";
   expect_readings({
       {mm, "CHAMFER MILL D10 90 DEG TIP D2", read},
