@@ -119,6 +119,10 @@ TEST_F(Cli, NothingFromAFileReachesTheTerminalAsControl) {
   const Outcome turned = run("check 'a\u202Ecn.MPF' --machine mill");
   EXPECT_TRUE(contains(turned.err, "a?cn.MPF:2:7: error:")) << turned.err;
   EXPECT_TRUE(contains(turned.err, "G1 X1 YY ; ?\n")) << turned.err;
+  // Behind its line end such a name would be a message of its own.
+  write("a\nb.MPF", "G54\nG1 X1 YY\nM30\n");
+  const Outcome torn = run("check 'a\nb.MPF' --machine mill");
+  EXPECT_TRUE(contains(torn.err, "a?b.MPF:2:7: error:")) << torn.err;
 }
 
 TEST_F(Cli, CheckListsEverythingAndWritesNothing) {

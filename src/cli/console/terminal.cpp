@@ -68,7 +68,7 @@ std::size_t control_length(std::string_view text) {
   const auto at = [&](std::size_t i) {
     return i < text.size() ? static_cast<unsigned char>(text[i]) : 0xFF;
   };
-  if ((at(0) < 0x20 && at(0) != '\t' && at(0) != '\n') || at(0) == 0x7F) return 1;
+  if ((at(0) < 0x20 && at(0) != '\t') || at(0) == 0x7F) return 1;
   if (at(0) == 0xC2 && at(1) < 0xA0) return 2;  // U+0080 to U+009F
   // U+202A to U+202E and U+2066 to U+2069, behind which text may be shown backwards.
   const bool turns = (at(1) == 0x80 && at(2) >= 0xAA && at(2) <= 0xAE) ||

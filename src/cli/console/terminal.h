@@ -20,8 +20,9 @@ bool has_colours(std::FILE* stream);
 /// `text` in a style, or as it is where `colours` is false.
 std::string styled(std::string_view text, Style style, bool colours);
 
-/// `text` with control characters shown as '?': what comes from a file never reaches the terminal
-/// as an escape sequence, nor turns the direction of the text round. Tabs stay.
+/// A line of text with control characters, line ends among them, shown as '?': what comes from a
+/// file or its name never reaches the terminal as an escape sequence or as a message of its own,
+/// nor turns the direction of the text round. Tabs stay.
 std::string printable(std::string_view text);
 
 /// What stderr shows of long work: a note, once, as soon as a stage's first seconds show that it
