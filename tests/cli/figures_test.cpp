@@ -72,6 +72,10 @@ TEST_F(Figures, ToolsMayFeedTowardsACounterSpindle) {
   };
   EXPECT_TRUE(contains(turn(""), "[insert-hand]")) << turn("");
   EXPECT_FALSE(contains(turn(" LEFT HAND"), "[insert-hand]"));
+  write("face.nc",
+        "O1\nG21 G40 G99\nT0101 (CNMG 120404)\nG96 S200 M3\nG0 X54. Z0\nG1 X-1.6 F.2\n"
+        "G0 X54.\nG1 Z5.\nG0 X100. Z100.\nM30\n");
+  EXPECT_FALSE(contains(run("face.nc -o part.stl").err, "[insert-hand]"));  // a way back
 }
 
 // A cycle for grooves in a face, and a blade for the outside.
@@ -84,6 +88,12 @@ TEST_F(Figures, BladesThatPlungeAlongZAreTold) {
   };
   EXPECT_TRUE(contains(groove("tip=3"), "[blade-direction]")) << groove("tip=3");
   EXPECT_FALSE(contains(groove("tip=7"), "[blade-direction]"));
+  write("turn.nc",
+        "O1\nG21 G40 G99\nT0303\nG96 S150 M3\nG0 X46. Z2.\nG1 Z-10. F.1\nX52.\nG0 Z2.\n"
+        "X42.\nG1 Z-10.\nZ2.\nG0 X60. Z50.\nM30\n");
+  const Outcome turned =
+      run("turn.nc --stock cylinder:50,-30,0 -o part.stl --tool 3=grooving:w=3,tip=3");
+  EXPECT_FALSE(contains(turned.err, "[blade-direction]")) << turned.err;
 }
 
 // A coarse mesh still tells the volume of the exact part.

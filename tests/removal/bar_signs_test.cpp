@@ -149,6 +149,55 @@ TEST(BarSigns, IsHeldAtMinusWhereToolsComeFromPlus) {
   EXPECT_EQ(out.guesses(), "");
 }
 
+// A centre drill from 15 mm, or a stop, before the face; and a hole that the face leads to.
+TEST(BarSigns, BeginsAtTheFaceThatAnInsertCuts) {
+  StockPath centred;
+  centred.rapid({0, 0, 15}).cut({0, 0, -4}).rapid({0, 0, 100});
+  centred.rapid({27, 0, 0}).cut({-0.8, 0, 0}).rapid({27, 0, 5}).rapid({23, 0, 5});
+  EXPECT_EQ(centred.cut({23, 0, -30}).cut({26, 0, -30}).bar().box.hi.z, 1);
+  EXPECT_EQ(centred.guesses(), "");
+  StockPath drilled;
+  drilled.rapid({0, 0, 20}).cut({0, 0, -30}).rapid({0, 0, 100});
+  drilled.by(1).rapid({27, 0, 0}).cut({7, 0, 0}).rapid({27, 0, 5}).rapid({23, 0, 5});
+  drilled.cut({23, 0, -30}).cut({26, 0, -30});
+  std::vector<Tool> tools(2);
+  tools[0].type = ToolType::drill;
+  tools[0].diameter = 16;
+  tools[1].type = ToolType::turning;
+  const AssumedStock bar = default_stock(drilled.motions, tools, true);
+  EXPECT_EQ(bar.shape.box.hi.z, 1);
+  EXPECT_EQ(bar.guesses, "");
+  StockPath off;  // the blade parts off at the zero, which is in the chuck
+  off.rapid({23, 0, 62}).cut({23, 0, -2}).cut({26, 0, -2}).rapid({26, 0, 62});
+  off.by(1).rapid({26, 0, 0}).cut({-0.5, 0, 0}).rapid({26, 0, 0});
+  tools = {tools[1], tools[1]};
+  tools[1].type = ToolType::grooving;
+  EXPECT_EQ(default_stock(off.motions, tools, true).shape.box.hi.z, 62);
+}
+
+// G71 leaves an allowance of W in front of where it begins, 10 mm before the bar.
+TEST(BarSigns, BeginsAtZeroWhereRoughingAddsItsAllowance) {
+  StockPath rough;
+  rough.rapid({25, 0, 10.2}).cut({25, 0, -2.8}).cut({26, 0, -1.8}).rapid({26, 0, 10.2});
+  rough.rapid({23, 0, 10.2}).cut({23, 0, -2.8}).cut({24, 0, -1.8}).rapid({26, 0, 10.2});
+  EXPECT_EQ(rough.bar().box.hi.z, 0);
+  EXPECT_EQ(rough.guesses(), "");
+}
+
+// The way back beside the bar, with the feed after a rapid.
+TEST(BarSigns, IsNotTurnedRoundByAWayOutBesideIt) {
+  StockPath face;
+  face.rapid({27, 0, 0}).cut({-0.8, 0, 0}).rapid({27, 0, 0}).cut({27, 0, 5}).rapid({50, 0, 5});
+  const StockShape bar = face.bar();
+  EXPECT_LT(bar.box.lo.z, 0);
+  EXPECT_GE(bar.box.hi.z, 0);
+  EXPECT_EQ(face.guesses(), "");
+  StockPath neck;  // whose groove begins beside the neck alone, at a counter spindle
+  neck.rapid({23, 0, -2}).cut({23, 0, 30}).cut({26, 0, 30}).rapid({26, 0, -2}).rapid({17, 0, -2});
+  neck.cut({17, 0, 10}).cut({23, 0, 10}).rapid({23, 0, 5}).rapid({18, 0, 5}).cut({15, 0, 5});
+  EXPECT_EQ(neck.rapid({26, 0, 5}).bar().box.hi.z, 33);
+}
+
 // In with the feed, to and fro: a bar leaves no core, so there was a hole.
 TEST(BarSigns, HasAHoleWhereABoringBarFeedsIn) {
   StockPath bore;

@@ -8,12 +8,17 @@
 
 namespace mrsim::testing {
 
-/// Moves of tool 0 from where the last one ended; lines are numbered from 1. `Path` derives from
-/// this class, so that calls can be chained.
+/// Moves of tool 0, or of another, from where the last one ended; lines are numbered from 1. `Path`
+/// derives from this class, so that calls can be chained.
 template <class Path>
 class PathBuilder {
  public:
   explicit PathBuilder(Vec3 start) : at_(start) {}
+  /// The moves that follow are those of `tool`.
+  Path& by(int tool) {
+    tool_ = tool;
+    return static_cast<Path&>(*this);
+  }
   Path& rapid(Vec3 to) { return add(MotionKind::rapid, to); }
   Path& cut(Vec3 to) { return add(MotionKind::line, to); }
   /// Sweep in radians about the axis. Requires: `to` is where that leads.
@@ -34,12 +39,13 @@ class PathBuilder {
     m.kind = kind;
     m.start = at_;
     m.end = at_ = to;
-    m.tool = 0;
+    m.tool = tool_;
     m.line = static_cast<int>(motions.size()) + 1;
     motions.push_back(m);
     return static_cast<Path&>(*this);
   }
   Vec3 at_;
+  int tool_ = 0;
 };
 
 }  // namespace mrsim::testing

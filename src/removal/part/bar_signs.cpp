@@ -14,10 +14,10 @@ bool goes_to_chuck(const Motion& m) { return m.end.z < m.start.z - kSameHeight; 
 
 bool is_level_feed(const Motion& m) { return std::fabs(m.end.z - m.start.z) < kSameHeight; }
 
-// A cut at one Z that comes to the axis.
-bool faces_to_axis(const Motion& m) {
-  const bool meets =
-      m.start.x * m.end.x < 0 || std::min(std::fabs(m.start.x), std::fabs(m.end.x)) < kLeastMargin;
+// A cut at one Z that comes to the axis, or to what is drilled around it.
+bool faces_to_axis(const Motion& m, double drilled) {
+  const double least = std::min(std::fabs(m.start.x), std::fabs(m.end.x));
+  const bool meets = m.start.x * m.end.x < 0 || least < drilled + kLeastMargin;
   return is_level_feed(m) && m.start.x != m.end.x && meets;
 }
 
@@ -25,7 +25,7 @@ bool faces_to_axis(const Motion& m) {
 class WaysReader {
  public:
   WaysReader(std::span<const Motion> motions, std::span<const Tool> tools, double zero)
-      : motions_(motions), tools_(tools), zero_(zero) {}
+      : motions_(motions), tools_(tools), radii_(radii_of(motions, tools)), zero_(zero) {}
 
   FarWays read() {
     bool is_new = true;  // no feed along Z since the last rapid
@@ -35,9 +35,10 @@ class WaysReader {
       if (!is_cut(m) || m.lead != 0) continue;
       if (is_new && goes_to_chuck(m) && m.start.z > zero_ + kSameHeight && !leads_near(i)) note(i);
       is_new = is_new && (is_level_feed(m) || leads_near(i));
-      if (faces_to_axis(m) && works_outside(m)) faced_ = std::min(faced_, m.start.z);
+      note_face(m);
     }
     FarWays ways;
+    if (has_front_) return ways;
     if (far_ > 0 && 2 * far_ >= all_)
       ways = {far_front_, true};
     else if (deep_ > 0 && 2 * deep_ >= all_)
@@ -48,8 +49,8 @@ class WaysReader {
   }
 
  private:
-  // mm: farther in front of the bar nobody begins to feed.
-  static constexpr double kFarthest = 10;
+  // mm: farther in front of the bar nobody begins to feed; roughing cycles add their allowance.
+  static constexpr double kFarthest = 10 + kLeastMargin;
   static constexpr double kUsual = 6;  // mm: nor many farther than that
 
   bool works_outside(const Motion& m) const {
@@ -62,6 +63,21 @@ class WaysReader {
     return goes_to_chuck(m) && m.end.z > zero_ + kSameHeight && m.end.z < zero_ + kFarthest &&
            i + 1 < motions_.size() && is_cut(motions_[i + 1]) &&
            std::fabs(m.end.x) < std::fabs(m.start.x) - kSameHeight;
+  }
+
+  // A blade parts off at the zero in the chuck; an insert faces the front.
+  void note_face(const Motion& m) {
+    if (m.tool >= 0 && !is_turning(type_of(m))) {
+      drilled_ = std::max(drilled_, radii_[static_cast<std::size_t>(m.tool)]);
+    } else if (works_outside(m) && faces_to_axis(m, drilled_)) {
+      faced_ = std::min(faced_, m.start.z);
+      has_front_ = has_front_ || (type_of(m) != ToolType::grooving &&
+                                  m.start.z > zero_ - kLeastMargin - kSameHeight);
+    }
+  }
+
+  ToolType type_of(const Motion& m) const {
+    return m.tool < 0 ? ToolType::turning : tools_[static_cast<std::size_t>(m.tool)].type;
   }
 
   void note(std::size_t i) {
@@ -98,8 +114,11 @@ class WaysReader {
 
   std::span<const Motion> motions_;
   std::span<const Tool> tools_;
+  std::vector<double> radii_;  // of tools
   double zero_;
+  double drilled_ = 0;         // radius of the widest drill so far
   double faced_ = -kNoHeight;  // Z of what has been faced down to the axis
+  bool has_front_ = false;     // an insert faces the front, at the zero or before it
   int all_ = 0, far_ = 0, deep_ = 0;
   double far_front_ = kNoHeight, deep_front_ = kNoHeight;
   bool necks_ = false;
@@ -139,7 +158,22 @@ FarWays far_ways(std::span<const Motion> motions, std::span<const Tool> tools, d
   return WaysReader(motions, tools, zero).read();
 }
 
+double air_radius(std::span<const Motion> motions) {
+  double widest = 0;
+  bool plunges = false;
+  for (std::size_t i = 0; i < motions.size(); ++i) {
+    const Motion& m = motions[i];
+    if (!is_cut(m) || is_upright_line(m)) continue;
+    const double from = std::fabs(m.start.x), to = std::fabs(m.end.x);
+    widest = std::max({widest, from, to});
+    const bool goes_inwards = is_level_feed(m) && to < from - kSameHeight;
+    plunges = plunges || (goes_inwards && (i == 0 || !is_cut(motions[i - 1])));
+  }
+  return plunges ? widest : -kNoHeight;
+}
+
 HeldEnd held_end(std::span<const Motion> motions, double zero) {
+  const double air = air_radius(motions) - kSameHeight;
   bool is_new = true;  // no feed along Z since the last rapid
   bool is_plus = false, leads_to_plus = false;
   double farthest = kNoHeight;  // towards +Z, of all places where tools were
@@ -152,6 +186,7 @@ HeldEnd held_end(std::span<const Motion> motions, double zero) {
     if (is_new) continue;
     if (goes_to_chuck(m)) return HeldEnd::minus;
     if (i > 0 && is_cut(motions[i - 1])) continue;  // from a plunge, or the way out of a face
+    if (std::min(std::fabs(m.start.x), std::fabs(m.end.x)) >= air) continue;  // a way back
     const bool is_behind = m.end.z > zero + kSameHeight && m.end.z - zero > zero - m.start.z;
     is_plus = is_plus || (is_behind && m.end.z > before + kSameHeight);
     leads_to_plus = leads_to_plus || is_upright_line(m);

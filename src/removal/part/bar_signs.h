@@ -21,8 +21,13 @@ struct FarWays {
 /// face at it.
 FarWays far_ways(std::span<const Motion> motions, std::span<const Tool> tools, double zero);
 
+/// The radius from which on nothing is cut along Z: the largest of all cuts across, where tools go
+/// in level from a rapid. Infinite where none does.
+double air_radius(std::span<const Motion> motions);
+
 /// Which end of the bar is held. `plus`: a counter spindle holds it, and its front looks to -Z, as
-/// all ways in lead towards +Z, beyond all places where the tools were. `unsure`: they lead there
+/// all ways in lead towards +Z, beyond all places where the tools were. A way back in the air
+/// is none. `unsure`: they lead there
 /// from behind the zero, where tools come to from in front of a bar, too.
 enum class HeldEnd : std::uint8_t { minus, plus, unsure };
 HeldEnd held_end(std::span<const Motion> motions, double zero);

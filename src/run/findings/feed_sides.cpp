@@ -2,7 +2,11 @@
 
 #include "core/numbers/motions.h"
 #include "core/words/tool_types.h"
+#include "removal/part/bar_signs.h"
+#include "removal/part/stock_margin.h"
 
+#include <algorithm>
+#include <cmath>
 #include <string>
 #include <utility>
 #include <vector>
@@ -21,6 +25,7 @@ struct FeedSide {
 
 std::vector<FeedSide> feed_sides(const Program& program) {
   std::vector<FeedSide> sides(program.tools.size());
+  const double air = air_radius(program.motions) - kSameHeight;
   bool after_cut = false;
   for (const Motion& m : program.motions) {
     const bool from_rapid = !after_cut;
@@ -31,7 +36,8 @@ std::vector<FeedSide> feed_sides(const Program& program) {
     if (rise < 0) side.to_minus = true;
     if (!is_upright_line(m) || !from_rapid) continue;
     if (rise < 0) side.enters_to_minus = true;
-    if (rise > 0 && !side.enters_to_plus) side.enters_to_plus = &m;
+    const bool enters = rise > 0 && std::fabs(m.start.x) < air;  // not a way back
+    if (enters && !side.enters_to_plus) side.enters_to_plus = &m;
   }
   return sides;
 }
@@ -48,6 +54,18 @@ bool has_right_hand(const Tool& tool) {
 bool stands_along_x(const Tool& tool) {
   const int tip = tip_orientation(tool);
   return tool.type == ToolType::grooving && tip != 5 && tip != 7;
+}
+
+// What is there beside a blade outside: the radius of its last pass along Z, and how deep it went.
+struct Layer {
+  double radius = 0, low = 0;
+};
+
+// Whether the blade's edge takes all that lies outside of the pass, as in turning.
+bool turns_layer(const Motion& m, const Tool& tool, const Layer& layer) {
+  const double height = layer.radius - std::fabs(m.start.x);
+  return !is_inside_tool(tool) && height > -kSameHeight && height < tool.width + kSameHeight &&
+         layer.low < m.end.z + kSameHeight;
 }
 
 void warn(Program& program, const Motion& m, const char* code, std::string text) {
@@ -90,20 +108,27 @@ void warn_of_hands(JobResult& result) {
 void warn_of_blades(JobResult& result) {
   Program& program = result.program;
   if (program.machine != MachineKind::lathe) return;
+  const Box3& stock = result.stock.box;
+  const Layer bar{std::max(stock.hi.x, -stock.lo.x), kNoHeight};
   std::vector<bool> told(program.tools.size(), false);
+  std::vector<Layer> layers(program.tools.size(), bar);
   for (std::size_t i = 1; i + 1 < program.motions.size(); ++i) {
     const Motion &m = program.motions[i], &next = program.motions[i + 1];
     const bool plunges = is_cut(m) && !is_cut(program.motions[i - 1]) && is_upright_line(m) &&
                          m.end.z < m.start.z && m.tool >= 0;
-    if (!plunges || !is_upright_line(next) || next.end.z <= next.start.z) continue;
+    if (!plunges) continue;
     const auto index = static_cast<std::size_t>(m.tool);
-    if (told[index] || !stands_along_x(program.tools[index])) continue;
+    const Tool& tool = program.tools[index];
+    const bool turns = turns_layer(m, tool, bar) || turns_layer(m, tool, layers[index]);
+    layers[index] = {std::fabs(m.start.x), m.end.z};
+    const bool goes_back = is_upright_line(next) && next.end.z > next.start.z;
+    if (!goes_back || turns || told[index] || !stands_along_x(tool)) continue;
     told[index] = true;
     warn(program, m, "blade-direction",
          fmt::format("tool {0} goes straight in and out along Z, as the blade of a face groove "
                      "does, and is read as a blade that stands along X; --tool "
                      "{0}=grooving:w={1:g},tip=7 stands along Z, its middle the programmed point",
-                     program.tools[index].id, program.tools[index].width));
+                     tool.id, tool.width));
   }
 }
 
