@@ -133,13 +133,13 @@ ReadPipes& read_pipes() {
 }
 
 [[noreturn]] void fail_too_large(const std::string& path, const struct stat& info,
-                                 std::size_t limit) {
+                                 std::size_t most) {
   throw Error("file-too-large",
               S_ISREG(info.st_mode)
-                  ? fmt::format("{} is larger than {} bytes", path, limit)
+                  ? fmt::format("{} is larger than {} bytes", path, most)
                   : fmt::format("{} is no file and gives more than {} bytes; store in a file what "
                                 "is meant to be read",
-                                path, limit));
+                                path, most));
 }
 
 int open_to_read(const std::string& path, int flags) {
