@@ -353,6 +353,9 @@ TEST(SinumerikStructures, NothingStandsBehindACondition) {
     EXPECT_EQ(moves(value + std::string("IF R1==5 GOTOF AA BB\nAA: X1\n")), " | statement");
   }
   EXPECT_EQ(moves("GOTOF AA BB\nAA: X1\n"), " | statement");
+  for (const char* jump : {"IF R1==4 GOTOF", "IF R1==4 GOTOB ; AA", "IF R1==5 GOTO", "GOTOC"})
+    EXPECT_EQ(moves("R1=5\nAA: X1\n" + std::string(jump) + "\nX2\n"), "l1,0,0 | jump-target")
+        << jump;
   EXPECT_EQ(moves("GOTOF AA ; BB\nX9\nAA: X1\nGOTOF \"N\"<<20\nN20 X2\n"), "l1,0,0 l2,0,0");
 }
 

@@ -118,7 +118,7 @@ bool SinumerikStatements::jump_if(bool holds, const std::string& word, std::size
   const std::size_t next = p = skip_blanks(p);
   const bool another = name_at(p) == "IF";
   if (named && !another && !end_statement(next)) return false;
-  if (holds) return go_to(word, from);
+  if (holds || !named) return go_to(word, from);  // tells of the missing label
   return !another || branch(next, p);
 }
 
