@@ -345,13 +345,22 @@ TEST(LinuxCncWords, ALengthThatTouchingOffChanges) {
       << "the table tells the length of the tool";
 }
 
-// Its interpreter carries out the O word of a line and nothing else there.
-TEST(LinuxCncWords, WordsBehindAnOWordAreLeftOut) {
-  EXPECT_EQ(path_of_words("F9\nO1 if [1] G1 X5\nG1 Y1\nO1 endif\nM2\n"),
-            "l0,1,0 | word-without-effect");
-  EXPECT_EQ(path_of_words("F9\nO1 repeat [2] G1 X5\nG91 G1 Y1\nO1 endrepeat\nM2\n"),
-            "l0,1,0 l0,2,0 | word-without-effect");
-  EXPECT_EQ(path_of_words("F9\nO1 if [1] (YES) ; so\nG1 Y1\nO1 endif (END)\nM2\n"), "l0,1,0");
+// Its interpreter says "Unexpected character after O-word", whatever the condition says.
+TEST(LinuxCncWords, WordsBehindAnOWordAreRefused) {
+  const auto told = [](const std::string& text) {
+    return path_of_words("F9\n#1=0\n" + text + "G1 Y9\nM2\n");
+  };
+  EXPECT_EQ(told("O1 if [1] G1 X5\nG1 Y1\nO1 endif\n"), " | statement");
+  EXPECT_EQ(told("O1 if [0] THEN\nG1 Y1\nO1 endif\n"), " | statement");
+  EXPECT_EQ(told("O1 if [0]\nG1 Y1\nO1 else #1=5\nO1 endif\n"), " | statement");
+  EXPECT_EQ(told("O1 if [1]\nG1 Y1\nO1 endif #1=5\n"), "l0,1,0 | statement");
+  EXPECT_EQ(told("O1 repeat [2] G1 X5\nG91 G1 Y1\nO1 endrepeat\n"), " | statement");
+  EXPECT_EQ(told("O1 while [#1 LT 2]\nG1 Y1\nO1 endwhile #1=9\n"), "l0,1,0 | statement");
+  EXPECT_EQ(told("O1 while [#1 LT 2] do\n#1=9\nO1 endwhile\n"), " | statement");
+  EXPECT_EQ(told("O1 do\nG1 Y1\nO1 break #1=5\nO1 while [1]\n"), "l0,1,0 | statement");
+  EXPECT_EQ(told("O1 if [1] (open\nG1 Y1\nO1 endif\n"), " | comment-unterminated");
+  EXPECT_EQ(told("O1 if [1] (YES) ; so\nG1 Y1\nO1 endif (END)\n"), "l0,1,0 l0,9,0");
+  EXPECT_EQ(told("O1 do ; so\nG1 Y1\nO1 while [0] (so)\n"), "l0,1,0 l0,9,0");
 }
 
 }  // namespace

@@ -109,18 +109,18 @@ std::size_t OwordStatements::end_of_line(std::size_t p) const {
   return p;
 }
 
-// LinuxCNC carries out the O word of a line and leaves its other words.
-bool OwordStatements::pass_rest(std::size_t p) {
-  const std::size_t end = block_.line.size();
+// LinuxCNC refuses words behind an O word. It reads them before it carries that out, so the
+// refusal does not depend on what the condition says.
+bool OwordStatements::ends_line(std::size_t& p) {
   p = end_of_line(p);
-  if (p < end && at(p) != ';') {
-    warning("word-without-effect",
-            "words behind an O word are not read: write them into a block of their own",
-            place_word(p, end));
-    p = end;
-  }
-  reader_.set_position(p);
-  return true;
+  if (p >= block_.line.size() || at(p) == ';') return true;
+  if (at(p) == '(')
+    return fail("comment-unterminated", "the comment that starts here is not closed with )", p,
+                block_.line.size());
+  return fail("statement",
+              "nothing but a comment stands behind an O word (\"Unexpected character after "
+              "O-word\"): write this into a block of its own",
+              p, block_.line.size());
 }
 
 bool OwordStatements::statement(std::size_t from) {
@@ -158,16 +158,19 @@ bool OwordStatements::oword(const FlowEntry& entry, std::size_t p) {
     case FlowWord::loop_repeat:
       return loop(entry, p);
     case FlowWord::loop_end:
-      return loop_again(entry);
+      return ends_line(p) && loop_again(entry);
     case FlowWord::loop_until: {
       bool again = false;
-      if (!condition(p, again)) return false;
+      if (!condition(p, again) || !ends_line(p)) return false;
       if (again) return jump_past(places_.outline().entry(entry.first));
-      return pass_rest(p);
+      reader_.set_position(p);
+      return true;
     }
     case FlowWord::loop_break:
+      if (!ends_line(p)) return false;
       return jump_past(places_.outline().entry(places_.outline().entry(entry.first).last));
     case FlowWord::loop_continue: {
+      if (!ends_line(p)) return false;
       const FlowEntry& last = places_.outline().entry(places_.outline().entry(entry.first).last);
       return reader_.jump(last.at);
     }
@@ -181,7 +184,9 @@ bool OwordStatements::oword(const FlowEntry& entry, std::size_t p) {
     case FlowWord::sub_return:
       return leave(p, true);
     default:
-      return pass_rest(p);
+      if (!ends_line(p)) return false;
+      reader_.set_position(p);
+      return true;
   }
 }
 
@@ -193,7 +198,11 @@ bool OwordStatements::branch(const FlowEntry& entry, std::size_t p) {
   if (!asked) return jump_past(places_.outline().entry(entry.last));
   bool holds = true;
   if (entry.word != FlowWord::branch_else && !condition(p, holds)) return false;
-  if (holds) return pass_rest(p);
+  if (!ends_line(p)) return false;
+  if (holds) {
+    reader_.set_position(p);
+    return true;
+  }
   const FlowEntry& next = places_.outline().entry(entry.next);
   if (next.word == FlowWord::branch_end) return jump_past(next);
   arriving_ = true;
@@ -207,14 +216,17 @@ bool OwordStatements::loop(const FlowEntry& entry, std::size_t p) {
     p = skip_blanks(p);
     if (at(p) != '[') return fail("bracket", "the number of passes stands in brackets", p, p + 1);
     if (!evaluator_.number_expression(block_.line, p, count)) return report(evaluator_.fault());
+    if (!ends_line(p)) return false;
     if (count < 1) return jump_past(end);
     passes_left(entry.last) = static_cast<long>(std::min(nearest_whole(count), 1e9));
-    return pass_rest(p);
+    reader_.set_position(p);
+    return true;
   }
   bool holds = false;
-  if (!condition(p, holds)) return false;
+  if (!condition(p, holds) || !ends_line(p)) return false;
   if (!holds) return jump_past(end);
-  return pass_rest(p);
+  reader_.set_position(p);
+  return true;
 }
 
 bool OwordStatements::loop_again(const FlowEntry& entry) {

@@ -56,7 +56,7 @@ class OwordStatements : public Statements {
   bool leave(std::size_t p, bool required);
   bool values(std::size_t p, std::vector<double>& out);
   std::size_t end_of_line(std::size_t p) const;
-  bool pass_rest(std::size_t p);
+  bool ends_line(std::size_t& p);
 
   SavedModes saved_modes_;
   std::vector<Pending> pending_;
