@@ -390,12 +390,21 @@ TEST(Macro, CallsThatBeginAtABlock) {
 // Words behind a GOTO are lost, whether it is taken or not.
 TEST(Macro, WordsBehindAJumpAreToldOf) {
   const auto told = [](const std::string& line) {
-    return path_text(
-        read_text("#1=0\nG1 X1 F9\n" + line + "\nX2\nN10 X3\nM30\n", at_origin(Dialect::fanuc)));
+    return path_text(read_text("#1=0 #100=10\nG1 X1 F9\n" + line + "\nX2\nN10 X3\nM30\n",
+                               at_origin(Dialect::fanuc)));
   };
   EXPECT_EQ(told("IF[#1EQ5]GOTO10 X9."), "l1,0,0 l2,0,0 l3,0,0 | word-without-effect");
   EXPECT_EQ(told("GOTO 10 Y9."), "l1,0,0 l3,0,0 | word-without-effect");
+  EXPECT_EQ(told("IF[#1EQ5]GOTO N10 Y9."), "l1,0,0 l2,0,0 l3,0,0 | word-without-effect");
+  EXPECT_EQ(told("IF[#1EQ5]GOTO#9 Y9."), "l1,0,0 l2,0,0 l3,0,0 | word-without-effect");
+  EXPECT_EQ(told("GOTO[[#1+5]*2] Y9."), "l1,0,0 l3,0,0 | word-without-effect");
+  EXPECT_EQ(told("GOTO#[#1+100] Y9."), "l1,0,0 l3,0,0 | word-without-effect");
   EXPECT_EQ(told("IF[#1EQ0]GOTO 10 (NEXT) ;"), "l1,0,0 l3,0,0");
+  EXPECT_EQ(told("IF[#1EQ0]GOTO N10 (NEXT)"), "l1,0,0 l3,0,0");
+  EXPECT_EQ(told("IF[#1EQ0] N10 Y9."), "l1,0,0 l3,0,0 | word-without-effect") << "Okuma";
+  EXPECT_EQ(told("IF[#1EQ0] N10 (NEXT)"), "l1,0,0 l3,0,0");
+  EXPECT_EQ(told("GOTO#100 (NEXT)"), "l1,0,0 l3,0,0");
+  EXPECT_EQ(told("GOTO [#1 + 10] ;"), "l1,0,0 l3,0,0");
   EXPECT_EQ(told("IF[#1EQ5]GOTO[10+#1]"), "l1,0,0 l2,0,0 l3,0,0");
 }
 

@@ -155,13 +155,12 @@ bool MacroStatements::loop_end(std::size_t from) {
 // Words behind a GOTO are lost even where it is not taken.
 bool MacroStatements::go_to(std::size_t p, bool taken) {
   if (const std::size_t words = words_behind_jump(block_.line, p); words < block_.line.size())
-    warning("word-without-effect",
-            "what stands behind GOTO is not read: write it into a block of its own",
-            place_word(words, end_of_block(words)));
-  const std::size_t from = skip_blanks(p);
-  if (!taken) reader_.set_position(end_of_block(p));
-  if (!taken) return true;
-  p = from;
+    warning("word-without-effect", kBehindJump, place_word(words, end_of_block(words)));
+  if (!taken) {
+    reader_.set_position(end_of_block(p));
+    return true;
+  }
+  const std::size_t from = p = skip_blanks(p);
   double target = 0;
   if (!number(p, target, true)) return false;
   decided_ = decided_ || !is_digit(at(from));

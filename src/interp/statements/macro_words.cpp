@@ -25,10 +25,20 @@ bool is_macro_a(const std::vector<Word>& words, const Word& code) {
 }
 
 std::size_t words_behind_jump(std::string_view line, std::size_t p) {
-  p = std::min(line.find_first_not_of(" \t", p), line.size());
-  const std::size_t digits = p;
-  p = std::min(line.find_first_not_of("0123456789. \t", p), line.size());
-  return p == digits || ends_block(line, p) ? line.size() : p;
+  const auto skip = [&](const char* characters) {
+    p = std::min(line.find_first_not_of(characters, p), line.size());
+  };
+  const auto at = [&](char c) { return p < line.size() && line[p] == c; };
+  skip(" \t+-");
+  const std::size_t from = p;
+  skip("# \t");
+  if (at('[')) {
+    const std::size_t close = closing_bracket(line, p);
+    p = close == std::string_view::npos ? line.size() : close + 1;
+  } else {
+    skip("0123456789. \t");
+  }
+  return p == from || ends_block(line, p) ? line.size() : p;
 }
 
 }  // namespace mrsim

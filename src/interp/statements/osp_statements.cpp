@@ -3,6 +3,7 @@
 #include "core/text/text_io.h"
 #include "interp/language/flow_scan.h"
 #include "interp/statements/lap_contour.h"
+#include "interp/statements/macro_words.h"
 #include "interp/text/characters.h"
 
 #include <algorithm>
@@ -100,11 +101,9 @@ bool OspStatements::statement(std::size_t from) {
     std::size_t next = behind;
     if (letters(next) == "GOTO" && upper(at(skip_blanks(next))) == 'N') behind = skip_blanks(next);
     if (upper(at(behind)) != 'N') return MacroStatements::statement(from);
-    if (holds) return jump(behind);
-    reader_.set_position(end_of_block(behind));
-    return true;
+    return jump(behind, holds);
   }
-  if (name == "GOTO" && upper(at(skip_blanks(p))) == 'N') return jump(skip_blanks(p));
+  if (name == "GOTO" && upper(at(skip_blanks(p))) == 'N') return jump(skip_blanks(p), true);
   if (name == "RTS") {
     if (reader_.depth() < 2)
       return fail("call-missing", "RTS in a program that is no subprogram", from, p);
@@ -195,9 +194,17 @@ bool OspStatements::enter(const Call& call, bool modal) {
   return reader_.enter(std::move(request), call.place);
 }
 
-// Jumps to block N100, or to the block of a name.
-bool OspStatements::jump(std::size_t p) {
+// Jumps to block N100, or to the block of a name. Words behind it are lost even where the jump is
+// not taken.
+bool OspStatements::jump(std::size_t p, bool taken) {
   const std::string_view name = name_from(block_.line, p);
+  const std::size_t behind = skip_blanks(p + name.size());
+  if (!ends_block(block_.line, behind))
+    warning("word-without-effect", kBehindJump, place_word(behind, end_of_block(behind)));
+  if (!taken) {
+    reader_.set_position(end_of_block(p));
+    return true;
+  }
   reader_.leave_stretches();
   Place to;
   if (name.size() > 1 && name.find_first_not_of("0123456789", 1) == name.npos) {
