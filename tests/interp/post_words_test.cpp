@@ -282,8 +282,14 @@ TEST(PostWords, RemarksOfWinCncStandInSquareBrackets) {
   }
   EXPECT_EQ(codes(read_text("G1 X5 [A] F100\n", at_origin(Dialect::iso))), "not-supported");
   for (const Dialect dialect : {Dialect::ngc, Dialect::fanuc})
-    EXPECT_EQ(codes(read_text("#2=3\nG1 X5 F100\n[#2+1]\n", at_origin(dialect))), "not-supported")
-        << "no remark, but an expression that has lost its address";
+    for (const char* lost : {"[#2+1]", "[2 MOD #2]", "[SIN[#2] + 1]", "[#<_x>]", "[[#2]]"})
+      EXPECT_EQ(codes(read_text(fmt::format("#2=3\nG1 X5 F100\n{}\n", lost), at_origin(dialect))),
+                "not-supported")
+          << "no remark, but an expression that has lost its address: " << lost;
+  for (const char* remark : {"[SETUP #1]", "[#2 SIDE]", "[TOOL #3 AND #4]", "[####]", "[No. #1]"})
+    EXPECT_EQ(codes(read_text(fmt::format("G1 X5 F100\n{}\n", remark), at_origin(Dialect::ngc))),
+              "")
+        << remark;
 }
 
 TEST(PostWords, SmoothingOfCentroidAndMazakIsReadOver) {

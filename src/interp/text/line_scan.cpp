@@ -2,6 +2,10 @@
 
 #include "interp/text/characters.h"
 
+#include <algorithm>
+#include <iterator>
+#include <string>
+
 namespace mrsim {
 namespace {
 
@@ -15,6 +19,27 @@ bool holds_parameter(std::string_view code, std::string_view rest) {
   for (std::size_t i = 1; i + 1 < inside.size(); ++i)
     if (upper(inside[i]) == 'P' && is_digit(inside[i + 1]) && !is_name(inside[i - 1])) return true;
   return false;
+}
+
+/// Whether text in square brackets computes something, as "#2+1" and "SIN[#1]" do: it reads a
+/// variable and has no words but those of expressions. "SETUP #1" has one.
+bool computes(std::string_view text) {
+  constexpr std::string_view kOperators[] = {"AND", "OR", "XOR", "MOD", "EQ",
+                                             "NE",  "GT", "GE",  "LT",  "LE"};
+  bool reads = false;
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    const char next = i + 1 < text.size() ? text[i + 1] : '\0';
+    reads = reads || (text[i] == '#' && (is_digit(next) || next == '<' || next == '['));
+    if (text[i] == '<') i = std::min(text.find('>', i), text.size());
+    if (i >= text.size() || !is_letter(text[i])) continue;
+    const std::size_t from = i;
+    while (i + 1 < text.size() && is_letter(text[i + 1])) ++i;
+    const std::string word = upper_case(text.substr(from, i + 1 - from));
+    const std::size_t behind = text.find_first_not_of(" \t", i + 1);
+    if (behind != text.npos && text[behind] == '[') continue;
+    if (std::ranges::find(kOperators, word) == std::end(kOperators)) return false;
+  }
+  return reads;
 }
 
 }  // namespace
@@ -60,7 +85,7 @@ bool is_remark(std::string_view line, std::size_t from) {
   const std::size_t end = line.find_last_not_of(" \t\r");
   if (end == line.npos || end <= from || line[from] != '[' || line[end] != ']') return false;
   // "[#2+1]" has lost its address.
-  return line.find_first_not_of(" \t") == from && line.find('#', from) == line.npos;
+  return line.find_first_not_of(" \t") == from && !computes(line.substr(from + 1, end - from - 1));
 }
 
 void scan_line(std::string_view line, LineScan& out) {
