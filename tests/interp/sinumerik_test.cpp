@@ -219,12 +219,15 @@ TEST(Sinumerik, SynchronisedActionsAreNamed) {
     const Program p = read_text(text, at_origin(Dialect::sinumerik));
     EXPECT_NE(listing(p).find("is a synchronised action"), std::string::npos) << listing(p);
   }
+  const Program slot = read_text("SLOT1=5\n", at_origin(Dialect::sinumerik));
+  EXPECT_NE(listing(slot).find("no variable of DEF"), std::string::npos) << listing(slot);
 }
 
 TEST(Sinumerik, CountersOfPartsBeginAtZero) {
   EXPECT_EQ(run("$AC_ACTUAL_PARTS=$AC_ACTUAL_PARTS+1\nG1 F9 X=$AC_ACTUAL_PARTS\n"
                 "IF $AC_TOTAL_PARTS<5 GOTOF AA\nX9\nAA: X2\n"),
             "1,0,0 2,0,0 ");
+  EXPECT_EQ(run("G1 F9 X=$AC_TOTAL_PARTS[1]\n"), "variable-unset") << "it has no index";
 }
 
 // The type of a tool and the orientation of its tip are read back as the program has set them, and

@@ -94,7 +94,7 @@ bool SinumerikVariables::kept_value(std::string_view key, std::span<const Value>
   const auto kept = control_.kept_values.find(name.empty() ? kept_tool_data(key, indices) : name);
   const bool set = kept != control_.kept_values.end();
   out = set ? kept->second : 0;
-  return set || counts_parts(key);
+  return set || (counts_parts(key) && indices.empty());
 }
 
 bool SinumerikVariables::axis_value_of(std::string_view name, int axis, double& out) const {

@@ -185,10 +185,10 @@ void SinumerikWords::name(Block& block) {
     }
     for (const std::string_view off : kOffWithZero)
       if (name == off && zero_follows()) return;
-    const std::string_view known = unsupported_name(name);  // ID=1 WHEN ...
     constexpr std::string_view kOther =
         "no variable of DEF or of a .DEF file (--path), but an address";
-    return unsupported(block, token, known.empty() ? kOther : known, from);
+    const bool action = name == "ID" || name == "IDS";  // ID=1 WHEN ...
+    return unsupported(block, token, action ? unsupported_name(name) : kOther, from);
   }
   if (c == '(') return call(block, from, token);
   if (name == "MCALL") {
