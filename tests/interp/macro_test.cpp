@@ -401,6 +401,9 @@ TEST(Macro, WordsBehindAJumpAreToldOf) {
   EXPECT_EQ(told("GOTO#[#1+100] Y9."), "l1,0,0 l3,0,0 | word-without-effect");
   EXPECT_EQ(told("IF[#1EQ0]GOTO 10 (NEXT) ;"), "l1,0,0 l3,0,0");
   EXPECT_EQ(told("IF[#1EQ0]GOTO N10 (NEXT)"), "l1,0,0 l3,0,0");
+  EXPECT_EQ(told("IF [#1EQ0]GOTON10"), "l1,0,0 l3,0,0");
+  EXPECT_EQ(told("IF [#1EQ5]GOTON10 (NEXT)"), "l1,0,0 l2,0,0 l3,0,0");
+  EXPECT_EQ(told("goton10 Y9."), "l1,0,0 l3,0,0 | word-without-effect");
   EXPECT_EQ(told("IF[#1EQ0] N10 Y9."), "l1,0,0 l3,0,0 | word-without-effect") << "Okuma";
   EXPECT_EQ(told("IF[#1EQ0] N10 (NEXT)"), "l1,0,0 l3,0,0");
   EXPECT_EQ(told("GOTO#100 (NEXT)"), "l1,0,0 l3,0,0");

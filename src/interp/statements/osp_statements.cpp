@@ -61,7 +61,16 @@ bool draws_blank(std::string_view line, std::size_t p) {
 bool OspStatements::starts_statement(std::string_view line, std::size_t p) {
   const std::string name = upper_case(name_from(line, p).substr(0, 8));
   return draws_blank(line, p) || name == "MSG" || name == "CALL" || name == "RTS" ||
-         name == "MODIN" || name == "MODOUT" || MacroStatements::starts_statement(line, p);
+         name == "MODIN" || name == "MODOUT" || name.starts_with("GOTON") ||
+         MacroStatements::starts_statement(line, p);
+}
+
+// The place of the name of a block behind GOTO: "GOTO N10", "GOTONEND". Nothing: another jump.
+std::optional<std::size_t> OspStatements::named_target(std::size_t p) const {
+  p = skip_blanks(p);
+  if (upper_case(block_.line.substr(p, 4)) != "GOTO") return std::nullopt;
+  p = skip_blanks(p + 4);
+  return upper(at(p)) == 'N' ? std::optional(p) : std::nullopt;
 }
 
 // Reads only the brackets of IF: behind IF [VC1 GE 2] NEND names a block, and is no comparison by
@@ -97,13 +106,11 @@ bool OspStatements::statement(std::size_t from) {
     std::size_t behind = p;
     bool holds = false;
     if (!bracketed(behind, holds)) return false;
-    behind = skip_blanks(behind);
-    std::size_t next = behind;
-    if (letters(next) == "GOTO" && upper(at(skip_blanks(next))) == 'N') behind = skip_blanks(next);
+    behind = named_target(behind).value_or(skip_blanks(behind));
     if (upper(at(behind)) != 'N') return MacroStatements::statement(from);
     return jump(behind, holds);
   }
-  if (name == "GOTO" && upper(at(skip_blanks(p))) == 'N') return jump(skip_blanks(p), true);
+  if (const auto target = named_target(from)) return jump(*target, true);
   if (name == "RTS") {
     if (reader_.depth() < 2)
       return fail("call-missing", "RTS in a program that is no subprogram", from, p);

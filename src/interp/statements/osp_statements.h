@@ -36,6 +36,7 @@ class OspStatements : public MacroStatements {
   bool read_call(std::size_t p, Call& out);
   bool argument(std::size_t& p, Call& out);
   bool enter(const Call& call, bool modal = false);
+  std::optional<std::size_t> named_target(std::size_t p) const;
   bool jump(std::size_t p, bool taken);
   bool set(std::string_view name, const Value& value, std::size_t from, std::size_t to);
 
