@@ -3,6 +3,8 @@
 
 #include <mrsim/types.h>
 
+#include <cstddef>
+
 namespace mrsim {
 
 /// Whether the motion removes material: a line or an arc whose start is known.
@@ -22,6 +24,11 @@ inline bool is_upright_line(const Motion& m) {
 inline bool is_level(const Motion& m) {
   const bool is_flat = m.kind != MotionKind::arc || (m.rise == 0 && m.axis == m.tool_axis);
   return is_flat && m.tool_axis == Vec3{0, 0, 1} && m.start.z == m.end.z;
+}
+
+/// Where the motion stands in its program.
+inline SourcePlace source_place(const Program& program, const Motion& m) {
+  return {program.files[static_cast<std::size_t>(m.file)], m.line, m.column};
 }
 
 }  // namespace mrsim

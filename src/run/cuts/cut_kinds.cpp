@@ -26,11 +26,6 @@ bool is_upright_arc(const Motion& motion) {
   return motion.kind == MotionKind::arc && std::abs(dot(motion.axis, motion.tool_axis)) < 0.5;
 }
 
-bool is_plunge(const Motion& motion) {
-  return motion.kind != MotionKind::arc && motion.start.x == motion.end.x &&
-         motion.start.y == motion.end.y;
-}
-
 bool is_flat(const ToolShape& shape) {
   return !shape.turning && shape.cutter.is_end_mill() && shape.cutter.round() == 0;
 }
@@ -54,7 +49,7 @@ class KindFinder {
     kinds.are_level =
         has_share(kMostOfCuts, [&](const Motion& m) { return is_level(m) && is_by(m, is_flat); });
     kinds.are_pointed = has_share(
-        kMostOfCuts, [&](const Motion& m) { return !is_plunge(m) && is_by(m, is_pointed); });
+        kMostOfCuts, [&](const Motion& m) { return !is_upright_line(m) && is_by(m, is_pointed); });
     kinds.search_arcs = std::ranges::any_of(cuts_, [&](const Motion* m) {
       return (is_helix(*m) || is_upright_arc(*m)) && is_by(*m, is_pointed);
     });

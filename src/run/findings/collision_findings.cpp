@@ -68,7 +68,7 @@ Diagnostic finding(const Program& program, const Collision& c, const LineTexts& 
   d.severity = Severity::warning;
   d.code = words(c.part).code;
   d.text = describe(program, c);
-  d.place = {program.files[static_cast<std::size_t>(m.file)], m.line, m.column};
+  d.place = source_place(program, m);
   d.source_line = texts.at({m.file, m.line});
   for (int i = m.call; i >= 0; i = program.calls[static_cast<std::size_t>(i)].outer) {
     const CallSite& site = program.calls[static_cast<std::size_t>(i)];
@@ -98,7 +98,7 @@ void add_withdrawals(Program& program, const CollisionReport::Withdrawals& withd
       program, Severity::note, "withdrawal-scrapes",
       fmt::format("{} up to {:.3f} mm of what its edge has left beside the cut, here the deepest",
                   count, withdrawals.depth));
-  d.place = {program.files[static_cast<std::size_t>(m.file)], m.line, m.column};
+  d.place = source_place(program, m);
 }
 
 // Tools that cut with a head on a neck of unknown size.

@@ -73,7 +73,7 @@ void warn(Program& program, const Motion& m, const char* code, std::string text)
   d.severity = Severity::warning;
   d.code = code;
   d.text = std::move(text);
-  d.place = {program.files[static_cast<std::size_t>(m.file)], m.line, m.column};
+  d.place = source_place(program, m);
 }
 
 }  // namespace

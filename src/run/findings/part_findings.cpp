@@ -147,7 +147,7 @@ void warn_of_idle_tools(JobResult& result, bool stock_assumed) {
             ? raw_face(result.stock.box)
             : "all that it cuts here is air, or has been cut before; check its data, the "
               "offsets of its length and radius, and the stock");
-    d.place = {program.files[static_cast<std::size_t>(first->file)], first->line, first->column};
+    d.place = source_place(program, *first);
   }
 }
 

@@ -27,8 +27,7 @@ std::vector<Diagnostic> ThreadPasses::warnings(const Program& program) const {
         program.tools[static_cast<std::size_t>(tool)].id,
         passes.count == 1 ? "a pass" : fmt::format("{} passes", passes.count),
         std::abs(passes.first.lead), passes.count == 1 ? "is" : "are");
-    d.place = {program.files[static_cast<std::size_t>(passes.first.file)], passes.first.line,
-               passes.first.column};
+    d.place = source_place(program, passes.first);
   }
   return out;
 }
