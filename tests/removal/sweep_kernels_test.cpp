@@ -167,7 +167,9 @@ TEST(SweepKernels, BoresAreTheSameOnEveryInstructionSet) {
   Random r(6);
   for (int round = 0; round < 200; ++round) {
     const double low = r(-3, 3), corner = r.pick(2) ? r(0, 1) : 0;
-    const LineRecord bore = {{r(0, 5), r(0, 5), r(0.5, 4), r(0, 4), corner, low, low - r(0, 1)}};
+    const double whole = r.pick(2);
+    const LineRecord bore = {
+        {r(0, 5), r(0, 5), r(0.5, 4), r(0, 4), corner, low, low - r(0, 1), whole}};
     PointColumns one = random_points(r, 8 << round % 4);
     for (std::size_t k = 0; k < one.count; k += 2) one.least[k] = r(-1, 3), one.nearest[k] = 7;
     const PointColumns before = one;
@@ -179,6 +181,36 @@ TEST(SweepKernels, BoresAreTheSameOnEveryInstructionSet) {
       ASSERT_EQ(set->bore(bore, 5, other), open) << set->name;
       ASSERT_EQ(std::memcmp(one.least, other.least, sizeof one.least), 0) << set->name;
       ASSERT_EQ(std::memcmp(one.nearest, other.nearest, sizeof one.nearest), 0) << set->name;
+    }
+  }
+}
+
+TEST(SweepKernels, BoundsOfBoresAreTheSameOnEveryInstructionSet) {
+  Random r(16);
+  std::vector<LineRecord> bores;
+  std::vector<std::uint32_t> rows;
+  for (std::uint32_t k = 0; k < 40; ++k, rows.push_back(k / 2 * 2)) {
+    const double low = r(-3, 3);
+    bores.push_back({{r(0, 5), r(0, 5), r(0.5, 4), r(0, 4), r(0, 1), low, low - r(0, 1), 1}});
+    bores.back().c[BoreSlot::whole] = r.pick(2);
+  }
+  struct Bounds {
+    double bounds[48] = {};
+    std::uint8_t decided[48] = {};
+  };
+  for (std::size_t n = 1; n <= rows.size(); ++n) {
+    const Vec3 p = {r(-5, 10), r(-5, 10), r(-5, 5)};
+    const auto found = [&](InstructionSet isa) {
+      Bounds out;
+      sweep_kernels(isa)->bore_bounds(bores.data(), rows.data(), n, p, out.bounds, out.decided);
+      return out;
+    };
+    const Bounds one = found(InstructionSet::scalar);
+    for (InstructionSet isa : {InstructionSet::avx2, InstructionSet::avx512}) {
+      if (sweep_kernels(isa) == nullptr) continue;
+      const Bounds other = found(isa);
+      ASSERT_EQ(std::memcmp(one.bounds, other.bounds, n * sizeof(double)), 0);
+      ASSERT_EQ(std::memcmp(one.decided, other.decided, n), 0);
     }
   }
 }

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
 
 namespace mrsim::detail {
 namespace {
@@ -23,24 +24,24 @@ struct DoubtfulPart {
 // points beside its ends, too: the points beside a part are sampled as far as they lie in the cell.
 class DoubtfulSearch {
  public:
-  DoubtfulSearch(const ExactField& field, const Lattice& lattice, const LatticePoint& origin,
+  DoubtfulSearch(const ExactField& field, const Lattice& lattice,
+                 std::span<const std::uint32_t> candidates, const LatticePoint& origin,
                  std::int32_t voxels, bool alike, std::vector<VoxelEdge>& out)
       : field_(field),
         lattice_(lattice),
         origin_(origin),
         voxels_(voxels),
         alike_(alike),
-        out_(out) {}
+        out_(out),
+        descent_(field.descent(position(voxels / 2, voxels / 2, voxels / 2), candidates)) {}
 
-  void look(std::span<const std::uint32_t> candidates) const {
-    look({{0, 0, 0}, {voxels_, voxels_, voxels_}}, candidates);
-  }
+  void look() { look({{0, 0, 0}, {voxels_, voxels_, voxels_}}, 1); }
 
  private:
   static constexpr std::int32_t kSampled = 4;  // voxels to a side
   static constexpr std::size_t kMostPoints = (kSampled + 3) * (kSampled + 3) * (kSampled + 3);
 
-  void look(const DoubtfulPart& part, std::span<const std::uint32_t> candidates) const {
+  void look(const DoubtfulPart& part, std::size_t tier) {
     DoubtfulPart near = part;
     for (int a = 0; a < 3; ++a) {
       near.lo[a] = std::max(part.lo[a] - 1, 0);
@@ -49,16 +50,18 @@ class DoubtfulSearch {
     const Box3 box = inflated(Box3{position(near.lo[0], near.lo[1], near.lo[2]),
                                    position(near.hi[0], near.hi[1], near.hi[2])},
                               kQuantum);
-    Candidates own;
-    if (field_.restrict_to(box, kSurfaceBand, candidates, own) != ExactField::Region::mixed ||
-        is_alone(box, own))
-      return;
     const std::int32_t size = part.hi[0] - part.lo[0];
-    if (size <= kSampled) return look_closely(part, near, own);
+    const bool last = size <= kSampled;
+    if (descent_->enter(tier, box, kSurfaceBand, last) != ExactField::Region::mixed) return;
+    if (last || descent_->is_short(tier)) {
+      descent_->candidates(tier, left_);
+      if (is_alone(box, left_)) return;
+    }
+    if (last) return look_closely(part, near, left_);
     for (int k = 0; k < 8; ++k) {
       DoubtfulPart eighth = part;
       for (int a = 0; a < 3; ++a) (k >> a & 1 ? eighth.lo : eighth.hi)[a] = part.lo[a] + size / 2;
-      look(eighth, own);
+      look(eighth, tier + 1);
     }
   }
 
@@ -144,6 +147,8 @@ class DoubtfulSearch {
   std::int32_t voxels_;
   bool alike_;
   std::vector<VoxelEdge>& out_;
+  std::unique_ptr<ExactField::Descent> descent_;
+  Candidates left_;
 };
 
 }  // namespace
@@ -160,7 +165,7 @@ std::vector<VoxelEdge> doubtful_inside(const ExactField& field, const Lattice& l
                                        const LatticePoint& origin, std::int32_t voxels,
                                        bool alike) {
   std::vector<VoxelEdge> out;
-  DoubtfulSearch(field, lattice, origin, voxels, alike, out).look(candidates);
+  DoubtfulSearch(field, lattice, candidates, origin, voxels, alike, out).look();
   return out;
 }
 

@@ -5,6 +5,7 @@
 #include "core/process/ordered.h"
 #include "removal/columns/sweep_builder.h"
 #include "removal/columns/sweep_classes.h"
+#include "removal/forms/helix_sweep.h"
 #include "removal/forms/outline.h"
 #include "removal/forms/upright_sweep.h"
 
@@ -154,6 +155,16 @@ void add_slants(SweepColumns& c) {
   }
 }
 
+void add_bores(SweepColumns& c) {
+  for (const SweepRef& ref : c.refs) {
+    if (ref.kind != SweepKind::path || c.paths.is_line(ref.row)) continue;
+    const ToolPath& path = c.paths.arc(ref.row);
+    if (!path.lowest_turn || !c.cutter(ref).is_end_mill()) continue;
+    c.bores.resize(c.paths.size());
+    c.bores[ref.row] = bore_record(c.cutter(ref), path);
+  }
+}
+
 // Paths are rows in the order of their sweeps.
 void add_uprights(SweepColumns& c) {
   const auto is_upright = [&c](const SweepRef& ref) {
@@ -177,6 +188,7 @@ void tag_others(SweepColumns& c) {
                             : has_record && c.is_slant_line(ref) ? SingleForm::slant
                             : has_record && c.is_chain(ref)      ? SingleForm::chain
                             : has_record && c.has_outline(ref)   ? SingleForm::outline
+                            : has_record && c.is_bore(ref)       ? SingleForm::bore
                             : has_record && c.upright_arc(ref)   ? SingleForm::upright
                                                                  : SingleForm::box;
     c.tags[i] = kOtherForm << kTagShift | static_cast<std::uint32_t>(form) << kSingleShift |
@@ -204,6 +216,7 @@ void build_columns(std::span<const Motion> program, std::span<const Tool> tools,
   add_chains(out);
   add_slants(out);
   add_outlines(out);
+  add_bores(out);
   add_uprights(out);
   tag_others(out);
   cut_segments(out);

@@ -61,7 +61,7 @@ struct SweepRef {
 inline constexpr std::uint32_t kTagShift = 30, kOtherForm = 3, kTagRow = (1u << kTagShift) - 1;
 /// For sweeps of the other form, stored in the tag above the row: what bounds the distance of a
 /// sweep that is evaluated on its own, or the lists that it is evaluated in.
-enum class SingleForm : std::uint32_t { box, slant, chain, outline, turned, upright };
+enum class SingleForm : std::uint32_t { box, slant, chain, outline, bore, turned, upright };
 inline constexpr std::uint32_t kSingleShift = 27, kSingleRow = (1u << kSingleShift) - 1;
 inline bool is_other(std::uint32_t tag) { return tag >> kTagShift == kOtherForm; }
 /// Requires: is_other(tag).
@@ -85,6 +85,7 @@ struct SweepColumns {
   std::vector<ChainLine> chain_lines;    ///< by row of paths; empty when there are none
   std::vector<ChainTool> chain_tools;    ///< by shape, likewise
   std::vector<SlantRecord> slant_lines;  ///< by row of paths; empty when there are none
+  std::vector<LineRecord> bores;  ///< turns of helices (BoreSlot) by row of paths; empty when none
   std::vector<UprightRecord> upright_quarters;
   std::vector<std::uint32_t> first_quarter;  ///< by row of paths: its first quarter, and the end;
                                              ///< empty when there are none
@@ -118,6 +119,10 @@ struct SweepColumns {
   /// Whether it is one of a tool with slant_minimum().
   bool is_slant_line(const SweepRef& ref) const {
     return ref.kind == SweepKind::path && !slant_lines.empty() && slant_lines[ref.row].length > 0;
+  }
+  /// Whether it is the lowest turn of a helix by an end mill.
+  bool is_bore(const SweepRef& ref) const {
+    return ref.kind == SweepKind::path && !bores.empty() && bores[ref.row].c[BoreSlot::radius] > 0;
   }
   /// Whether it is one on a horizontal path whose tool has an outline.
   bool has_outline(const SweepRef& ref) const {

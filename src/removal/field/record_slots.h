@@ -24,9 +24,9 @@ struct ArcSlot {
 };
 
 /// The wall of a bore: axis and radius of a helix, the tool's section, height of `low` at the first
-/// and at the last position.
+/// and at the last position; 1 for a whole turn, 0 for less.
 struct BoreSlot {
-  enum : int { x, y, radius, core, round, first_low, last_low };
+  enum : int { x, y, radius, core, round, first_low, last_low, whole };
 };
 
 /// Columns of candidate lists, floats about the list's origin. `inverse`: of the square of the

@@ -32,8 +32,8 @@ HelixRecord helix_record(const Profile& tool, const ToolPath& path) {
 LineRecord bore_record(const Profile& tool, const ToolPath& path) {
   const Vec3& at = path.center;
   const double low = at.z + tool.round();
-  return {
-      {at.x, at.y, path.radius, tool.core(), tool.round(), low, low + path.sweep * path.rise.z}};
+  return {{at.x, at.y, path.radius, tool.core(), tool.round(), low, low + path.sweep * path.rise.z,
+           path.bored ? 1.0 : 0.0}};
 }
 
 PathSample helix_minimum(const Profile& tool, const ToolPath& path, const Vec3& p) {

@@ -10,7 +10,7 @@ namespace mrsim {
 /// The whole path for the loops of helix_lanes.inl. Requires: lowest_turn, an end mill.
 HelixRecord helix_record(const Profile& tool, const ToolPath& path);
 
-/// What lane::bore (sweep_lanes.inl) knows of a whole turn. Requires: path.bored.
+/// What lane::bore (sweep_lanes.inl) knows of a turn. Requires: lowest_turn, an end mill.
 LineRecord bore_record(const Profile& tool, const ToolPath& path);
 
 /// The least distance over all positions, up to 1e-12 mm. Requires: lowest_turn, an end mill.

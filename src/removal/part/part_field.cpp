@@ -7,6 +7,7 @@
 #include "removal/field/face_range.h"
 #include "removal/prune/list_candidates.h"
 #include "removal/prune/prune.h"
+#include "removal/prune/prune_bores.h"
 #include "removal/prune/prune_strips.h"
 #include "removal/prune/prune_turned.h"
 #include "removal/simd/sweep_kernels.h"
@@ -166,7 +167,9 @@ ExactField::Region PartField::restrict_to(const PruneRegion& region, double band
   static thread_local CandidateList left;
   out.clear();
   const Region found = restrict_to(region, band, in, in_stock, left);
-  if (found == Region::mixed) append_ids(left, out);
+  if (found != Region::mixed) return found;
+  append_ids(left, out);
+  drop_later_turns(sweeps_.columns(), region, out);
   return found;
 }
 

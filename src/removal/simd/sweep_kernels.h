@@ -48,8 +48,12 @@ struct SweepKernels {
   FormKernels<LineRecord> ball_line, plane_line;
   FormKernels<ArcRecord> plane_arc;
   /// Brings the points beside the wall of a bore up to date with sweep `id`; a bit for each of the
-  /// others.
+  /// others to which the sweep may be nearer than the nearest so far.
   std::uint64_t (*bore)(const LineRecord& record, std::uint32_t id, PointColumns& points);
+  /// Lower bounds (up to 1e-8 mm) of the distances of p from turns of helices. A byte of `decided`
+  /// is not 0 where the bound is the distance. Both have room for a multiple of PointColumns::kPad.
+  void (*bore_bounds)(const LineRecord* records, const std::uint32_t* rows, std::size_t n,
+                      const Vec3& p, double* out, std::uint8_t* decided);
   /// Brings the points `active`, a bit each, up to date with sweep `id`, a lowest turn.
   void (*helix)(const HelixRecord& record, std::uint32_t id, std::uint64_t active,
                 PointColumns& points);

@@ -76,9 +76,25 @@ static std::uint64_t bore_least(const LineRecord& record, std::uint32_t id, Poin
         either(less(b.distance, least), both(less_equal(b.distance, least), less(own, nearest))));
     store(points.least + k, select(closer, b.distance, least));
     store(points.nearest + k, select(closer, own, nearest));
-    active |= std::uint64_t(bits(b.decided) ^ ((1u << kLanes) - 1)) << k;
+    const M open = less_equal(b.distance, least + splat(kBoundError));
+    active |= std::uint64_t(bits(open) & ~bits(b.decided)) << k;
   }
   return active;
+}
+
+static void bore_bounds(const LineRecord* records, const std::uint32_t* rows, std::size_t n,
+                        const Vec3& p, double* out, std::uint8_t* decided) {
+  const V x = splat(p.x), y = splat(p.y), z = splat(p.z);
+  std::uint32_t some[kLanes];
+  V c[8];
+  for (std::size_t k = 0; k < n; k += kLanes) {
+    pick(rows, k, n, some);
+    load_line(records, some, c);
+    const Bore b = bore(c, x, y, z);
+    store(out + k, b.distance);
+    for (std::size_t j = 0; j < kLanes; ++j)
+      decided[k + j] = static_cast<std::uint8_t>(bits(b.decided) >> j & 1);
+  }
 }
 
 // The last of the points is repeated where they do not fill a register.
@@ -343,6 +359,7 @@ static const SweepKernels kKernels = {
     {plane_line_list, plan_least<LineRecord>},
     {plane_arc_list, plan_least<ArcRecord>},
     bore_least,
+    bore_bounds,
     helix_least_of,
     slant_bounds,
     slant_least_of,

@@ -90,17 +90,20 @@ MRSIM_LANE V plane_arc(const V* c, V px, V py, V pz) {
                       c[ArcSlot::top]);
 }
 
-// Lowest whole turn of a helix: over it some position looks at p, and no other is nearer in plan.
-// Where the mill is as far from p at its highest tip as at its lowest one, that position is the
-// best, whatever its height: the bore's wall decides.
+// Lowest turn of a helix. The mill at the height of its lowest tip, all around the axis, holds what
+// the turn cuts, so that no point is nearer to the turn than to that. Over a whole turn some
+// position looks at p, and no other is nearer in plan: where the mill is as far from p at its
+// highest tip as at its lowest one, that position is the best, whatever its height, and the bore's
+// wall decides.
 // c: BoreSlot.
 struct Bore {
-  V distance;
+  V distance;  // a lower bound; the turn's own where `decided`
   M decided;
 };
 MRSIM_LANE Bore bore(const V* c, V px, V py, V pz) {
   const V dx = px - c[BoreSlot::x], dy = py - c[BoreSlot::y];
   const V dr = vabs(vsqrt(dx * dx + dy * dy) - c[BoreSlot::radius]) - c[BoreSlot::core];
   const V last = slab(dr, c[BoreSlot::last_low] - pz, c[BoreSlot::round]);
-  return {last, less_equal(slab(dr, c[BoreSlot::first_low] - pz, c[BoreSlot::round]), last)};
+  const V first = slab(dr, c[BoreSlot::first_low] - pz, c[BoreSlot::round]);
+  return {last, both(less_equal(first, last), less(splat(0.0), c[BoreSlot::whole]))};
 }

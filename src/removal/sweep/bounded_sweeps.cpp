@@ -6,6 +6,7 @@
 #include "removal/simd/sweep_kernels.h"
 
 #include <algorithm>
+#include <bitset>
 #include <cmath>
 #include <limits>
 
@@ -28,7 +29,8 @@ class SingleBounds {
   /// Finds lower bounds (up to 1e-8 mm) of the distances of up to kListChunk sweeps. A result above
   /// `limit` only means *above limit*. It is minus infinity where nothing is known.
   void find(std::span<const std::uint32_t> ids, double limit) {
-    ListPart slants, chains;
+    ListPart slants, chains, bores;
+    is_known_.reset();
     OutlinePart lines, arcs;
     const bool one_tool = c_.chain_tools.size() == 1;
     std::int32_t tool = 0;  // of `chains`
@@ -41,6 +43,8 @@ class SingleBounds {
         chains.add(row, k);
       } else if (single_form(tag) == SingleForm::slant) {
         slants.add(row, k);
+      } else if (single_form(tag) == SingleForm::bore) {
+        bores.add(row, k);
       } else if (single_form(tag) == SingleForm::outline) {
         add_outline(ids[k], row, k, limit, c_.profiles[row].arc ? arcs : lines);
       } else {
@@ -54,8 +58,11 @@ class SingleBounds {
       scatter(slants);
     }
     if (chains.n > 0) add_chains(tool, limit, chains);
+    if (bores.n > 0) find_bores(ids, bores);
   }
   double operator[](std::size_t k) const { return bounds_[k]; }
+  /// Whether the bound is the distance.
+  bool is_known(std::size_t k) const { return is_known_[k]; }
 
  private:
   void add_chains(std::int32_t tool, double limit, ListPart& chains) {
@@ -63,6 +70,18 @@ class SingleBounds {
                                  p_, limit, found_);
     scatter(chains);
     chains.n = 0;
+  }
+  // A turn that is not whole may end far from p.
+  void find_bores(std::span<const std::uint32_t> ids, const ListPart& bores) {
+    std::uint8_t decided[kListChunk];
+    sweep_kernels().bore_bounds(c_.bores.data(), bores.rows, bores.n, p_, found_, decided);
+    scatter(bores);
+    for (std::size_t k = 0; k < bores.n; ++k) {
+      const std::uint32_t slot = bores.slots[k];
+      is_known_[slot] = decided[k] != 0;
+      if (!is_known_[slot])
+        bounds_[slot] = std::max(bounds_[slot], box_bound(c_.bounds_of(c_.refs[ids[slot]]), p_));
+    }
   }
   // Horizontal paths of one tool with an outline, all arcs or all lines.
   struct OutlinePart {
@@ -93,6 +112,7 @@ class SingleBounds {
   Vec3 p_;
   double bounds_[kListChunk];
   double found_[kListChunk];
+  std::bitset<kListChunk> is_known_;
 };
 
 }  // namespace
@@ -142,7 +162,9 @@ void BoundedSweeps::nearest(std::span<const std::uint32_t> list, double enough,
     bounds.find(some, best.distance + kBoundError);
     for (std::size_t k = 0; k < some.size(); ++k) {
       if (!(bounds[k] <= best.distance + kBoundError) || (has_last && some[k] == last)) continue;
-      if (bounds[k] < enough)  // the sweep may hold p
+      if (bounds.is_known(k))
+        take_nearer(bounds[k], some[k], best);
+      else if (bounds[k] < enough)  // the sweep may hold p
         take(some[k], best.distance, best);
       else
         memory.singles.emplace_back(bounds[k], some[k]);

@@ -135,10 +135,8 @@ SweepHeights::Row SweepHeights::row_of(std::uint32_t sweep) {
     const bool line = c.paths.is_line(ref.row);
     if (line && row.tool->is_convex())
       set_slant(row, c.paths.line(ref.row).start, c.paths.line(ref.row).end());
-    else if (!line && c.paths.arc(ref.row).lowest_turn && row.tool->is_flat())
-      row.form = Form::helix;
-    else if (!line && row.tool->is_convex())
-      set_segments(row, c.paths.arc(ref.row));
+    else if (!line)
+      set_arc(row, c.paths.arc(ref.row));
   }
   return row;
 }
@@ -151,6 +149,13 @@ void SweepHeights::set_slant(Row& row, const Vec3& start, const Vec3& end) const
   if (plan < kRounding) return;
   row.ux = dx / plan, row.uy = dy / plan;
   row.length = plan, row.slope = (high.z - low.z) / plan;
+}
+
+void SweepHeights::set_arc(Row& row, const ToolPath& arc) {
+  if (arc.lowest_turn && row.tool->is_flat())
+    row.form = Form::helix, row.z = arc.center.z + arc.sweep * arc.rise.z;
+  else if (row.tool->is_convex())
+    set_segments(row, arc);
 }
 
 void SweepHeights::set_segments(Row& row, const ToolPath& path) {
@@ -171,7 +176,8 @@ double SweepHeights::rho(const Row& row, double x, double y) const {
 
 double SweepHeights::bottom(std::uint32_t index, double x, double y, double below) const {
   const Row& row = rows_[index];
-  const bool has_lowest = row.form == Form::horizontal || row.form == Form::slant;
+  const bool has_lowest =
+      row.form == Form::horizontal || row.form == Form::slant || row.form == Form::helix;
   if (has_lowest && !(row.z < below)) return kInfinity;
   if (row.form == Form::horizontal) return row.z + row.tool->height(rho(row, x, y));
   if (row.form == Form::slant) {
@@ -199,9 +205,11 @@ Underside::Bounds SweepHeights::bounds(std::uint32_t index, double x, double y, 
     const Underside::Bounds found = row.tool->bounds(at, r, below - row.z);
     return {row.z + found.lower, row.z + found.upper};
   }
-  if (row.form == Form::helix)
+  if (row.form == Form::helix) {
+    if (!(row.z < below)) return {row.z, kInfinity};
     return {helix_bottom(row, x, y, row.tool->radius() + r),
             helix_bottom(row, x, y, row.tool->radius() - r)};
+  }
   if (row.form == Form::segments) return segment_bounds(row, x, y, r, below);
   const Box3 box = sweeps_.bounds(row.sweep);
   const bool meets =
@@ -232,14 +240,13 @@ double SweepHeights::helix_bottom(const Row& row, double x, double y, double rad
   const Vec3 off{x - path.center.x, y - path.center.y, 0};
   const double from = std::sqrt(dot(off, off)), turn = path.radius;
   if (radius < 0 || std::fabs(from - turn) > radius) return kInfinity;
-  const double last = path.center.z + path.sweep * path.rise.z;
-  if (from + turn <= radius) return last;
+  if (from + turn <= radius) return row.z;
+  const double a = dot(off, path.u), b = dot(off, path.v);  // `turn` times the place about the axis
+  // Positions within `radius` face the place up to an angle with this cosine.
   const double cosine = (from * from + turn * turn - radius * radius) / (2 * from * turn);
-  const double half = mrsim::atan2(std::sqrt(std::max(0.0, 1 - cosine * cosine)), cosine);
-  const double facing = mrsim::atan2(dot(off, path.v), dot(off, path.u));
-  const double away = wrapped_angle(path.sweep - facing);
-  if (std::min(away, kTwoPi - away) <= half) return last;
-  const double end = wrapped_angle(facing + half);
+  if (a * path.last.x + b * path.last.y >= cosine * from * turn) return row.z;
+  const double sine = std::sqrt(std::max(0.0, 1 - cosine * cosine));
+  const double end = wrapped_angle(mrsim::atan2(b * cosine + a * sine, a * cosine - b * sine));
   return end <= path.sweep ? path.center.z + end * path.rise.z : kInfinity;
 }
 

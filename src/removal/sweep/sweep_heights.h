@@ -79,7 +79,8 @@ class SweepHeights {
     Form form = Form::other;
     std::uint32_t sweep = 0;
     const Underside* tool = nullptr;
-    double x = 0, y = 0, z = 0;        // slant: lower end of the tip's path; horizontal: height
+    double x = 0, y = 0, z = 0;        // slant: lower end of the tip's path; z: height of that, of
+                                       // a horizontal path, or of a helix's end
     double ux = 1, uy = 0;             // slant: direction in plan
     double length = 0, slope = 0;      // slant: in plan, mm
     std::size_t first = 0, count = 0;  // segments
@@ -93,6 +94,7 @@ class SweepHeights {
   void find_runs();
   Row row_of(std::uint32_t sweep);
   void set_slant(Row& row, const Vec3& start, const Vec3& end) const;
+  void set_arc(Row& row, const ToolPath& arc);
   void set_segments(Row& row, const ToolPath& path);
   double rho(const Row& row, double x, double y) const;
   Underside::Bounds segment_bounds(const Row& row, double x, double y, double r,

@@ -101,12 +101,11 @@ void least_of(const SweepColumns& c, std::uint32_t id, PointColumns& points) {
     const auto quarters = c.quarters_of(ref.row);
     return sweep_kernels().upright(quarters.data(), quarters.size(), id, points);
   }
-  if (ref.kind == SweepKind::path && ref.frame == 0 && !c.paths.is_line(ref.row)) {
-    const ToolPath& path = c.paths.arc(ref.row);
-    const Profile& tool = c.cutter(ref);
-    if (path.bored) open &= sweep_kernels().bore(bore_record(tool, path), id, points);
-    if (path.lowest_turn && tool.is_end_mill())
-      return sweep_kernels().helix(helix_record(tool, path), id, open, points);
+  if (c.is_bore(ref) && ref.frame == 0) {
+    open &= sweep_kernels().bore(c.bores[ref.row], id, points);
+    if (open == 0) return;
+    return sweep_kernels().helix(helix_record(c.cutter(ref), c.paths.arc(ref.row)), id, open,
+                                 points);
   }
   const Box3 box = c.bounds_of(ref);
   for (; open != 0; open &= open - 1) {

@@ -41,9 +41,9 @@ std::size_t SweepTable::memory() const {
          bytes_of(c.ball_lines) + bytes_of(c.plane_lines) + bytes_of(c.plane_arcs) +
          bytes_of(c.ball_arcs) + bytes_of(c.profiles) + bytes_of(c.outline_edges) +
          bytes_of(c.outlines) + c.paths.memory() + bytes_of(c.chain_lines) + c.run_chords.memory() +
-         bytes_of(c.slant_lines) + bytes_of(c.upright_quarters) + bytes_of(c.first_quarter) +
-         bytes_of(c.turns) + bytes_of(c.segments) + bytes_of(c.first_segment) +
-         bytes_of(c.class_of) + bytes_of(c.height_numbers);
+         bytes_of(c.slant_lines) + bytes_of(c.bores) + bytes_of(c.upright_quarters) +
+         bytes_of(c.first_quarter) + bytes_of(c.turns) + bytes_of(c.segments) +
+         bytes_of(c.first_segment) + bytes_of(c.class_of) + bytes_of(c.height_numbers);
 }
 Box3 SweepTable::bounds(std::size_t i) const { return columns_->bounds_of_number(i); }
 

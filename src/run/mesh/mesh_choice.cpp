@@ -34,6 +34,8 @@ constexpr std::size_t kEnoughSweeps = 10000;
 // Cells of the grid: it is made coarser above the first number (about two seconds of two cores),
 // and finer than its default only up to the second one.
 constexpr double kMostGridCells = 1e6, kFewGridCells = 4e5, kMostSearchedCells = 4e5;
+// Cells where many turns of helices overlap: they take twice as long.
+constexpr double kManyTurns = 60, kMostTurnCells = 6e5;
 // Nodes of the octree for a piece of a narrow groove that is as long as wide (text of 6 m by a
 // V-bit took 40), and up to which they are few.
 constexpr double kGrooveNodes = 40, kFewGrooveNodes = 1e5;
@@ -156,8 +158,10 @@ void fit_voxel(const detail::SurfaceSurvey& survey, double cell, MeshChoice& cho
   // lie within a cell take as long.
   const auto most = [&](double voxel) {
     const bool is_groove = voxel > choice.kinds.radius && is_plain(survey);
+    const bool has_turns = choice.kinds.have_many_helices && survey.sweeps > kManyTurns;
     const double cells = choice.kinds.search_arcs ? kMostSearchedCells
                          : is_groove              ? kMostGrooveCells
+                         : has_turns              ? kMostTurnCells
                                                   : kMostGridCells;
     return cells / std::max(survey.sheets, 1.0);
   };
