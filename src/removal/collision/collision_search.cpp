@@ -8,6 +8,7 @@
 #include "removal/collision/collision_search.h"
 
 #include "core/numbers/vec.h"
+#include "removal/collision/collision_plan.h"
 
 #include <algorithm>
 #include <cmath>
@@ -31,6 +32,9 @@ constexpr double kLeastShare = 1.0 / 16;
 // tools that are too large.
 constexpr double kTouchSize = 60;
 
+// Of the threshold: where boxes in plan end. They are few along a line.
+constexpr double kFinestInPlan = 0.5;
+
 }  // namespace
 
 std::array<Box3, 2> halves(const Box3& box) {
@@ -43,45 +47,84 @@ std::array<Box3, 2> halves(const Box3& box) {
   return parts;
 }
 
-// From face to face: beside a crease, two or three of them lead into it.
-Vec3 drawn_onto(const SweepTable& sweeps, std::uint32_t i, const Vec3& p) {
-  Vec3 q = p;
-  for (int step = 0; step < 8; ++step) {
-    const SweepSample at = sweeps.sample(i, q);
-    if (at.distance <= 0) break;
-    q = q - at.distance * sweeps.gradient(i, q, at.patch);
-  }
-  return q;
-}
-
 CollisionDetector::CollisionDetector(const CollisionScene& scene)
-    : scene_(scene), slack_(scene.rounding()) {}
+    : scene_(scene), slack_(scene.rounding()), space_(scene.part, scene.movers.sweeps) {}
 
 std::vector<CollisionHit> CollisionDetector::detect(const Box3& box,
                                                     std::span<const std::uint32_t> cuts,
                                                     std::span<const std::uint32_t> movers) {
+  std::vector<CollisionHit> hits;
+  Candidates left(movers.begin(), movers.end());
+  if (!scene_.turned) left = left_in_plan(box, cuts, movers, hits);
+  search(space_, box, cuts, left);
+  hits.insert(hits.end(), hits_.begin(), hits_.end());
+  return hits;
+}
+
+// What is not clear in plan may still be clear, as other cuts than horizontal ones have cleared it.
+Candidates CollisionDetector::left_in_plan(const Box3& box, std::span<const std::uint32_t> cuts,
+                                           std::span<const std::uint32_t> movers,
+                                           std::vector<CollisionHit>& hits) {
+  Candidates left;
+  Box3 flat = box;
+  flat.lo.z = flat.hi.z = 0;
+  for (PlanLayers& layers : plan_layers(scene_, cuts, movers, left))
+    for (const auto& view : layers.views) {
+      search(*view, flat, view->cuts(), layers.movers);
+      for (const CollisionHit& hit : hits_) {
+        std::erase(layers.movers, hit.mover);
+        if (const auto found = hit_in_space(hit, box, cuts))
+          hits.push_back(*found);
+        else
+          left.push_back(hit.mover);
+      }
+    }
+  std::sort(left.begin(), left.end());
+  return left;
+}
+
+// Whether the mover collides above or below a place that is not clear in plan.
+std::optional<CollisionHit> CollisionDetector::hit_in_space(
+    const CollisionHit& hit, const Box3& box, std::span<const std::uint32_t> cuts) const {
+  const Box3 bounds = scene_.movers.sweeps.bounds(hit.mover);
+  const double low = std::max(box.lo.z, bounds.lo.z), high = std::min(box.hi.z, bounds.hi.z);
+  for (const double share : {0.5, 0.1, 0.9}) {
+    const Vec3 at{hit.place.x, hit.place.y, low + share * (high - low)};
+    const Vec3 p = space_.drawn_onto(hit.mover, at);
+    if (distance(p, at) <= scene_.beside && space_.mover_distance(hit.mover, p) <= slack_ &&
+        depth_at(space_, p, scene_.movers.motions[hit.mover], cuts) > scene_.threshold)
+      return CollisionHit{hit.mover, p};
+  }
+  return {};
+}
+
+void CollisionDetector::search(const CollisionView& view, const Box3& box,
+                               std::span<const std::uint32_t> cuts,
+                               std::span<const std::uint32_t> movers) {
+  view_ = &view;
+  finest_ = view_ == &space_ ? scene_.finest : kFinestInPlan * scene_.threshold;
   hits_.clear();
   all_cuts_ = cuts;
   all_movers_ = movers;
   done_.assign(movers.size(), 0);
-  visit(box, 0, cuts, movers);
-  return std::move(hits_);
+  if (!movers.empty()) visit(box, 0, cuts, movers);
 }
 
 void CollisionDetector::visit(const Box3& box, std::size_t tier,
                               std::span<const std::uint32_t> cuts,
                               std::span<const std::uint32_t> movers) {
   const Ball ball{0.5 * (box.lo + box.hi), 0.5 * distance(box.lo, box.hi)};
-  const double stock = scene_.part.solid().distance(ball.center);
+  const double stock = view_->stock_distance(ball.center);
   if (stock >= ball.radius - scene_.threshold) return;
   Tier& own = tiers_[tier];
   keep_movers(ball, movers, own);
   if (!own.movers.empty()) settle(ball, stock, cuts, own);
-  if (!own.movers.empty() && own.cuts.size() <= kMostFloors) drop_over_floors(box, own);
+  if (view_ == &space_ && !own.movers.empty() && own.cuts.size() <= kMostFloors)
+    drop_over_floors(box, own);
   if (!own.movers.empty() && ball.radius < kTouchSize * scene_.threshold)
     drop_touching(ball, stock, own);
   if (own.movers.empty()) return;
-  if (ball.radius <= scene_.finest || tier + 1 == tiers_.size()) return look_beside(ball, own);
+  if (ball.radius <= finest_ || tier + 1 == tiers_.size()) return look_beside(ball, own);
   for (const Box3& half : halves(box)) visit(half, tier + 1, own.cuts, own.movers);
 }
 
@@ -95,7 +138,7 @@ void CollisionDetector::keep_movers(const Ball& ball, std::span<const std::uint3
     if (!done_[static_cast<std::size_t>(at)]) tier.movers.push_back(mover);
   }
   tier.mover_distance.resize(tier.movers.size());
-  scene_.movers.sweeps.distances(tier.movers, ball.center, tier.mover_distance.data());
+  view_->mover_distances(tier.movers, ball.center, tier.mover_distance.data());
   std::size_t kept = 0;
   for (std::size_t m = 0; m < tier.movers.size(); ++m) {
     if (tier.mover_distance[m] > ball.radius + slack_) continue;
@@ -118,7 +161,7 @@ void CollisionDetector::settle(const Ball& ball, double stock, std::span<const s
   const auto earlier = cuts.first(static_cast<std::size_t>(end - cuts.begin()));
   std::vector<double>& d = tier.cut_distance;
   d.resize(earlier.size());
-  sweeps.distances(earlier, ball.center, d.data());
+  view_->cut_distances(earlier, ball.center, d.data());
   tier.cuts.clear();
   double least = -stock;
   std::size_t next = 0, kept = 0;
@@ -153,29 +196,27 @@ void CollisionDetector::add_hit(std::uint32_t mover, const Vec3& place) {
   done_[static_cast<std::size_t>(at - all_movers_.begin())] = 1;
 }
 
-double CollisionDetector::depth_at(const Vec3& p, std::int32_t time,
+double CollisionDetector::depth_at(const CollisionView& view, const Vec3& p, std::int32_t time,
                                    std::span<const std::uint32_t> cuts) const {
   const SweepTable& sweeps = scene_.part.sweeps();
-  double least = -scene_.part.solid().distance(p);
+  double least = -view.stock_distance(p);
   const auto end = std::partition_point(
       cuts.begin(), cuts.end(), [&](std::uint32_t cut) { return sweeps.motion(cut) <= time; });
   // Backwards: of many cuts in one place the last one is likely to have cleared it.
   for (auto cut = end; cut != cuts.begin() && least > scene_.threshold;)
-    least = std::min(least, sweeps.distance(*--cut, p));
+    least = std::min(least, view.cut_distance(*--cut, p));
   return least;
 }
 
 // The smallest boxes: their centre may lie beside a mover, whose nearest point is used instead.
 // The box's own cuts may not be all that count there.
 void CollisionDetector::look_beside(const Ball& ball, const Tier& tier) {
-  const SweepTable& sweeps = scene_.movers.sweeps;
-  for (std::size_t m = 0; m < tier.movers.size(); ++m) {
-    const std::uint32_t mover = tier.movers[m];
-    const Vec3 p = drawn_onto(sweeps, mover, ball.center);
-    if (sweeps.distance(mover, p) > slack_) continue;
+  for (const std::uint32_t mover : tier.movers) {
+    const Vec3 p = view_->drawn_onto(mover, ball.center);
+    if (view_->mover_distance(mover, p) > slack_) continue;
     const std::int32_t time = scene_.movers.motions[mover];
-    if (depth_at(p, time, tier.cuts) > scene_.threshold &&
-        depth_at(p, time, all_cuts_) > scene_.threshold)
+    if (depth_at(*view_, p, time, tier.cuts) > scene_.threshold &&
+        depth_at(*view_, p, time, all_cuts_) > scene_.threshold)
       add_hit(mover, p);
   }
 }
@@ -261,11 +302,10 @@ void CollisionDetector::drop_touching(const Ball& ball, double stock, Tier& tier
 
 void CollisionDetector::add_clear_stock(const Ball& ball, double stock) {
   if (stock <= -ball.radius) return;
-  const StockSolid& solid = scene_.part.solid();
   const double depth = 0.75 * ball.radius * ball.radius / scene_.threshold + ball.radius;
-  const Vec3 out = solid.gradient(ball.center, solid.sample(ball.center).patch);
-  const Vec3 offset = kOutside * depth * out;
-  clear_.push_back(clear_ball(offset, solid.distance(ball.center + offset) + scene_.threshold));
+  const Vec3 offset = kOutside * depth * view_->out_of_stock(ball.center);
+  clear_.push_back(
+      clear_ball(offset, view_->stock_distance(ball.center + offset) + scene_.threshold));
 }
 
 // The nearest come first, of equal ones the earlier.
@@ -278,14 +318,12 @@ void CollisionDetector::add_near(const NearCut& cut) {
 }
 
 void CollisionDetector::find_clear(const Ball& ball, double depth, NearCut& near) const {
-  const SweepTable& sweeps = scene_.part.sweeps();
-  const Vec3 in =
-      -sweeps.gradient(near.cut, ball.center, sweeps.sample(near.cut, ball.center).patch);
+  const Vec3 in = -view_->out_of_cut(near.cut, ball.center);
   // No deeper than the tool at rest: beyond the middle of a slot or bore balls are small again.
-  const double middle = sweeps.ball_radius(near.cut) + near.distance;
+  const double middle = view_->cut_radius(near.cut) + near.distance;
   const Vec3 offset = std::min(depth, std::max(0.0, middle)) * in;
   near.clear =
-      clear_ball(offset, scene_.threshold - sweeps.distance(near.cut, ball.center + offset));
+      clear_ball(offset, scene_.threshold - view_->cut_distance(near.cut, ball.center + offset));
   near.is_known = true;
 }
 
@@ -296,10 +334,9 @@ CollisionDetector::ClearBall CollisionDetector::clear_ball(const Vec3& offset,
 }
 
 bool CollisionDetector::only_touches(const Ball& ball, std::uint32_t mover, double depth) {
-  const SweepTable& sweeps = scene_.movers.sweeps;
-  const Vec3 out = sweeps.gradient(mover, ball.center, sweeps.sample(mover, ball.center).patch);
+  const Vec3 out = view_->out_of_mover(mover, ball.center);
   for (const double far : {kOutside * depth, depth})
-    clear_.push_back(clear_ball(far * out, sweeps.distance(mover, ball.center + far * out)));
+    clear_.push_back(clear_ball(far * out, view_->mover_distance(mover, ball.center + far * out)));
   // For a point v outside of ball a, |v|^2 - 2 v.offset + excess >= 0, and for b: weighted so that
   // opposite offsets cancel, the sum is at most this within the box.
   const auto covered = [&ball](const ClearBall& a, const ClearBall& b) {

@@ -5,10 +5,12 @@
 
 #include "core/numbers/rounding.h"
 #include "removal/collision/collision_movers.h"
+#include "removal/collision/collision_view.h"
 #include "removal/part/block_index.h"
 #include "removal/part/part_field.h"
 
 #include <array>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -20,6 +22,7 @@ struct CollisionScene {
   const Movers& movers;
   double threshold = 0;  ///< mm: what lies deeper collides
   double finest = 0;     ///< mm: half diagonal of the boxes that are not halved again
+  double beside = 0;     ///< mm: so far beside a block its cuts are known, too
   bool turned = false;   ///< stock, cuts and movers are the same at every angle: y = 0 says it all
 
   double rounding() const {
@@ -39,8 +42,9 @@ class CollisionDetector {
  public:
   explicit CollisionDetector(const CollisionScene& scene);
 
-  /// `cuts` and `movers`: those that reach the box, ascending. One hit for each mover that
-  /// collides, in an order that depends on the arguments alone.
+  /// `cuts` and `movers`: those that reach the box, ascending. What is clear in plan is searched
+  /// there alone: a wall that is touched is a line there, and a seam between cuts a point. One hit
+  /// for each mover that collides, in an order that depends on the arguments alone.
   std::vector<CollisionHit> detect(const Box3& box, std::span<const std::uint32_t> cuts,
                                    std::span<const std::uint32_t> movers);
 
@@ -71,13 +75,20 @@ class CollisionDetector {
     ClearBall clear;
   };
 
+  Candidates left_in_plan(const Box3& box, std::span<const std::uint32_t> cuts,
+                          std::span<const std::uint32_t> movers, std::vector<CollisionHit>& hits);
+  std::optional<CollisionHit> hit_in_space(const CollisionHit& hit, const Box3& box,
+                                           std::span<const std::uint32_t> cuts) const;
+  void search(const CollisionView& view, const Box3& box, std::span<const std::uint32_t> cuts,
+              std::span<const std::uint32_t> movers);
   void visit(const Box3& box, std::size_t tier, std::span<const std::uint32_t> cuts,
              std::span<const std::uint32_t> movers);
   void keep_movers(const Ball& ball, std::span<const std::uint32_t> movers, Tier& tier) const;
   void settle(const Ball& ball, double stock, std::span<const std::uint32_t> cuts, Tier& tier);
   void add_hit(std::uint32_t mover, const Vec3& place);
   void look_beside(const Ball& ball, const Tier& tier);
-  double depth_at(const Vec3& p, std::int32_t time, std::span<const std::uint32_t> cuts) const;
+  double depth_at(const CollisionView& view, const Vec3& p, std::int32_t time,
+                  std::span<const std::uint32_t> cuts) const;
   void add_cleared(Heights heights);
   void drop_over_floors(const Box3& box, Tier& tier);
   void drop_touching(const Ball& ball, double stock, Tier& tier);
@@ -89,6 +100,9 @@ class CollisionDetector {
 
   const CollisionScene& scene_;
   double slack_;  // mm: rounding of a difference of two distances
+  SpaceView space_;
+  const CollisionView* view_ = &space_;
+  double finest_ = 0;  // mm: half diagonal of the boxes that are not halved again
   std::array<Tier, 64> tiers_;
   std::vector<ClearBall> clear_;    // of all movers at their time
   std::vector<NearCut> near_cuts_;  // the nearest first
@@ -97,9 +111,6 @@ class CollisionDetector {
   std::vector<char> done_;  // by place in the list of the whole box
   std::span<const std::uint32_t> all_cuts_, all_movers_;
 };
-
-/// A point of sweep i near p, on its surface unless p is in it.
-Vec3 drawn_onto(const SweepTable& sweeps, std::uint32_t i, const Vec3& p);
 
 /// The two halves of a box, across its longest side.
 std::array<Box3, 2> halves(const Box3& box);

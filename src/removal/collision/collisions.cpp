@@ -88,6 +88,7 @@ CollisionScene Check::scene(std::size_t part) const {
           movers_[part],
           options_.depth,
           std::max(0.5 * options_.depth, kFinest * grid_.voxel),
+          kBandVoxels * grid_.voxel,
           turned_};
 }
 
@@ -130,7 +131,6 @@ void Check::detect(std::size_t part, std::vector<Hit>& hits) {
   const Movers& movers = movers_[part];
   if (movers.motions.empty()) return;
   const CollisionScene scene = this->scene(part);
-  const double near = kBandVoxels * grid_.voxel;
   std::vector<char> known(movers.motions.size(), 0);
   const auto add = [&](const CollisionHit& hit) {
     if (known[hit.mover] == 0) hits.push_back({movers.motions[hit.mover], part, hit});
@@ -140,7 +140,8 @@ void Check::detect(std::size_t part, std::vector<Hit>& hits) {
     const Box3 bounds = movers.sweeps.bounds(mover);
     return search_box(bounds, bounds);
   };
-  for (const CollisionHit& hit : probe_movers(scene, near, box_of, options_.threads)) add(hit);
+  for (const CollisionHit& hit : probe_movers(scene, scene.beside, box_of, options_.threads))
+    add(hit);
   if (std::find(known.begin(), known.end(), 0) == known.end()) return;
   const BlockIndex index(*grid_.index, movers.sweeps);
   std::vector<std::vector<CollisionHit>> found(index.size());
@@ -153,7 +154,7 @@ void Check::detect(std::size_t part, std::vector<Hit>& hits) {
     for (const std::uint32_t mover : here) extend(bounds, movers.sweeps.bounds(mover));
     const Box3 box = here.empty() ? Box3{} : search_box(index.box(b), bounds);
     if (!is_empty(box)) {
-      const Box3 around = inflated(index.box(b), near);
+      const Box3 around = inflated(index.box(b), scene.beside);
       found[b] = CollisionDetector(scene).detect(
           box, grid_.field->sweeps().meeting(grid_.index->sweeps(b), around), here);
     }

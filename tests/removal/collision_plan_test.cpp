@@ -1,0 +1,213 @@
+// The search for collisions in plan: its distances and layers, and that it finds what dense
+// sampling finds between passes at levels.
+#include "removal/collision/collision_plan.h"
+
+#include "collision_support.h"
+#include "core/numbers/units.h"
+#include "core/numbers/vec.h"
+#include "removal/collision/collision_search.h"
+#include "support/moves.h"
+#include "support/random.h"
+#include "support/rounds.h"
+
+#include <algorithm>
+#include <memory>
+#include <optional>
+
+#include <gtest/gtest.h>
+
+namespace mrsim {
+namespace {
+
+using testing::arc;
+using testing::line;
+using testing::Moves;
+using testing::Random;
+using testing::turned;
+
+constexpr double kDepth = 0.01, kCell = 0.2;
+constexpr Box3 kBlock = {{0, 0, -3}, {8, 6, 0}};
+
+StockShape small_block() { return testing::box_stock(kBlock.lo, kBlock.hi); }
+
+Tool mill(double diameter, double corner, double flutes = 0) {
+  Tool tool = testing::endmill(diameter, corner, flutes);
+  tool.id = "1";
+  return tool;
+}
+
+// What plan_layers() makes of all rapids and cuts of some moves.
+class LayerScene {
+ public:
+  LayerScene(std::vector<Motion> motions, const Tool& tool)
+      : motions_(std::move(motions)),
+        tools_{tool},
+        part_(StockSolid(small_block()), SweepTable(motions_, tools_)),
+        blocks_(part_, kCell, 3 * kCell, std::size_t(1) << 30) {
+    std::vector<int> shapeless;
+    movers_.emplace(
+        find_movers(ToolPart::cutter, motions_, tools_, 0, kBlock, kDepth, 1, shapeless));
+    for (std::uint32_t i = 0; i < part_.sweeps().size(); ++i) cuts_.push_back(i);
+    for (std::uint32_t i = 0; i < movers_->motions.size(); ++i) all_.push_back(i);
+    layers_ = plan_layers({part_, blocks_, *movers_, kDepth, kDepth / 2}, cuts_, all_, others_);
+  }
+  const SweepTable& cuts() const { return part_.sweeps(); }
+  const SweepTable& movers() const { return movers_->sweeps; }
+  const std::vector<PlanLayers>& layers() const { return layers_; }
+  std::size_t others() const { return others_.size(); }
+
+ private:
+  std::vector<Motion> motions_;
+  std::vector<Tool> tools_;
+  PartField part_;
+  BlockIndex blocks_;
+  std::optional<Movers> movers_;
+  Candidates cuts_, all_;
+  std::vector<PlanLayers> layers_;
+  Candidates others_;
+};
+
+// Two passes at z = -1, and a way back between them that is lifted, over a wall.
+std::vector<Motion> two_passes(double lift) {
+  Moves m({1, 1, -1});
+  m.cut({7, 1, -1}).cut({7, 2, -1}).cut({1, 2, -1});
+  m.rapid({1, 2, -1 + lift}).rapid({6, 4, -1 + lift});
+  return m.motions;
+}
+
+TEST(CollisionPlan, DistancesOfFlatEndsAreThoseFarAboveThem) {
+  Random r(3);
+  std::vector<Motion> motions;
+  for (int k = 0; k < 30; ++k) {
+    const Vec3 a{r(0, 8), r(0, 6), -1}, b{r(0, 8), r(0, 6), -1};
+    motions.push_back(k % 2 ? line(a, b) : arc(a, b, {0, 0, 1}, r(-6, 6)));
+  }
+  motions.push_back(line({0.3, 5.5, -0.7}, {7.7, 0.4, -0.7}));
+  motions.back().kind = MotionKind::rapid;
+  const LayerScene scene(motions, mill(2, 0));
+  ASSERT_EQ(scene.layers().size(), 1u);
+  ASSERT_EQ(scene.layers()[0].views.size(), 1u);
+  const PlanView& view = *scene.layers()[0].views[0];
+  ASSERT_EQ(view.cuts().size(), 30u);
+  int rising = 0;
+  for (int k = 0; k < 200; ++k) {
+    const Vec3 p{r(-2, 10), r(-2, 8), 0}, above = p + Vec3{0, 0, 100};
+    EXPECT_NEAR(view.mover_distance(0, p), scene.movers().distance(0, above), 1e-9);
+    for (const std::uint32_t cut : view.cuts()) {
+      const double d = view.cut_distance(cut, p);
+      EXPECT_NEAR(d, scene.cuts().distance(cut, above), 1e-9);
+      const double beside = view.cut_distance(cut, p + 1e-3 * view.out_of_cut(cut, p));
+      EXPECT_LE(std::abs(beside - d), 1e-3 + 1e-9);
+      rising += beside > d + 0.99e-3;  // not where two parts of a path are equally near
+    }
+    const Vec3 on = view.drawn_onto(0, p);
+    EXPECT_LE(view.mover_distance(0, on), 1e-9);
+  }
+  EXPECT_GT(rising, 5900);  // of 6 000
+}
+
+TEST(CollisionPlan, TheStockIsTheRectangleAboutIt) {
+  const PlanView view(kBlock, {}, {});
+  EXPECT_EQ(view.stock_distance({4, 3, 50}), -3);
+  EXPECT_EQ(view.stock_distance({7, 3, 50}), -1);
+  EXPECT_EQ(view.stock_distance({11, 10, -50}), 5);
+  EXPECT_EQ(view.out_of_stock({7, 3, 0}), (Vec3{1, 0, 0}));
+  EXPECT_EQ(view.out_of_stock({4, 1, 0}), (Vec3{0, -1, 0}));
+}
+
+TEST(CollisionPlan, HasALayerForEachLiftThatACornerIsHigh) {
+  const auto views = [](double corner, double lift) {
+    const LayerScene scene(two_passes(lift), mill(2, corner));
+    std::size_t most = 0;
+    for (const PlanLayers& layers : scene.layers()) most = std::max(most, layers.views.size());
+    return most;
+  };
+  EXPECT_EQ(views(0, 0.3), 1u);
+  EXPECT_EQ(views(0.2, 0.3), 1u);
+  EXPECT_EQ(views(0.8, 0.3), 3u);
+  EXPECT_EQ(views(0.8, 0.01), 0u);
+}
+
+TEST(CollisionPlan, LeavesOutCutsThatEndBelowTheTop) {
+  EXPECT_EQ(LayerScene(two_passes(0.3), mill(2, 0, 2)).layers().size(), 1u);
+  const LayerScene low(two_passes(0.3), mill(2, 0, 0.5));
+  EXPECT_EQ(low.layers().size(), 0u);
+  EXPECT_GT(low.others(), 0u);
+}
+
+// The depth of each rapid by a dense grid of points.
+std::vector<double> sampled_depths(const std::vector<Motion>& motions, const Tool& tool) {
+  const std::vector<Tool> tools{tool};
+  const SweepTable cuts(motions, tools);
+  const SweepTable rapids(motions, tools, {SweepSelection::Part::cutter, false, true});
+  std::vector<double> deepest(motions.size(), 0);
+  constexpr double kStep = 0.1;
+  for (double x = kStep / 2; x < kBlock.hi.x; x += kStep)
+    for (double y = kStep / 2; y < kBlock.hi.y; y += kStep)
+      for (double z = kBlock.lo.z + kStep / 2; z < 0; z += kStep) {
+        const Vec3 p{x, y, z};
+        double least = std::min({x, kBlock.hi.x - x, y, kBlock.hi.y - y, -z, z - kBlock.lo.z});
+        std::size_t cut = 0;
+        for (std::size_t r = 0; r < rapids.size() && least > kDepth; ++r) {
+          for (; cut < cuts.size() && cuts.motion(cut) < rapids.motion(r); ++cut)
+            least = std::min(least, cuts.distance(cut, p));
+          double& best = deepest[static_cast<std::size_t>(rapids.motion(r))];
+          if (least > best && rapids.distance(r, p) <= 0) best = least;
+        }
+      }
+  return deepest;
+}
+
+// Passes of arcs and lines at three levels, and rapids between places of them that are lifted.
+std::vector<Motion> passes(Random& r, double diameter, double lift) {
+  Moves m({0, 0, 1});
+  std::vector<Vec3> been;
+  for (double z = -0.8; z > -2.5; z -= 0.8) {
+    const double step = r(0.3, 0.9) * diameter;
+    for (double x = r(0, 1); x < kBlock.hi.x; x += step) {
+      m.rapid({x, 1, z + lift}).rapid({x, 1, z});
+      const Vec3 center{x, 2.5, z};
+      const double sweep = -kTwoPi * r(0.3, 1);
+      if (r.pick(2))
+        m.cut({x, 4.5, z});
+      else
+        m.arc(center + turned({0, -1.5, 0}, {0, 0, 1}, sweep), center, sweep);
+      been.push_back(m.motions.back().end);
+      if (r.pick(3)) continue;
+      const Vec3 to = been[static_cast<std::size_t>(r.pick(static_cast<int>(been.size())))];
+      m.rapid(been.back() + Vec3{-0.2, 0, lift}).rapid({to.x, to.y, z + lift});
+    }
+  }
+  return m.motions;
+}
+
+TEST(CollisionPlan, LiftedRapidsAgreeWithDenseSampling) {
+  Random r(17);
+  constexpr double kLifts[] = {0.3, 0.15, 0, 0.3};
+  for (unsigned scene = 0; scene < testing::rounds(8); ++scene) {
+    const double diameter = r(1, 2.5), corner = scene % 2 ? r(0.2, 0.45) * diameter : 0;
+    const Tool tool = mill(diameter, corner, scene % 4 == 2 ? 3.5 : 0);
+    const std::vector<Motion> motions = passes(r, diameter, kLifts[scene % 4]);
+    const std::vector<double> proved = sampled_depths(motions, tool);
+    const std::vector<Tool> tools{tool};
+    CarvePlan carving;
+    carving.voxel = kCell;
+    CollisionOptions options;
+    options.depth = kDepth;
+    options.lines = motions.size();
+    const CollisionReport report =
+        find_collisions(carve(small_block(), motions, tools, carving), motions, tools, 0, options);
+    std::vector<double> found(motions.size(), 0);
+    for (const Collision& c : report.lines)
+      if (c.part == ToolPart::cutter) found[c.motion] = c.depth;
+    for (std::size_t i = 0; i < proved.size(); ++i) {
+      if (proved[i] > kDepth + kCell / 8) {
+        EXPECT_GE(found[i], proved[i] * (1 - 1.0 / 32)) << scene << " " << i;
+      }
+      EXPECT_LE(found[i], proved[i] + 0.15) << scene << " " << i;
+    }
+  }
+}
+
+}  // namespace
+}  // namespace mrsim
