@@ -39,14 +39,13 @@ Tool mill(double diameter, double corner, double flutes = 0) {
 // What plan_layers() makes of all rapids and cuts of some moves.
 class LayerScene {
  public:
-  LayerScene(std::vector<Motion> motions, const Tool& tool)
+  LayerScene(std::vector<Motion> motions, const Tool& tool, ToolPart part = ToolPart::cutter)
       : motions_(std::move(motions)),
         tools_{tool},
         part_(StockSolid(small_block()), SweepTable(motions_, tools_)),
         blocks_(part_, kCell, 3 * kCell, std::size_t(1) << 30) {
     std::vector<int> shapeless;
-    movers_.emplace(
-        find_movers(ToolPart::cutter, motions_, tools_, 0, kBlock, kDepth, 1, shapeless));
+    movers_.emplace(find_movers(part, motions_, tools_, 0, kBlock, kDepth, 1, shapeless));
     for (std::uint32_t i = 0; i < part_.sweeps().size(); ++i) cuts_.push_back(i);
     for (std::uint32_t i = 0; i < movers_->motions.size(); ++i) all_.push_back(i);
     layers_ = plan_layers({part_, blocks_, *movers_, kDepth, kDepth / 2}, cuts_, all_, others_);
@@ -181,32 +180,81 @@ std::vector<Motion> passes(Random& r, double diameter, double lift) {
   return m.motions;
 }
 
+void expect_agrees(const std::vector<Motion>& motions, const Tool& tool, unsigned scene) {
+  const std::vector<double> proved = sampled_depths(motions, tool);
+  const std::vector<Tool> tools{tool};
+  CarvePlan carving;
+  carving.voxel = kCell;
+  CollisionOptions options;
+  options.depth = kDepth;
+  options.lines = motions.size();
+  const CollisionReport report =
+      find_collisions(carve(small_block(), motions, tools, carving), motions, tools, 0, options);
+  std::vector<double> found(motions.size(), 0);
+  for (const Collision& c : report.lines)
+    if (c.part == ToolPart::cutter) found[c.motion] = c.depth;
+  for (std::size_t i = 0; i < proved.size(); ++i) {
+    if (proved[i] > kDepth + kCell / 8) {
+      EXPECT_GE(found[i], proved[i] * (1 - 1.0 / 32)) << scene << " " << i;
+    }
+    EXPECT_LE(found[i], proved[i] + 0.15) << scene << " " << i;
+  }
+}
+
 TEST(CollisionPlan, LiftedRapidsAgreeWithDenseSampling) {
   Random r(17);
   constexpr double kLifts[] = {0.3, 0.15, 0, 0.3};
   for (unsigned scene = 0; scene < testing::rounds(8); ++scene) {
     const double diameter = r(1, 2.5), corner = scene % 2 ? r(0.2, 0.45) * diameter : 0;
     const Tool tool = mill(diameter, corner, scene % 4 == 2 ? 3.5 : 0);
-    const std::vector<Motion> motions = passes(r, diameter, kLifts[scene % 4]);
-    const std::vector<double> proved = sampled_depths(motions, tool);
-    const std::vector<Tool> tools{tool};
-    CarvePlan carving;
-    carving.voxel = kCell;
-    CollisionOptions options;
-    options.depth = kDepth;
-    options.lines = motions.size();
-    const CollisionReport report =
-        find_collisions(carve(small_block(), motions, tools, carving), motions, tools, 0, options);
-    std::vector<double> found(motions.size(), 0);
-    for (const Collision& c : report.lines)
-      if (c.part == ToolPart::cutter) found[c.motion] = c.depth;
-    for (std::size_t i = 0; i < proved.size(); ++i) {
-      if (proved[i] > kDepth + kCell / 8) {
-        EXPECT_GE(found[i], proved[i] * (1 - 1.0 / 32)) << scene << " " << i;
-      }
-      EXPECT_LE(found[i], proved[i] + 0.15) << scene << " " << i;
+    expect_agrees(passes(r, diameter, kLifts[scene % 4]), tool, scene);
+  }
+}
+
+// Holes that meet one another, in pecks: each rapid goes back to a little above where the last peck
+// ended, or below that.
+std::vector<Motion> pecks(Random& r) {
+  Moves m({0, 0, 1});
+  for (int hole = 0; hole < 6; ++hole) {
+    const double x = r(0, kBlock.hi.x), y = r(0, kBlock.hi.y), depth = r(1, 2.8);
+    m.rapid({x, y, 1});
+    for (double z = 0; z > -depth;) {
+      m.rapid({x, y, z + (r.pick(4) ? 0.2 : -0.15)});
+      z -= r(0.4, 0.9);
+      m.cut({x, y, z}).rapid({x, y, 1});
     }
   }
+  return m.motions;
+}
+
+TEST(CollisionPlan, PecksAgreeWithDenseSampling) {
+  Random r(18);
+  for (unsigned scene = 0; scene < testing::rounds(4); ++scene) {
+    Tool tool = mill(r(1, 2), 0, scene % 2 ? 1.6 : 4);
+    tool.type = ToolType::drill;
+    tool.tip_angle = r(1.6, 2.4);
+    expect_agrees(pecks(r), tool, scene);
+  }
+}
+
+// A drill with flutes shorter than its hole, and a shank that follows an end mill down a helix.
+TEST(CollisionPlan, HoldsPecksAndHelices) {
+  Moves drilled({4, 3, 1});
+  for (double z = -0.5; z > -2.9; z -= 0.5)
+    drilled.rapid({4, 3, z + 0.7}).cut({4, 3, z}).rapid({4, 3, 1});
+  Tool drill = mill(2, 0, 1.2);
+  drill.type = ToolType::drill;
+  drill.tip_angle = 2.06;
+  EXPECT_EQ(LayerScene(drilled.motions, drill).others(), 0u);
+  Moves bored({6, 3, 0});
+  for (int turn = 0; turn < 6; ++turn)
+    bored.arc({6, 3, -0.4 * (turn + 1)}, {4, 3, -0.4 * turn}, kTwoPi);
+  for (Motion& m : bored.motions) m.rise = m.end.z - m.start.z;
+  Tool boring = mill(2, 0, 1.2);
+  boring.shank = {{1.9, 1.9, 20}};
+  const LayerScene helices(bored.motions, boring, ToolPart::shank);
+  EXPECT_GT(helices.layers().size(), 1u);
+  EXPECT_EQ(helices.others(), 0u);
 }
 
 }  // namespace

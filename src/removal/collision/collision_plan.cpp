@@ -12,18 +12,34 @@
 namespace mrsim {
 namespace {
 
-// Layers of a rounded corner: a mover that is lifted by less of its corner's height is searched in
-// space.
-constexpr int kMostLayers = 12;
+// A mover that takes more layers is searched in space.
+constexpr std::size_t kMostLayers = 12;
 
-// Horizontal cuts that reach up to the stock's top.
-PlanPaths level_cuts(const SweepTable& sweeps, std::span<const std::uint32_t> cuts, double top) {
-  PlanPaths found;
-  for (const std::uint32_t cut : cuts)
-    if (const auto path = plan_path(sweeps, cut); path && path->is_level && path->top >= top) {
-      found.sweeps.push_back(cut);
-      found.paths.push_back(*path);
-    }
+// Plunges before a mover that are asked for its nose.
+constexpr std::ptrdiff_t kPlungesBefore = 16;
+
+// Groups of movers by height: each looks at all cuts.
+constexpr std::size_t kMostGroups = 16;
+
+// The cuts that have a path in plan, and the plunges among them by place.
+struct SeenCuts {
+  PlanPaths all;
+  std::map<std::pair<double, double>, std::vector<std::size_t>> plunges;  // into all.paths
+};
+
+std::pair<double, double> place_of(const PlanPath& path) {
+  return {path.plan[LineSlot::x], path.plan[LineSlot::y]};
+}
+
+SeenCuts seen_cuts(const SweepTable& sweeps, std::span<const std::uint32_t> cuts) {
+  SeenCuts found;
+  for (const std::uint32_t cut : cuts) {
+    const auto path = plan_path(sweeps, cut);
+    if (!path || !(path->from < path->to)) continue;
+    if (path->is_upright()) found.plunges[place_of(*path)].push_back(found.all.paths.size());
+    found.all.sweeps.push_back(cut);
+    found.all.paths.push_back(*path);
+  }
   return found;
 }
 
@@ -33,42 +49,83 @@ double less_at(double height, double round) {
   return below > 0 ? round - std::sqrt(std::max(0.0, round * round - below * below)) : 0;
 }
 
-// Layers of movers of one shape with one lowest height.
+struct Lifted {
+  double lowest = 0, highest = 0;  // mm
+  std::uint32_t mover = 0;
+  PlanPath path;
+};
+
+// Movers of one lowest height; where there are many heights, of neighbouring ones.
+std::vector<std::span<Lifted>> groups(std::vector<Lifted>& movers) {
+  std::sort(movers.begin(), movers.end(), [](const Lifted& a, const Lifted& b) {
+    return a.lowest != b.lowest ? a.lowest < b.lowest : a.mover < b.mover;
+  });
+  const std::size_t least = movers.size() / kMostGroups;
+  std::vector<std::span<Lifted>> found;
+  for (std::size_t from = 0, to = 0; to < movers.size(); from = to) {
+    to = std::min(from + std::max<std::size_t>(least, 1), movers.size());
+    while (to < movers.size() && movers[to].lowest == movers[to - 1].lowest) ++to;
+    found.push_back(std::span(movers).subspan(from, to - from));
+  }
+  return found;
+}
+
+// Layers of movers with one lowest height.
 class LayerMaker {
  public:
   LayerMaker(const CollisionScene& scene, const PlanPaths& cuts)
-      : scene_(scene), cuts_(cuts), touch_(scene.threshold - scene.rounding()) {}
+      : scene_(scene),
+        cuts_(cuts),
+        touch_(scene.threshold - scene.rounding()),
+        top_(scene.part.solid().bounds().hi.z) {}
 
-  // Each layer is as high as the movers are above the floor, so that a cut at its bottom is as wide
-  // as they are at its top. None where that takes too many, or no cut is so low.
-  std::vector<std::unique_ptr<PlanView>> views(double lowest, const PlanPaths& movers) const {
-    const double round = movers.paths.front().round;
-    double lift = -1;
-    for (const PlanPath& cut : cuts_.paths)
-      if (const double above = lowest + touch_ - cut.tip;
-          above >= round / kMostLayers && above >= 0 && (lift < 0 || above < lift))
-        lift = above;
+  // Up to the stock's top. Layers of a corner are as high as the movers are above the floor, so
+  // that a cut at the bottom of one is as wide as they are at its top; others reach as far as cuts
+  // do that begin below them. None where that takes too many, or no cut is so low.
+  std::vector<std::unique_ptr<PlanView>> views(double lowest, double highest,
+                                               const PlanPaths& movers) const {
+    double round = 0;
+    for (const PlanPath& path : movers.paths) round = std::max(round, path.round);
+    const double lift = lift_of(lowest, round);
     if (lift < 0) return {};
     std::vector<std::unique_ptr<PlanView>> found;
-    const int count = round > lift ? static_cast<int>(std::ceil(round / lift)) : 1;
-    for (int k = 0; k < count; ++k) {
-      const double less = k + 1 < count ? less_at((k + 1) * lift, round) : 0;
+    const double end = std::min(highest, top_);
+    for (double bottom = lowest, top = 0; bottom < end; bottom = top) {
+      top = reach(bottom, end);
+      if (bottom - lowest + lift < round) top = std::min(top, bottom + lift);
+      if (!(top > bottom) || found.size() == kMostLayers) return {};
       PlanPaths narrower = movers;
-      for (PlanPath& path : narrower.paths) path.radius -= less;
-      found.push_back(std::make_unique<PlanView>(
-          scene_.part.solid().bounds(), cuts_above(lowest + k * lift), std::move(narrower)));
+      for (PlanPath& path : narrower.paths) path.radius -= less_at(top - lowest, path.round);
+      found.push_back(std::make_unique<PlanView>(scene_.part.solid().bounds(),
+                                                 cuts_through(bottom, top), std::move(narrower)));
     }
     return found;
   }
 
  private:
-  // Those that clear what is above a height, as wide as there.
-  PlanPaths cuts_above(double height) const {
+  // How far a height lies above the highest of the cuts that are far enough below it for a corner.
+  double lift_of(double lowest, double round) const {
+    double lift = -1;
+    for (const PlanPath& cut : cuts_.paths)
+      if (const double above = lowest + touch_ - cut.from;
+          above >= round / static_cast<double>(kMostLayers) && above >= 0 &&
+          (lift < 0 || above < lift))
+        lift = above;
+    return lift;
+  }
+  double reach(double bottom, double end) const {
+    double top = bottom;
+    for (const PlanPath& cut : cuts_.paths)
+      if (cut.from <= bottom + touch_) top = std::max(top, cut.to);
+    return std::min(top, end);
+  }
+  // Those that clear all between two heights, as wide as at the lower one.
+  PlanPaths cuts_through(double bottom, double top) const {
     PlanPaths found;
     for (std::size_t k = 0; k < cuts_.paths.size(); ++k) {
       PlanPath path = cuts_.paths[k];
-      const double above = height + touch_ - path.tip;
-      if (above < 0) continue;
+      const double above = bottom + touch_ - path.from;
+      if (above < 0 || path.to < top) continue;
       path.radius -= less_at(above, path.round);
       found.sweeps.push_back(cuts_.sweeps[k]);
       found.paths.push_back(path);
@@ -78,8 +135,23 @@ class LayerMaker {
 
   const CollisionScene& scene_;
   const PlanPaths& cuts_;
-  double touch_;
+  double touch_, top_;  // mm; the stock's
 };
+
+// Where a plunge before it has cleared what it has below its widest place, a mover counts from
+// there.
+void lift_nose(const CollisionScene& scene, const SeenCuts& cuts, Lifted& mover) {
+  const auto plunges = cuts.plunges.find(place_of(mover.path));
+  if (!mover.path.is_upright() || plunges == cuts.plunges.end()) return;
+  const std::int32_t time = scene.movers.motions[mover.mover];
+  const auto end = std::partition_point(
+      plunges->second.begin(), plunges->second.end(),
+      [&](std::size_t k) { return scene.part.sweeps().motion(cuts.all.sweeps[k]) <= time; });
+  const auto first = end - std::min<std::ptrdiff_t>(kPlungesBefore, end - plunges->second.begin());
+  if (std::any_of(first, end,
+                  [&](std::size_t k) { return holds_nose(cuts.all.paths[k], mover.path); }))
+    mover.lowest = mover.path.low + mover.path.tool->widest(), mover.path.round = 0;
+}
 
 }  // namespace
 
@@ -121,22 +193,34 @@ std::vector<PlanLayers> plan_layers(const CollisionScene& scene,
                                     std::span<const std::uint32_t> movers,
                                     std::vector<std::uint32_t>& others) {
   const SweepTable& sweeps = scene.movers.sweeps;
-  const PlanPaths level = level_cuts(scene.part.sweeps(), cuts, scene.part.solid().bounds().hi.z);
-  std::map<std::pair<std::int32_t, double>, PlanPaths> alike;
+  const SeenCuts seen = seen_cuts(scene.part.sweeps(), cuts);
+  const double top = scene.part.solid().bounds().hi.z - scene.threshold;
+  std::vector<Lifted> lifted;
   for (const std::uint32_t mover : movers) {
-    const auto path = level.sweeps.empty() ? std::nullopt : plan_path(sweeps, mover);
+    const Box3 bounds = sweeps.bounds(mover);
+    if (bounds.lo.z >= top) continue;
+    const auto path = seen.all.sweeps.empty() ? std::nullopt : plan_path(sweeps, mover);
     if (!path) {
       others.push_back(mover);
       continue;
     }
-    PlanPaths& list = alike[{path->shape, sweeps.bounds(mover).lo.z}];
-    list.sweeps.push_back(mover);
-    list.paths.push_back(*path);
+    lifted.push_back({bounds.lo.z, bounds.hi.z, mover, *path});
+    lift_nose(scene, seen, lifted.back());
   }
-  const LayerMaker maker(scene, level);
+  const LayerMaker maker(scene, seen.all);
   std::vector<PlanLayers> found;
-  for (auto& [key, list] : alike) {
-    auto views = maker.views(key.second, list);
+  for (const std::span<Lifted> group : groups(lifted)) {
+    const double lowest = group.front().lowest;
+    double highest = lowest;
+    std::sort(group.begin(), group.end(),
+              [](const Lifted& a, const Lifted& b) { return a.mover < b.mover; });
+    PlanPaths list;
+    for (const Lifted& one : group) {
+      highest = std::max(highest, one.highest);
+      list.sweeps.push_back(one.mover);
+      list.paths.push_back(one.path);
+    }
+    auto views = maker.views(lowest, highest, list);
     if (views.empty())
       others.insert(others.end(), list.sweeps.begin(), list.sweeps.end());
     else

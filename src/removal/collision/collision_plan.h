@@ -47,7 +47,7 @@ class PlanView final : public CollisionView {
   PlanPaths cuts_, movers_;
 };
 
-/// Movers of one shape with one lowest height, by layers of their height: a mover that is clear in
+/// Movers of one lowest height, or nearly so, by layers of their height: a mover that is clear in
 /// each view is clear. In the view of a layer cuts are as wide as at its bottom, and movers as at
 /// its top.
 struct PlanLayers {
@@ -55,7 +55,8 @@ struct PlanLayers {
   std::vector<std::unique_ptr<PlanView>> views;
 };
 
-/// The layers of all movers that can be searched in plan; the others are appended to `others`.
+/// The layers of all movers that can be searched in plan; the others are appended to `others`, but
+/// for those that only touch the stock's top.
 /// `cuts` and `movers` ascend. Cost: cuts x layers.
 std::vector<PlanLayers> plan_layers(const CollisionScene& scene,
                                     std::span<const std::uint32_t> cuts,
