@@ -102,6 +102,26 @@ TEST(Habits, ProgramsThatNothingCallsAreToldOf) {
       << "a main program without a name comes first";
   EXPECT_EQ(notes(before + "O1\nM98 P1001\nM30\nO1001\nM99\n"), "program-loops program-not-run");
   EXPECT_EQ(notes("O1\nG1 X1. F1\nG65 P2\nM30\nO2\nM99\n"), "");
+  const Program okuma =
+      read_text("OSUB (HOLE)\nG1 X2 F1\nRTS\nO1000\nX1\nCALL OSUB\nX3\nM2\n", kFanuc, "part.min");
+  EXPECT_EQ(path_text(okuma), "r1,0,0 l2,0,0 l3,0,0");
+  EXPECT_NE(codes(okuma, Severity::note).find("program-start"), std::string::npos);
+}
+
+// Archives hold their files in any order.
+TEST(Habits, AMainProgramBehindItsSubprogramsIsFound) {
+  const auto run = [](const std::string& text) {
+    return read_text(text, at_origin(Dialect::sinumerik));
+  };
+  const std::string sub = "%_N_UP_SPF\n;$PATH=/_N_SPF_DIR\nG1 X5 F9\nM17\n";
+  const std::string main = "%_N_PART_MPF\n;$PATH=/_N_MPF_DIR\nG1 X1 F9\nUP\nM30\n";
+  EXPECT_EQ(path_text(run(sub + main)), "l1,0,0 l5,0,0");
+  EXPECT_EQ(codes(run(sub + main), Severity::note), "program-start");
+  EXPECT_EQ(codes(run(main + sub), Severity::note), "");
+  EXPECT_EQ(path_text(run("\n" + sub + "%_N_UP2_SPF\nX7\nM17\n" + main)), "l1,0,0 l5,0,0");
+  EXPECT_EQ(path_text(run(sub)), "l5,0,0") << "a subprogram alone is run";
+  EXPECT_EQ(path_text(run(main + sub + "%_N_NEXT_MPF\nX9\nM30\n")), "l1,0,0 l5,0,0");
+  EXPECT_EQ(codes(run(main + sub + "%_N_NEXT_MPF\nX9\nM30\n"), Severity::note), "program-not-run");
 }
 
 // Only a zero in [machine] ties places of the machine to the stock.

@@ -122,6 +122,28 @@ TEST(WordsOfMakers, TurningCyclesOfCodeSystemB) {
   EXPECT_EQ(turn("G79 X10 Z-2 F0.2\nZ-4\n"), turn("G94 X10 Z-2 F0.2\nZ-4\n"));
 }
 
+// System A has no G95 and no G91; its G94 is the facing cycle, and G98 and G99 are feeds.
+TEST(WordsOfMakers, FeedsOfCodeSystemB) {
+  const auto turn = [](const std::string& text) {
+    const Program p =
+        read_text("G97 S500 M3\n" + text, at_origin(Dialect::fanuc, MachineKind::lathe));
+    std::string out = path_text(p);
+    for (const Motion& m : p.motions)
+      out += fmt::format(" F{:g} {}", m.feed, static_cast<int>(m.feed_unit));
+    return out;
+  };
+  const auto same = [&](const std::string& b, const std::string& a) {
+    EXPECT_EQ(turn(b), turn(a)) << b;
+  };
+  same("G95\nG0 X50. Z5.\nG94 X40. Z-10. F100.\nG1 X42.\nG95 X44. F.2\n",
+       "G99\nG0 X50. Z5.\nG98 X40. Z-10. F100.\nG1 X42.\nG99 X44. F.2\n");
+  same("G0 X50. Z5.\nG91\nG90\nG94 G1 X40. F100.\n", "G0 X50. Z5.\n\n\nG98 G1 X40. F100.\n");
+  same("G0 X50. Z5.\nG1 G94 X40. F100.\n", "G0 X50. Z5.\nG1 G98 X40. F100.\n");
+  same("G95\nG0 X50. Z5.\nG90 X40. Z-10.\n", "G99\nG0 X50. Z5.\nX40. Z-10.\n");
+  const std::string hole = "G83 Z-20. R-3. F.1\nG80\nG1 X10.\n";
+  same("G95\nG0 X0. Z5.\nG98 " + hole, "G99\nG0 X0. Z5.\n" + hole);
+}
+
 // G41.1 of FANUC turns a knife along the path: no compensation. What ends it, and polygon turning,
 // stands in the heads of programs.
 TEST(WordsOfMakers, NormalDirectionControlIsNoCompensation) {

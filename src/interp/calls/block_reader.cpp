@@ -38,16 +38,13 @@ void BlockReader::open(int leader_lines) {
   stack_.back().source = std::make_unique<LineSource>(program_.files.front());
   std::string_view leader;
   for (int i = 0; i < leader_lines; ++i) stack_.back().source->next(leader);
-  if (!is(Dialect::fanuc)) return;
-  const std::optional<MainProgram> main = program_that_calls_the_first(program_.files.front());
+  const std::optional<MainProgram> main =
+      main_program_behind(program_.files.front(), control_.dialect);
   if (!main) return;
   stack_.back().source->seek(main->offset, main->line);
   reporter_.set_place(0, main->line + 1, -1, {});
   reporter_.add(Severity::note, "program-start",
-                fmt::format("the program begins here, with {}: it calls {}, which stands before it "
-                            "and ends with M99",
-                            main->name, main->first),
-                0, 1);
+                fmt::format("the program begins here, with {}: {}", main->name, main->why), 0, 1);
 }
 
 bool BlockReader::next() {
@@ -364,6 +361,7 @@ void BlockReader::tell_of_others() {
   while (source.next(line)) {
     const std::string name = section_name(line, control_.dialect);
     if (name.empty() || called_.contains(name)) continue;
+    if (is(Dialect::sinumerik) && !names_main_program(line)) continue;
     if (others++ == 0) first = fmt::format("{} in line {}", name, source.line_number());
   }
   if (others == 0) return;
@@ -375,7 +373,7 @@ void BlockReader::tell_of_others() {
 }
 
 void BlockReader::end_program() {
-  if (is(Dialect::fanuc)) tell_of_others();
+  if (is(Dialect::fanuc) || is(Dialect::sinumerik)) tell_of_others();
   stop();
 }
 

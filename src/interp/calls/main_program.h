@@ -2,6 +2,8 @@
 // Private to src/interp.
 #pragma once
 
+#include <mrsim/types.h>
+
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -9,13 +11,15 @@
 namespace mrsim {
 
 struct MainProgram {
-  std::string name, first;   ///< "O1", and the subprogram at the head of the file, "O1000"
+  std::string name;          ///< "O1"
+  std::string why;           ///< why it is the main program
   std::uint64_t offset = 0;  ///< offset of its header line
   int line = 0;              ///< number of the line before `offset`
 };
 
-/// The program of a FANUC file that calls the first one and ends with M30 or M2, if the first one
-/// ends with M99. Nothing: the first one is the main program.
-std::optional<MainProgram> program_that_calls_the_first(const std::string& file);
+/// FANUC: the program that calls the first one and ends with M30 or M2, if the first one ends with
+/// M99 (Okuma: RTS). SINUMERIK: the first _MPF of a file that begins with another kind of file.
+/// Nothing: the file begins with its main program.
+std::optional<MainProgram> main_program_behind(const std::string& file, Dialect dialect);
 
 }  // namespace mrsim

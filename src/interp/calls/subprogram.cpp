@@ -76,6 +76,12 @@ std::string section_name(std::string_view line, Dialect dialect) {
   return n == 0 || n > 9 ? std::string() : number_key(rest.substr(0, n));
 }
 
+bool names_main_program(std::string_view line) {
+  line = trimmed(line);
+  return upper_case(line.substr(0, 4)) == "%_N_" &&
+         upper_case(name_at(line.substr(4))).ends_with("_MPF");
+}
+
 SubprogramIndex::SubprogramIndex(std::string main_file, std::vector<std::string> search_path,
                                  Dialect dialect)
     : main_file_(std::move(main_file)), dialect_(dialect) {

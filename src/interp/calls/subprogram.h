@@ -53,4 +53,7 @@ class SubprogramIndex {
 /// if the line is no header.
 std::string section_name(std::string_view line, Dialect dialect);
 
+/// Whether the line is "%_N_PART_MPF", the header of a main program of SINUMERIK.
+bool names_main_program(std::string_view line);
+
 }  // namespace mrsim

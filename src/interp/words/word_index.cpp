@@ -20,7 +20,9 @@ class CodeSystems : public ControlPart {
 
  private:
   bool has(std::string_view letters) const;
+  bool has_code(double least, double most) const;
   void see_units();
+  void rewrite_feed(Word& code);
   void rewrite_c(Word& code);
   void rename(Word& code, int number, int in_system_a);
 };
@@ -32,6 +34,12 @@ bool CodeSystems::has(std::string_view letters) const {
   });
 }
 
+bool CodeSystems::has_code(double least, double most) const {
+  return std::any_of(block_.words.begin(), block_.words.end(), [&](const Word& word) {
+    return word.address == letter('G') && word.value >= least && word.value <= most;
+  });
+}
+
 void CodeSystems::rewrite() {
   if (!lathe() || !is(Dialect::fanuc) || modal_.okuma) return;
   for (Word& code : block_.words) {
@@ -39,11 +47,24 @@ void CodeSystems::rewrite() {
     if (code.value == 70 || code.value == 71) see_units();
     if (modal_.system_c) rewrite_c(code);
     if (code.value >= 77 && code.value <= 79 && has("XZUW")) modal_.has_increments = true;
+    rewrite_feed(code);
     // System A has no G91. Its G92 is the thread, that of B and C sets the zero.
     if (code.value == 92 && modal_.has_increments && modal_.turn.number != 92 && has("XZUW") &&
         !has("FEI"))
       code.value = 50;
   }
+}
+
+// System A has no G95 but for a tap with a live tool (Haas). Its G94 is the facing cycle and no
+// motion stands beside it; that of B and C is the feed per minute, and their G98 and G99 say where
+// the tool goes between holes.
+void CodeSystems::rewrite_feed(Word& code) {
+  if (code.value == 95 && !has("R")) modal_.has_increments = true;
+  if (code.value == 94 && (modal_.has_increments || has_code(0, 3)))
+    code.value = 98;
+  else if ((code.value == 98 || code.value == 99) && modal_.has_increments &&
+           (modal_.drill.number != 0 || has_code(80, 89)))
+    code.address = Address::data;
 }
 
 // G70 and G71 without other words are units in system C; in A and B they are cycles.
