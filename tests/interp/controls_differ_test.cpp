@@ -289,8 +289,27 @@ TEST(ControlsDiffer, ARefusedModeIsToldOnce) {
   EXPECT_EQ(lathe("G107 C20.\nG1 Z-10. C30. F9\nG107 C0\nG1 X6.\n"), "l3,0,0 | not-supported");
   EXPECT_EQ(mill("G68.2 X0 Y0 Z0 I0 J30. K0\nG53.1\nG1 X9. B30. F9\nG69\nG1 X5.\n"),
             "l5,0,0 | not-supported");
-  EXPECT_EQ(mill("G43.4 H1 Z5.\nG1 X20. A3. F9\nG49\nG1 X5.\n"), "l5,0,0 | not-supported");
+  EXPECT_EQ(mill("G43.4 H1\nG1 X20. A3. F9\nX30.\nG49\nG1 X5.\n"), "l5,0,0 | not-supported");
+  EXPECT_EQ(mill("G43.5 H1 Z5.\nG1 X20. I1. F9\nG49\nG1 X5.\n"), "l5,0,0 | not-supported");
   EXPECT_EQ(mill("G1 X20. C20. F9\n"), " | not-supported");
+}
+
+// Posts for five axes write such modes around every cut.
+TEST(ControlsDiffer, AToolAlongZNeedsNoRotaryAxes) {
+  const std::string cut = "G0 X1. Y2. Z9. A0 C0.\nG1 Z-1. F100\nX5.\n";
+  for (const char* mode : {"G43.4", "G234", "G143"})
+    EXPECT_EQ(mill(mode + (" H1\n" + cut) + "G49\n"), mill("G43 H1\n" + cut + "G49\n")) << mode;
+  EXPECT_EQ(mill("G54 B0 C0\nG254\n" + cut + "G255\n"), mill(cut));
+  EXPECT_EQ(mill("G254\n" + cut + "G255\nB90.\nG254\nX9.\nG255\n"),
+            mill(cut) + " | not-supported not-supported");
+  EXPECT_EQ(mill("G254\n" + cut + "B90.\nX9.\nG255\nG1 X6.\n"),
+            mill(cut + "X6.\n") + " | not-supported");
+  const auto notes = [](const std::string& text, MachineKind machine) {
+    return codes(read_text(text, at_origin(Dialect::fanuc, machine)), Severity::note);
+  };
+  EXPECT_NE(notes("G254\n" + cut, MachineKind::mill).find("tool-upright"), std::string::npos);
+  EXPECT_NE(notes("G43.4 H1\nG1 X1. F9\n", MachineKind::lathe).find("not-supported"),
+            std::string::npos);
 }
 
 TEST(ControlsDiffer, AnAxisThatIsNotReadIsCalledWhatItIs) {

@@ -205,7 +205,7 @@ TEST(Policy, NotSupportedIsNeverSkipped) {
       {Dialect::sinumerik, "BSPLINE"},
       {Dialect::sinumerik, "POLY PO[X]=(1,2)"},
       {Dialect::sinumerik, "TOFFR=2"},
-      {Dialect::sinumerik, "TRAORI"},
+      {Dialect::sinumerik, "TRANSMIT"},
 
       {Dialect::fanuc, "G5 X1 Y2 I1 J1"},
       {Dialect::fanuc, "G5.1 X1 Y2"},
@@ -214,7 +214,7 @@ TEST(Policy, NotSupportedIsNeverSkipped) {
       {Dialect::fanuc, "G68.2 X0 Y0 Z0 I0 K0"},
       {Dialect::fanuc, "G68.2 P2 Q0 X0 Y0 Z0 I0 J0 K0"},
       {Dialect::fanuc, "G53.1"},
-      {Dialect::fanuc, "G43.4 H1"},
+      {Dialect::fanuc, "G43.5 H1"},
       {Dialect::iso, "G37 R5 X20"},
       {Dialect::iso, "G68.2 I0"},
 
@@ -277,7 +277,8 @@ TEST(Policy, FilesThatAreNoProgramsAreRefused) {
   EXPECT_THROW(read_program("/nowhere/x.nc", options), Error);
   EXPECT_THROW(read_program("/tmp", options), Error);
   for (const std::string& text :
-       {std::string("\xFF\xFEG\0001\0\n\0", 8), std::string("\xFE\xFF\0G\0001", 6)})
+       {std::string("\xFF\xFEG\0001\0\n\0", 8), std::string("\xFE\xFF\0G\0001", 6),
+        std::string("G\0001\0 \0X\0005\0", 10), std::string("\0G\0001\0 \0X\0005", 10)})
     try {
       read_program(scratch.write("wide.nc", text), options);
       FAIL();

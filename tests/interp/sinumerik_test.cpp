@@ -63,6 +63,7 @@ TEST(Sinumerik, WordsThatMoveNothing) {
 TEST(Sinumerik, WordsThatPostsWriteAroundProgramsAreRead) {
   EXPECT_EQ(run("G17 G90\nORIWKS\nORIAXES\nCOMPCAD\nDYNFINISH\nGROUP_BEGIN(0,\"FACE\",0,0)\n"
                 "SPOS[2]=90\nPOLF[Z]=100\nLFPOS\nWALIMON\nFA[X]=200\nSPOS=DC(90)\n"
+                "CP\nPTPG0\nDRFOF\nGEOAX()\nWAITMC(1)\nNPROT(1,0)\nATOL=0.1\nLEAD=0 TILT=0\n"
                 "BRISKA(X)\nSOFTA(X,Y)\nDRIVEA(X)\nTCARR=0\nTCOABS\nTOFFL=0\nTOFFR=0.0\n"
                 "F100 G1 X1\nGROUP_END(0,0)\nM30\n"),
             "1,0,0 ");
@@ -99,7 +100,11 @@ TEST(Sinumerik, OffsetsOfTheToolByTheProgramAreErrors) {
 
 TEST(Sinumerik, DirectionsOfTheToolAreOneError) {
   const std::string moves = "G1 X1 A3=0 B3=0 C3=1 F100\nG1 X2 A3=0 B3=0.1 C3=1\nG1 X3 A3=0 C3=1\n";
-  EXPECT_EQ(run("TRAORI\n" + moves + "TRAFOOF\nG1 X2\n"), "2,0,0 not-supported");
+  EXPECT_EQ(run("TRAORI\n" + moves + "TRAFOOF\nG1 X5\n"), "1,0,0 5,0,0 not-supported");
+  EXPECT_EQ(run("TRAORI(1)\nG1 X1 A0 C0 F9\nX2 A2=0 B2=0 C2=0\nX3 A3=0 C3=1\nTRAFOOF\n"),
+            "1,0,0 2,0,0 3,0,0 ");
+  EXPECT_EQ(run("TRAORI\nG1 X1 A3=0 B3=0 C3=-1 F9\n"), "not-supported");
+  EXPECT_EQ(run("TRAORI\nG1 X1 A5=0 B5=0 C5=1 F9\n"), "not-supported");
   const Program p = read_text(moves, at_origin(Dialect::sinumerik));
   EXPECT_EQ(codes(p), "not-supported");
   EXPECT_EQ(codes(p, Severity::note), "not-supported told-once");

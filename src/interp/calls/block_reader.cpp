@@ -24,6 +24,16 @@ std::size_t depth_limit(Dialect dialect) {
 constexpr std::uint64_t kStepsBehindAnError = 1'000'000;
 constexpr std::size_t kMostStretches = 200;  // calls and repeated parts inside one another
 
+// Posts call programs of the machine's maker, such as L6 or O9020, which change the tool.
+std::string advice_for_missing(const std::string& name, Dialect dialect) {
+  const bool sinumerik = dialect == Dialect::sinumerik;
+  if (!sinumerik && dialect != Dialect::fanuc) return "; --path names more folders";
+  return fmt::format(
+      "; --path names more folders. A program of the machine that cuts nothing may be a file {}{} "
+      "with {}",
+      name, sinumerik ? ".SPF" : "", sinumerik ? "M17" : "M99");
+}
+
 }  // namespace
 
 BlockReader::BlockReader(Control& control)
@@ -268,12 +278,13 @@ std::optional<SubprogramPlace> BlockReader::locate(const SubprogramName& name, c
   }
   const std::string text =
       name.text.empty() ? fmt::format("O{:04}", name.number) : to_utf8(name.text.substr(0, 80));
+  const std::string meant = is(Dialect::sinumerik) ? missing_equal_sign(name.text) : "";
   error("subprogram-missing",
         fmt::format("subprogram {} is neither in the program's file nor beside it{}{}", text,
                     is(Dialect::fanuc)       ? " (alarm 076)"
                     : is(Dialect::sinumerik) ? " (alarm 14011)"
                                              : "",
-                    is(Dialect::sinumerik) ? missing_equal_sign(name.text) : ""),
+                    meant.empty() ? advice_for_missing(text, control_.dialect) : meant),
         word);
   return place;
 }

@@ -82,6 +82,8 @@ struct Control {
   bool paused = false;          ///< no motion since M0, or since a tool was changed by hand
   bool untilted_plane = false;  ///< G68.2 without a tilt is in force
   int unread_end = 0;           ///< the word that ends the refused mode in force, see UnreadModes
+  int upright_end = 0;          ///< the word that ends a mode that is read while no axis turns
+  bool tilted = false;          ///< a rotary axis has left 0, which is an error
 
   /// The one name, without blanks, of an offset that has several: G154 P1 and G110 of Haas are the
   /// offset G54.1P1.

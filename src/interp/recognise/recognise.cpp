@@ -8,6 +8,7 @@
 #include "interp/text/line_scan.h"
 #include "interp/text/source.h"
 
+#include <algorithm>
 #include <cstdint>
 #include <string_view>
 
@@ -199,11 +200,27 @@ Recognition Reader::answer() const {
   return out;
 }
 
+/// Whether the file begins with UTF-16 text, with or without its mark.
+bool is_utf16(std::string_view head) {
+  if (head.starts_with("\xFF\xFE") || head.starts_with("\xFE\xFF")) return true;
+  const std::size_t pairs = std::min<std::size_t>(head.size() / 2, 8);
+  std::size_t little = 0, big = 0;
+  for (std::size_t i = 0; i < pairs; ++i) {
+    const bool first = head[2 * i] != '\0', second = head[2 * i + 1] != '\0';
+    little += first && !second ? 1U : 0U;
+    big += second && !first ? 1U : 0U;
+  }
+  return pairs > 1 && (little == pairs || big == pairs);
+}
+
 }  // namespace
 
 Recognition recognise(const std::string& path, const InterpOptions& options) {
   Reader reader(path, options);
   LineSource source(path);
+  if (is_utf16(source.ahead(kFileHead)))
+    throw Error("file-encoding",
+                fmt::format("{} is UTF-16 text: save it as UTF-8 or plain ASCII", path));
   if (const std::string_view kind = kind_of_file(source.ahead(kFileHead), source.size());
       !kind.empty())
     throw Error("file-not-program",
@@ -213,9 +230,6 @@ Recognition recognise(const std::string& path, const InterpOptions& options) {
   std::string_view raw;
   while (source.next(raw)) {
     const int n = source.line_number();
-    if (n == 1 && (raw.starts_with("\xFF\xFE") || raw.starts_with("\xFE\xFF")))
-      throw Error("file-encoding",
-                  fmt::format("{} is UTF-16 text: save it as UTF-8 or plain ASCII", path));
     if (!reader.line(raw, n)) break;
   }
   return reader.answer();

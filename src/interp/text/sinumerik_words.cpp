@@ -27,7 +27,7 @@ constexpr std::pair<std::string_view, Address> kAddresses[] = {
     {"OVR", Address::data},  {"OVRRAP", Address::data}, {"FP", Address::data},
     {"CTOL", Address::data}, {"OTOL", Address::data},   {"STOLF", Address::data},
     {"SVC", Address::data},  {"FB", Address::data},     {"DITS", Address::data},
-    {"DITE", Address::data}};
+    {"DITE", Address::data}, {"ATOL", Address::data}};
 
 // Calls without effect on geometry. COUP... couples spindles to hand over a part.
 constexpr std::string_view kHarmlessCalls[] = {
@@ -37,10 +37,11 @@ constexpr std::string_view kHarmlessCalls[] = {
     "GROUP_END", "BRISKA", "SOFTA",   "DRIVEA",   "JERKA",   "CALLPATH", "GWPSON",
     "GWPSOF",    "CANCEL", "FPRAON",  "FPRAOF",   "FPR",     "CORROF",   "GROUP_ADDEND",
     "CLEARM",    "SETM",   "RELEASE", "GET",      "GETD",    "WRITE",    "DELETE",
-    "SETPIECE"};
+    "SETPIECE",  "WAITMC", "NPROT",   "CPROT"};
 
-// Names of the tool carrier and of tool offsets: read only where they are switched off by 0.
-constexpr std::string_view kOffWithZero[] = {"TCARR", "TOFF", "TOFFL", "TOFFR", "TOFFLR", "CUTMOD"};
+// Names of the tool carrier, of tool offsets and tilts: read only where they are switched off by 0.
+constexpr std::string_view kOffWithZero[] = {"TCARR",  "TOFF",   "TOFFL", "TOFFR",
+                                             "TOFFLR", "CUTMOD", "LEAD",  "TILT"};
 
 Address find_address(std::string_view name) {
   for (const auto& [known, address] : kAddresses)
@@ -269,6 +270,7 @@ void SinumerikWords::call(Block& block, std::size_t from, std::string_view token
   const std::string name = upper_case(token.substr(0, 33));
   for (const std::string_view harmless : kHarmlessCalls)
     if (name == harmless) return;
+  if (name == "GEOAX" && argument.find_first_not_of(" \t") == argument.npos) return;  // X, Y, Z
   for (const std::string_view read : read_calls()) {
     if (name != read) continue;
     block.function_name = read;

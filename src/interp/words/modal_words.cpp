@@ -45,7 +45,7 @@ CodeEntry ModalWords::lookup(const Word& word) const {
   }
   const double by_10 = word.value * 10;
   if (by_10 < 0 || by_10 >= 1e5 || by_10 != std::floor(by_10)) return {};
-  const int number = static_cast<int>(by_10);
+  const int number = unread_.read_as(static_cast<int>(by_10));
   if (number % 10 == 0 && number < 10000) return codes_[static_cast<std::size_t>(number / 10)];
   return find_g_code(control_.dialect, program_.machine, number);
 }

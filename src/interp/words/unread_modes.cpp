@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <string_view>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -15,13 +16,20 @@ struct ModeWords {
   int begin, end;
 };
 
+/// A mode that follows the rotary axes, and what is the same while these stand at 0.
+struct UprightMode {
+  int begin, end, as;
+};
+
 constexpr ModeWords kFanucModes[] = {
     {71, 71},   {121, 131}, {434, 490},   {435, 490},   {542, 542},  {544, 544},  {682, 690},
     {683, 690}, {684, 690}, {1070, 1070}, {1120, 1130}, {1430, 490}, {2340, 490}, {2540, 2550}};
+constexpr UprightMode kUprightModes[] = {
+    {434, 490, 430}, {1430, 490, 430}, {2340, 490, 430}, {2540, 2550, 2550}};
 constexpr int kLeast = 71;  // the least of the numbers above
 constexpr int kTiltedPlane = 682;
 constexpr int kRotationOff = 690;
-constexpr int kTiltedMove = 531;  // a move in a tilted plane
+constexpr int kTiltedMove = 531, kMoveAboutTip = 536;  // of the axes into a tilted plane
 constexpr std::string_view kSinumerikModes[] = {"TRAORI", "TRANSMIT", "TRACYL", "TRAANG"};
 constexpr int kTrafoof = 1;  // in place of a G number: TRAFOOF ends the mode
 constexpr int kSwivel = 2;   // the next CYCLE800 ends it
@@ -61,8 +69,7 @@ bool UnreadModes::is_untilted() const {
 bool UnreadModes::begins_or_ends(const Word& word) {
   if (is(Dialect::ngc) || is(Dialect::codesys)) return false;
   if (is(Dialect::sinumerik)) {
-    note_name(word);
-    return begins_iso_mode(word);
+    return note_name(word) || begins_iso_mode(word);
   }
   const int g = number_by_10(word);
   if (g < kLeast) return false;
@@ -72,16 +79,59 @@ bool UnreadModes::begins_or_ends(const Word& word) {
     block_.frame_op = Code::rotation_on;
     return true;
   }
-  if (g == kTiltedMove && (control_.unread_end != 0 || control_.untilted_plane)) return true;
+  const bool moves = g == kTiltedMove || g == kMoveAboutTip;
+  if (moves && (control_.unread_end != 0 || control_.untilted_plane)) return true;
   if (g == kRotationOff) control_.untilted_plane = false;
   const bool ended = ends(g);
   if (ended) control_.unread_end = 0;
+  if (g == control_.upright_end) control_.upright_end = 0;
+  if (begins_upright(g, word)) return false;
   for (const ModeWords& mode : kFanucModes) {
     if (mode.begin != g) continue;
     if (!ended) control_.unread_end = mode.end;
     return ended;
   }
   return false;
+}
+
+bool UnreadModes::begins_upright(int g, const Word& word) {
+  for (const UprightMode& mode : kUprightModes) {
+    if (mode.begin != g || lathe() || control_.tilted || control_.unread_end != 0) continue;
+    begin_upright(mode.end, word);
+    return true;
+  }
+  return false;
+}
+
+void UnreadModes::begin_upright(int end, const Word& word) {
+  control_.upright_end = end;
+  note_once("tool-upright",
+            fmt::format("{} is read as with a tool along Z, while all rotary axes stand at 0",
+                        text_of(word)),
+            word, "upright");
+}
+
+int UnreadModes::read_as(int number) const {
+  if (control_.upright_end == 0) return number;
+  for (const UprightMode& mode : kUprightModes)
+    if (mode.begin == number) return mode.as;
+  return number;
+}
+
+bool UnreadModes::tilts(const Word& word) {
+  const std::string text = text_of(word);
+  const char axis = upper(text.front()), kind = text.size() > 1 ? text[1] : ' ';
+  const bool zero = word.value == 0, along = axis == 'C' && word.value > 0;
+  if (control_.upright_end != 0 &&
+      (kind == '3' ? (axis == 'C' ? along : zero) : kind == '2' && zero))
+    return false;
+  turn();
+  return true;
+}
+
+void UnreadModes::turn() {
+  control_.tilted = true;
+  if (control_.upright_end != 0) control_.unread_end = std::exchange(control_.upright_end, 0);
 }
 
 // The text between G291 and G290 is FANUC's, with FANUC's characters.
@@ -107,12 +157,18 @@ bool UnreadModes::skips_iso_mode() {
   return true;
 }
 
-void UnreadModes::note_name(const Word& word) {
-  if (word.address != Address::function) return;
+// Looks at the name of a mode. True: TRAORI, which is done with.
+bool UnreadModes::note_name(const Word& word) {
+  if (word.address != Address::function) return false;
   const std::string name = upper_case(word.text);
-  if (name == "TRAFOOF") control_.unread_end = 0;
+  if (name == "TRAFOOF") control_.unread_end = control_.upright_end = 0;
+  if (name == "TRAORI" && !control_.tilted) {
+    if (control_.unread_end == 0) begin_upright(kTrafoof, word);
+    return true;
+  }
   for (const std::string_view one : kSinumerikModes)
     if (name == one) control_.unread_end = kTrafoof;
+  return false;
 }
 
 void UnreadModes::begin_swivel() { control_.unread_end = kSwivel; }

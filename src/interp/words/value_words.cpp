@@ -1,6 +1,7 @@
 #include "interp/words/value_words.h"
 
 #include "core/text/text_io.h"
+#include "interp/words/unread_modes.h"
 
 #include <algorithm>
 #include <cmath>
@@ -58,12 +59,14 @@ bool ValueWords::rotary_axes() {
     axis_c_ = axis_c_ || c == 'C';
     if (control_.unread_end != 0) continue;
     if (word->value != 0) {
+      UnreadModes(control_).turn();
       reporter_.once(Severity::error, "not-supported",
                      unread_axis(c) +
                          ", which is not supported yet; --until LINE simulates what "
                          "stands before it",
                      *word, std::string("turned ") + c);
-      return false;
+      if (control_.unread_end == 0) return false;
+      continue;
     }
     note_once("rotary-axis", fmt::format("rotary axis {} stays at 0", c), *word, std::string(1, c));
   }
@@ -103,12 +106,14 @@ bool ValueWords::sinumerik() {
                                                block_.oneshot_code == Code::fixed_point);
   for (const Word& word : block_.words) {
     const auto c = static_cast<char>(word.code);
-    if (word.address == Address::data && c >= 'A' && c <= 'C' && control_.unread_end == 0) {
+    if (word.address == Address::data && c >= 'A' && c <= 'C' && control_.unread_end == 0 &&
+        UnreadModes(control_).tilts(word)) {
       reporter_.once(Severity::error, "not-supported",
                      "A3= B3= C3= and their kin lead the tool's axis (TRAORI, five axes), which is "
                      "not supported",
                      word, "direction");
-      return false;
+      if (control_.unread_end == 0) return false;
+      continue;
     }
     if (word.address == Address::data && c >= 'X' && c <= 'Z' && !machine_axes)
       return error("not-supported",
