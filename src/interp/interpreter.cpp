@@ -42,7 +42,7 @@ void tell_idle_options(const InterpOptions& options, const Program& program, Mot
   for (const Tool& tool : options.table.tools)
     if (tool.origin == "--tool" && !tool.id.empty() && !calls(program, tool.id))
       tell(program, Severity::note, "tool-unused",
-           fmt::format("--tool {}: the program calls no tool of that name", tool.id), sink);
+           fmt::format("--tool {}: the program moves no tool of that name", tool.id), sink);
 }
 
 }  // namespace

@@ -60,7 +60,13 @@ TEST(SinumerikProc, ModalCallsHoldInSubprograms) {
   EXPECT_EQ(moves("MCALL HOLE\nPLACES\nMCALL\nX9\n", subs), holes + " l9,0,5");
   EXPECT_EQ(moves("MCALL HOLE\nLAB1: X=IC(1)\nREPEATB LAB1 P=1\nMCALL\nX9\n", subs),
             holes + " l9,0,5");
-  EXPECT_EQ(moves("MCALL HOLE\nHOLES1(0,0,0,1,1,2)\nMCALL\nX9\n", subs), "l9,0,0 | not-supported");
+  const std::string row = "r1,0,0 l1,0,-3 l1,0,5 r2,0,5 l2,0,-3 l2,0,5 l9,0,5";
+  EXPECT_EQ(moves("MCALL HOLE\nHOLES1(0,0,0,1,1,2)\nMCALL\nX9\n", subs), row);
+  EXPECT_EQ(moves("MCALL DEEP(-3)\nHOLES1(0,0,0,1,1,2)\nMCALL\nX9\n",
+                  {{"DEEP.SPF", "PROC DEEP(REAL Z1) SAVE\nTRANS Z5\nG91 Z=Z1-5\nZ8\nM17\n"}}),
+            row);
+  EXPECT_EQ(moves("MCALL ROW\nX1\nMCALL\n", {{"ROW.SPF", "HOLES1(0,0,0,1,1,2)\nRET\n"}}),
+            "l1,0,0 | not-supported");
 }
 
 TEST(SinumerikProc, SaveRestoresFramesAndGCodesAlone) {

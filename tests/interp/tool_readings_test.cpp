@@ -123,6 +123,7 @@ TEST(ToolCommentReadings, SizesMayStandOnEitherSideOfTheKind) {
       {inch, "4 IN DIA FACE MILL", "endmill 101.6"},
       {inch, "1.5 IN. SHELL MILL", "endmill 38.1"},
       {inch, "FACE MILL 1 1/2", "endmill 38.1"},
+      {inch, "TOOL #1 1/2 ENDMILL ROUGH", "endmill 12.7"},  // BobCAD
       {inch, ".375 GARR EM", "endmill 9.525"},
       {inch, "1. 1/2 ENDMILL", "endmill 12.7"},
       {mm, "TOOL=10MM_ENDMILL_4FL", "endmill 10"},

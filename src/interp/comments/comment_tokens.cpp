@@ -108,6 +108,7 @@ void join_fractions(Tokens& tokens) {
   };
   const auto is_tools = [&](std::size_t i) {  // "TOOL - 1  3/4 FLAT ENDMILL"
     if (i < 1) return false;
+    if (tokens[i - 1].is("#")) return true;  // "TOOL #1 1/2 ENDMILL"
     const bool sign = tokens[i - 1].is("-") || tokens[i - 1].is(":") || tokens[i - 1].is("=");
     return numbers_a_tool(tokens[i - (sign && i > 1 ? 2 : 1)]);
   };

@@ -216,14 +216,9 @@ bool SinumerikCycles::pattern(const Call& call) {
   const Word at = where();
   HolePattern pattern(control_, call, at);
   if (!pattern.reads_all_of()) return false;
-  if (statements_ && statements_->has_modal_call())
-    return error("not-supported",
-                 fmt::format("{} under MCALL of a program is not supported: write the places as "
-                             "blocks",
-                             call.name),
-                 at);
   std::vector<Vec2> places;
-  return pattern.places(places) && at_points(places);
+  if (!pattern.places(places)) return false;
+  return statements_ && statements_->has_modal_call() ? call_at(places) : at_points(places);
 }
 
 // The values of CYCLE800: FR TC ST MODE X0 Y0 Z0 A B C X1 Y1 Z1. Pairs of bits of MODE say about
@@ -254,16 +249,36 @@ bool SinumerikCycles::swivel(const Call& call) {
   return true;
 }
 
+// A rapid in the plane, at the current level.
+void SinumerikCycles::go_to(const Vec2& place, const Word& at) {
+  const Basis b = basis();
+  holes_.approach(from_plane(b, place, holes_.level()), axes_along(b.u) | axes_along(b.v), at);
+}
+
 // Without MCALL the pattern is a row of rapids.
 bool SinumerikCycles::at_points(const std::vector<Vec2>& points) {
-  const Basis b = basis();
-  const AxisSet named = axes_along(b.u) | axes_along(b.v);
   for (const Vec2 p : points) {
-    const Vec3 at = from_plane(b, p, holes_.level());
-    holes_.approach(at, named, where());
+    go_to(p, where());
     if (modal_call_ && !drill(*modal_call_)) return false;
   }
   return true;
+}
+
+// Under MCALL of a program this runs at each place. The rapids name the line of the pattern.
+bool SinumerikCycles::call_at(const std::vector<Vec2>& points) {
+  const BlockPlace pattern{block_.file, block_.line_number, block_.call};
+  const auto approach = [this, points, pattern, at = where()](std::size_t i) {
+    const BlockPlace now{block_.file, block_.line_number, block_.call};
+    const auto set = [this](const BlockPlace& place) {
+      block_.file = place.file;
+      block_.line_number = place.line;
+      block_.call = place.call;
+    };
+    set(pattern);
+    go_to(points[i], at);
+    set(now);
+  };
+  return statements_->call_modal(points.size(), approach, where());
 }
 
 // LCYC60 and LCYC61 are patterns; R115 is the number of the cycle that drills each hole.

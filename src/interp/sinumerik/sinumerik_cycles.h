@@ -51,7 +51,9 @@ class SinumerikCycles : public ControlPart {
   bool pattern_802(const Call& places);
   bool pattern(const Call& call);
   bool swivel(const Call& call);
+  void go_to(const Vec2& place, const Word& at);
   bool at_points(const std::vector<Vec2>& points);
+  bool call_at(const std::vector<Vec2>& points);
   bool drill(const Call& call);
   bool mill(const Call& call);
   bool run_mill(const Call& call, bool at_position);

@@ -17,7 +17,18 @@ SinumerikCalls::SinumerikCalls(Control& control, BlockReader& reader)
 // Under MCALL every block of words that moved ends with the call, also in subprograms.
 void SinumerikCalls::end_block(bool moved) {
   if (!moved || !modal_call_.active || in_modal_call_) return;
-  call(modal_call_.name, modal_call_.arguments, 1, block_.words.front(), true);
+  call(modal_call_.name, modal_call_.arguments, 1, block_.words.front(), [] {});
+}
+
+bool SinumerikCalls::call_modal(std::size_t places, std::function<void(std::size_t)> approach,
+                                const Word& word) {
+  if (in_modal_call_)
+    return error("not-supported",
+                 "a pattern of holes in the program of MCALL is not supported: write the places "
+                 "as blocks",
+                 word);
+  return call(modal_call_.name, modal_call_.arguments, static_cast<long>(places), word,
+              [approach = std::move(approach), i = std::size_t(0)]() mutable { approach(i++); });
 }
 
 bool SinumerikCalls::modal_call(std::size_t p) {
@@ -151,7 +162,7 @@ bool SinumerikCalls::call_program(const SubprogramName& name, long repeats, cons
 
 // CALL and EXTCALL may name a path, of which only the last part is used.
 bool SinumerikCalls::call(const SubprogramName& name, const std::vector<ProcedureArgument>& given,
-                          long repeats, const Word& word, bool modal) {
+                          long repeats, const Word& word, std::function<void()> before) {
   SubprogramName program = name;
   if (name.text.find_first_of("/\\") != name.text.npos) program.text = program_of_path(name.text);
   const auto place = reader_.locate(program, word);
@@ -161,9 +172,10 @@ bool SinumerikCalls::call(const SubprogramName& name, const std::vector<Procedur
   request.begin = {place->offset, place->line, 0};
   request.repeats = repeats;
   if (!procedures_.bind(*place, given, word, request)) return false;
-  if (modal) {
-    request.on_start = [this, start = std::move(request.on_start)] {
+  if (before) {
+    request.on_start = [this, before = std::move(before), start = std::move(request.on_start)] {
       in_modal_call_ = true;
+      before();
       start();
     };
     request.on_left = [this] { in_modal_call_ = false; };

@@ -5,6 +5,7 @@
 #include "interp/statements/sinumerik_assignments.h"
 #include "interp/statements/sinumerik_procedures.h"
 
+#include <functional>
 #include <vector>
 
 namespace mrsim {
@@ -12,6 +13,8 @@ namespace mrsim {
 class SinumerikCalls : public SinumerikAssignments {
  public:
   bool has_modal_call() const override { return modal_call_.active; }
+  bool call_modal(std::size_t places, std::function<void(std::size_t)> approach,
+                  const Word& word) override;
   void end_block(bool moved) override;
   bool call_program(const SubprogramName& name, long repeats, const Word& word) override;
 
@@ -40,8 +43,9 @@ class SinumerikCalls : public SinumerikAssignments {
   };
 
   bool argument(std::size_t& p, ProcedureArgument& out);
+  /// `before`: of a modal call, carried out before each run.
   bool call(const SubprogramName& name, const std::vector<ProcedureArgument>& arguments,
-            long repeats, const Word& word, bool modal = false);
+            long repeats, const Word& word, std::function<void()> before = {});
 
   SinumerikProcedures procedures_;
   ModalCall modal_call_;

@@ -10,6 +10,7 @@
 #include "interp/text/language_reader.h"
 
 #include <deque>
+#include <functional>
 #include <map>
 #include <memory>
 #include <optional>
@@ -39,6 +40,10 @@ class Statements : public ControlPart, public LanguageReader {
   virtual void end_of_main() {}
   /// Whether MCALL of a program is in force.
   virtual bool has_modal_call() const { return false; }
+  /// Runs the program of MCALL at so many places; `approach` goes to the place of its number.
+  /// False: reported.
+  virtual bool call_modal(std::size_t places, std::function<void(std::size_t)> approach,
+                          const Word& word);
   /// Called after a block of words. `moved`: it had a motion.
   virtual void end_block(bool moved) { (void)moved; }
   /// Calls a program by number or name without arguments. False: reported.

@@ -164,6 +164,7 @@ bool LineParser::number_slow(Block& block, Word& word, std::size_t from, bool ex
     return true;
   }
   const std::string shown = text.substr(0, 40);
+  const bool zero = from > 1 && upper(line_[from - 1]) == 'O' && is_digit(line_[from - 2]);
   const bool is_one = text.find('.') == text.rfind('.') &&
                       text.find_last_of("+-") + 1 <= 1;  // no sign but the first
   if (is_one && text.size() > 9 && text.find_first_of("0123456789") != std::string::npos)
@@ -171,8 +172,9 @@ bool LineParser::number_slow(Block& block, Word& word, std::size_t from, bool ex
   else
     fault(block, "number-malformed",
           fmt::format(
-              "\"{}\" is not a number{}", shown,
-              alarm(text.rfind('-') + 1 > 1 || text.rfind('+') + 1 > 1 ? "006" : "007", "12080")),
+              "\"{}\" is not a number{}{}", shown,
+              alarm(text.rfind('-') + 1 > 1 || text.rfind('+') + 1 > 1 ? "006" : "007", "12080"),
+              zero ? ": does a letter O before it stand for the digit 0?" : ""),
           from, p_);
   return false;
 }
