@@ -31,6 +31,7 @@ Engine::Engine(const InterpOptions& options, Program& program, int leader_lines,
       haas_(control_, axes_, moves_, compensation_, drilling_),
       pockets_(control_, axes_, tools_, moves_),
       haas_pocket_(control_, reader_, statements_.get(), axes_, compensation_, moves_, out_),
+      figures_(control_, reader_, frames_.transforms()),
       engraving_(control_, statements_.get(), axes_, moves_),
       cycles_(control_, reader_, statements_.get(), holes_, frames_, tools_, moves_, out_),
       turning_(control_, axes_, moves_),
@@ -155,6 +156,7 @@ void Engine::execute() {
   profiles_.end_block();
   cycles_.end_block();
   haas_pocket_.end_block();
+  figures_.end_block();
   if (statements_ && !reader_.finished()) statements_->end_block(moved_);
 }
 
@@ -173,6 +175,7 @@ bool Engine::run_move() {
   if (haas_.wants_block()) return haas_.run();
   if (pockets_.wants_block()) return pockets_.run();
   if (haas_pocket_.wants_block()) return haas_pocket_.run();
+  if (figures_.wants_block()) return figures_.run();
   if (!control_.block.places.empty())
     return drilling_.at_points(control_.block.places, control_.block.words.front(), false);
   if (engraving_.wants_block()) return engraving_.run();

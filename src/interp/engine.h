@@ -8,6 +8,7 @@
 #include "interp/milling/fagor_pockets.h"
 #include "interp/milling/haas_pocket.h"
 #include "interp/sinumerik/sinumerik_cycles.h"
+#include "interp/statements/figure_copy.h"
 #include "interp/statements/program_flow.h"
 #include "interp/turning/contour_cycles.h"
 #include "interp/turning/linuxcnc_turning.h"
@@ -62,6 +63,7 @@ class Engine {
   HaasCycles haas_;
   FagorPockets pockets_;
   HaasPocket haas_pocket_;
+  FigureCopy figures_;
   Engraving engraving_;
   SinumerikCycles cycles_;
   TurnWords turning_;

@@ -363,5 +363,38 @@ TEST(Frames, RotationAndScaleEndBesideOtherWords) {
   EXPECT_EQ(path("G52 X9. Z0 G68 Y0 R90.\nG1 X5. Y0 F9\n"), "l5,0,0 | frame-own-block");
 }
 
+// G72.1 P L X Y R turns each run of a subprogram further, G72.2 P L I J K shifts it further.
+TEST(Frames, FiguresAreCopied) {
+  const auto path = [](const std::string& text) {
+    return path_text(read_text(text, at_origin(Dialect::fanuc)));
+  };
+  const std::string sub = "X30. Y0 F9\nX20.\n", at_p2 = "M30\nO2\nG90 G1 " + sub + "M99\n";
+  const std::string begin = "G1 X20. Y0 F9\n", end = "G1 X20. Y0\n";
+  const auto turned = [&](int angle) {
+    return fmt::format("G68 X5. Y0 R{}.\nG1 {}G69\n", angle, sub);
+  };
+  EXPECT_EQ(path(begin + "G72.1 P2 L3 X5. Y0 R120.\n" + end + at_p2),
+            path(begin + turned(0) + turned(120) + turned(240) + end));
+  EXPECT_EQ(path(begin + "G72.1 P2 X5. Y0 R120.\n" + end + at_p2), path(begin + "G1 " + sub + end));
+  EXPECT_EQ(path("G91\n" + begin + "G72.1 P2 L2 X5. Y0 R120.\n" + at_p2),
+            path(begin + turned(0) + turned(120)))
+      << "the centre is absolute";
+  const auto shifted = [&](int times) {
+    return fmt::format("G52 X{}. Y{}.\nG1 {}G52 X0 Y0\n", 7 * times, times, sub);
+  };
+  EXPECT_EQ(path(begin + "G72.2 P2 L3 I7. J1.\n" + end + at_p2),
+            path(begin + shifted(0) + shifted(1) + shifted(2) + end));
+  // A figure in increments goes on where the one before it ends.
+  EXPECT_EQ(path(begin + "G72.1 P2 L4 X0 Y0 R90.\nG90 G1 X0\nM30\nO2\nG91 G1 X-20. Y20.\nM99\n"),
+            "l20,0,0 l0,20,0 l-20,0,0 l0,-20,0 l20,0,0 l0,0,0");
+  EXPECT_EQ(path("G68 X0 Y0 R90.\n" + begin + "G72.1 P2 L2 X5. Y0 R180.\nG69\n" + at_p2),
+            path("G68 X0 Y0 R90.\n" + begin + "X30.\nX20.\nX-20.\nX-10.\nG69\n"));
+  EXPECT_EQ(path("G72.2 P3 L2 J9.\nM30\nO3\nG72.1 P2 L2 X0 Y0 R180.\nM99\nO2\nG1 X1. Y0 F9\nM99\n"),
+            "l1,0,0 l-1,0,0 l1,9,0 l-1,9,0");
+  for (const char* wrong : {"G72.1 P2 L3 X5. Y0", "G72.1 P2 L3 X5. R90.", "G72.2 P2 L3"})
+    EXPECT_EQ(path(std::string(wrong) + "\n" + at_p2), " | value-missing") << wrong;
+  EXPECT_EQ(path("G1 X1. F9\nG72.1 P9 X0 Y0 R9.\nM30\n"), "l1,0,0 | subprogram-missing");
+}
+
 }  // namespace
 }  // namespace mrsim

@@ -170,9 +170,25 @@ bool TransformWords::center_of_mach(Vec3& center, const Word& word) {
   return true;
 }
 
-// In G91, and beside I of Mach, the angle is added to that of the rotation in force. A point passes
-// the mirror and the scale before it is turned. Under G51.1 and G51 the centre passes them, too,
-// and a mirror image turns the other way round.
+// A point passes the mirror and the scale before it is turned. Under G51.1 and G51 the centre
+// passes them, too, and a mirror image turns the other way round.
+Frame TransformWords::turned(double angle, int axis, const Vec3& center) const {
+  const Frame inner = compose(frames_.scaling, frames_.mirror);
+  const Basis b = basis();
+  const bool reversed = dot(cross(turn(inner, b.u), turn(inner, b.v)), b.w) < 0;
+  return about(rotation_frame(axis, reversed ? -angle : angle), apply(inner, center));
+}
+
+void TransformWords::place_figure(const Frame& base, double angle, const Vec3& center,
+                                  const Vec3& shift) {
+  save();
+  const Frame inner = compose(frames_.scaling, frames_.mirror);
+  frames_.rotation = compose(base, compose(shift_frame(turn(inner, shift)),
+                                           turned(angle, kNormalOfPlane[modal_.plane], center)));
+  rebuild();
+}
+
+// In G91, and beside I of Mach, the angle is added to that of the rotation in force.
 void TransformWords::turn_about(double angle, int axis, const Vec3& center, bool adds,
                                 const Word& word) {
   if (adds && frames_.rotation_angle != 0) {
@@ -181,10 +197,7 @@ void TransformWords::turn_about(double angle, int axis, const Vec3& center, bool
               "G68");
   }
   frames_.rotation_angle = angle;
-  const Frame inner = compose(frames_.scaling, frames_.mirror);
-  const Basis b = basis();
-  const bool reversed = dot(cross(turn(inner, b.u), turn(inner, b.v)), b.w) < 0;
-  frames_.rotation = about(rotation_frame(axis, reversed ? -angle : angle), apply(inner, center));
+  frames_.rotation = turned(angle, axis, center);
 }
 
 // G51 P for all axes or I J K for each. Without a decimal point a factor counts thousandths from 10

@@ -21,8 +21,11 @@ class TransformWords : public FrameChain {
   /// CYCLE800 without a tilt: `frame` is one more in the one in force, or a new one, which deletes
   /// the one in force and that of TRANS and its kin.
   void swivel(const Frame& frame, bool adds, const Word& word);
+  /// A figure lies turned about `center` in the plane and shifted, inside of the rotation `base`.
+  void place_figure(const Frame& base, double angle, const Vec3& center, const Vec3& shift);
 
  private:
+  Frame turned(double angle, int axis, const Vec3& center) const;
   bool scale_axes(const Word& word, const Vec3& center);
   bool names_factors() const;
   bool scale_as_mach(const Word& word, Vec3 factors, AxisSet named);

@@ -221,6 +221,8 @@ constexpr Row kFanucMill[] = {
     {2740, C::drill_cycle, G::other},
     {2840, C::drill_cycle, G::other},
     {1500, C::contour_pocket, G::oneshot},
+    {721, C::figure_copy, G::oneshot},
+    {722, C::figure_copy, G::oneshot},
 };
 
 // G13 and G140 choose the turret and the spindle of Okuma's lathes that most programs have.

@@ -27,6 +27,7 @@ enum class Code : std::uint8_t {
   cycle_off,        ///< G80
   circle_pocket,    ///< G12 G13 of Haas
   contour_pocket,   ///< G150 of Haas
+  figure_copy,      ///< G72.1 G72.2 of FANUC mills
   engrave,          ///< G47 P of Haas
   hole_pattern,     ///< G70 G71 G72 of Haas; G70 and G71 alone are the units; G34 to G37.1
   return_initial,   ///< G98: cycles return to the level before them

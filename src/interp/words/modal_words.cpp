@@ -162,6 +162,7 @@ std::optional<bool> ModalWords::apply_cycle(const Word& word, const CodeEntry& e
       return for_oneshot(word, entry.code);
     case Code::circle_pocket:
     case Code::contour_pocket:
+    case Code::figure_copy:
       return for_oneshot(word, entry.code);
     case Code::hole_pattern:
       return hole_pattern(word, entry.code);
