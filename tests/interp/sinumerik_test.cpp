@@ -105,6 +105,10 @@ TEST(Sinumerik, DirectionsOfTheToolAreOneError) {
             "1,0,0 2,0,0 3,0,0 ");
   EXPECT_EQ(run("TRAORI\nG1 X1 A3=0 B3=0 C3=-1 F9\n"), "not-supported");
   EXPECT_EQ(run("TRAORI\nG1 X1 A5=0 B5=0 C5=1 F9\n"), "not-supported");
+  EXPECT_EQ(
+      codes(read_text("TRAORI\nG1 X1 Z1 F9\n", at_origin(Dialect::sinumerik, MachineKind::lathe))),
+      "not-supported")
+      << "a tool of a lathe that turns about Y";
   const Program p = read_text(moves, at_origin(Dialect::sinumerik));
   EXPECT_EQ(codes(p), "not-supported");
   EXPECT_EQ(codes(p, Severity::note), "not-supported told-once");

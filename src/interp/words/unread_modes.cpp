@@ -162,7 +162,7 @@ bool UnreadModes::note_name(const Word& word) {
   if (word.address != Address::function) return false;
   const std::string name = upper_case(word.text);
   if (name == "TRAFOOF") control_.unread_end = control_.upright_end = 0;
-  if (name == "TRAORI" && !control_.tilted) {
+  if (name == "TRAORI" && !control_.tilted && !lathe()) {
     if (control_.unread_end == 0) begin_upright(kTrafoof, word);
     return true;
   }
