@@ -143,7 +143,7 @@ TEST_F(Figures, VolumeErrorFallsByThreeWhenTheVoxelIsHalved) {
   EXPECT_LT(3 * fine, coarse);
 }
 
-TEST_F(Figures, SameBytesForAnyNumberOfThreads) {
+TEST_F(Figures, BytesAreTheSameForAnyNumberOfThreads) {
   for (const char* n : {"1", "2", "7"})
     ASSERT_EQ(run("PRIMER_2F.MPF --stock block.stl --voxel 0.5 --threads " + std::string(n) +
                   " -o t" + n + ".stl")

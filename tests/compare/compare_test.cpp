@@ -153,7 +153,7 @@ TEST(Compare, SuspectsUnits) {
   }
 }
 
-TEST(Compare, SameNumbersForAnyThreads) {
+TEST(Compare, NumbersAreTheSameForAnyThreads) {
   const TriMesh part = testing::sphere_mesh(90, 10.01), nominal = testing::sphere_mesh(80, 10);
   CompareOptions options = accept(-0.005, 0.005);
   options.hausdorff_error = 5e-3;
@@ -163,7 +163,7 @@ TEST(Compare, SameNumbersForAnyThreads) {
   EXPECT_EQ(one, comparison_json(compare(part, nominal, options)));
 }
 
-TEST(Compare, NoVerdictWithoutATolerance) {
+TEST(Compare, WithoutAToleranceThereIsNoVerdict) {
   const TriMesh box = testing::box_mesh({0, 0, 0}, {8, 5, 5});
   const Comparison c = compare(box, box);
   EXPECT_FALSE(c.accepted.has_value());

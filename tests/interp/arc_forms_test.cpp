@@ -263,7 +263,7 @@ TEST(ArcForms, PolarArcsAreThoseOfTheManual) {
   EXPECT_LT(m.sweep, 0);
 }
 
-TEST(ArcForms, ThroughAPointInAnyPlane) {
+TEST(ArcForms, AnArcThroughAPointLiesInAnyPlane) {
   // A circle about (1,2,3) in a plane that is square to (1,1,1).
   const double k = 1 / std::sqrt(2.0), l = 1 / std::sqrt(6.0);
   const auto point = [&](double a) {

@@ -12,7 +12,7 @@ std::string codesys(const std::string& text,
 }
 
 // The example of the CODESYS documentation, with values for its variables.
-TEST(CodesysLanguage, ExampleOfTheDocumentation) {
+TEST(CodesysLanguage, TheExampleOfTheDocumentationMovesAsItsPlainBlocks) {
   InterpOptions options = at_origin(Dialect::codesys);
   options.variables = {{"$g_x$", "10"}, {"$g_y$", "5"}};
   const std::string called =
@@ -27,7 +27,7 @@ TEST(CodesysLanguage, ExampleOfTheDocumentation) {
   EXPECT_EQ(codesys(plain), "l10,0,0 l0,5,0 a50,5,2.5 a0,5,10 l0,-200,10");
 }
 
-TEST(CodesysLanguage, SubprogramsInFilesOfTheirOwn) {
+TEST(CodesysLanguage, SubprogramsMayStandInFilesOfTheirOwn) {
   const Scratch scratch;
   scratch.write("step.cnc",
                 "SUBPROGRAM Step{#A : LREAL, #ON : BOOL}\nN1 G1 X#A Z#ON\nN2 RETURN\n"
@@ -52,7 +52,7 @@ TEST(CodesysLanguage, JumpsAndCountersEqualTheWrittenOutProgram) {
             codesys(plain));
 }
 
-TEST(CodesysLanguage, LabelsForJumpsDown) {
+TEST(CodesysLanguage, JumpsGoDownToLabels) {
   // Comments may stand between the words.
   EXPECT_EQ(codesys("N1 G36 (a) O (b) $n$ (c) D2 (d)\nN2 G91 G1 X1 F100\nN3 G37 (e) O$n$ D-1\n"
                     "N4 G20 (f) L2 (g) K$n$ (h)\nN5 Y1\n"),
@@ -128,7 +128,7 @@ TEST(CodesysLanguage, WordsThatShapeTheSpeedAreTold) {
   EXPECT_EQ(told, 3);
 }
 
-TEST(CodesysLanguage, BracesBehindAWordOrAName) {
+TEST(CodesysLanguage, BracesStandRightBehindAWordOrAName) {
   EXPECT_EQ(codesys("N1G1X{2*3}Y{4}F100\nG1X{1}\n"), "l6,4,0 l1,4,0") << "no blank between words";
   const std::string sub = "{3}\nN2 M30\nSUBPROGRAM ";
   const std::string body = "{#A : LREAL}\nN10 G1 X#A F100\nEND_SUBPROGRAM\n";

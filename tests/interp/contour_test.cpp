@@ -138,7 +138,7 @@ TEST(Compensation, ARoundingBehindTheStartMayBeVoid) {
   EXPECT_EQ(track(p), "-5,-2 -5,-20 20,-20");
 }
 
-TEST(Compensation, ResumedOverABridge) {
+TEST(Compensation, CompensationIsResumedOverABridge) {
   const Program p =
       read_text("G0 X-20 Y0\nG41 G1 X0 Y0 F100\nY20\nCUTCONON\nX20\nCUTCONOF\nY0\nX0\nG40 Y-20\n",
                 at_origin(Dialect::sinumerik));
@@ -154,7 +154,7 @@ TEST(Compensation, InfeedsStayAtThePoint) {
   EXPECT_EQ(p.motions[5].kind, MotionKind::arc);
 }
 
-TEST(Compensation, FanucPocketOfTheSeed) {
+TEST(Compensation, TheFanucPocketOfTheSeedFollowsItsCircles) {
   InterpOptions options = at_origin(Dialect::fanuc);
   options.table.offsets.push_back({"D3", 5, 0, 0});
   const Program p = read_program(std::string(MRSIM_DATA_DIR) + "/FANUC_POCKET.NC", options);
@@ -188,7 +188,7 @@ TEST(Compensation, TheNoseOfATurningToolIsCompensated) {
   EXPECT_NEAR(((centre_x - 10) + (centre_z + 10)) / std::sqrt(2.0), 0.8, 1e-9);
 }
 
-TEST(Corners, TheExampleOfTheDocument) {
+TEST(Corners, TheExampleOfTheDocumentIsRoundedAsItSays) {
   const Program p =
       read_text("G1 X20 RND=2 F1\nG3 X30 Y10 I10 J0\n", at_origin(Dialect::sinumerik));
   ASSERT_EQ(p.motions.size(), 3U) << listing(p);
@@ -314,7 +314,7 @@ TEST(Corners, NothingIsLeftOfAnArcThatARoundingTakes) {
   expect_near(p.motions[2].end, {4.6025, 0, -5.165});
 }
 
-TEST(Corners, ThreeBlocksWithoutTravelAtMost) {
+TEST(Corners, ACornerReachesOverAtMostThreeBlocksWithoutTravel) {
   const InterpOptions s = at_origin(Dialect::sinumerik);
   const char* rows[] = {"M8\nM9\nM8\n", "Z1\nM9\n; note\n\nZ0\n"};
   for (const char* row : rows) {

@@ -205,7 +205,7 @@ TEST(ControlsDiffer, RoundInAWord) {
 
 // The programmable frame is in the units of the program. Settable ones and data of tools follow
 // G700 alone; under G70 they stay mm.
-TEST(ControlsDiffer, InchesOfFramesAndTools) {
+TEST(ControlsDiffer, SettableFramesAndToolsFollowG700Alone) {
   const auto s = Dialect::sinumerik;
   EXPECT_EQ(mill("G70\n$P_PFRAME=CTRANS(X,1)\nG1 X0 Y0 F10\n", s), "l25.4,0,0");
   EXPECT_EQ(mill("G70\n$P_PFRAME=$P_PFRAME:CTRANS(X,1):CROT(Z,90)\nG1 X1 Y0 F10\n"
@@ -223,7 +223,7 @@ TEST(ControlsDiffer, InchesOfFramesAndTools) {
   EXPECT_EQ(mill("G700\n" + tool + "0.2" + path, s), "l248.9,0,0 l248.9,25.4,0");
 }
 
-TEST(ControlsDiffer, OnePartOfASinumerikFrame) {
+TEST(ControlsDiffer, OnePartOfASinumerikFrameCanBeSetAndRead) {
   EXPECT_EQ(mill("$P_PFRAME[X,TR]=5\nX1 F10\n$P_UIFR[2,Y,TR]=7\nTRANS\nG55 "
                  "Y=$P_UIFR[2,Y,TR]\n",
                  Dialect::sinumerik),

@@ -27,7 +27,7 @@ TEST(CornerWords, RoundsAndChamfersOnMills) {
   EXPECT_EQ(milled_corners("G1 X10. Z-1. ,X5.\n"), " | not-supported");
 }
 
-TEST(CornerWords, AngleOfALine) {
+TEST(CornerWords, AnAngleGivesTheEndOfALine) {
   EXPECT_EQ(milled_corners("G1 X10. ,A45. F100.\n"), "l10,10,0");
   EXPECT_EQ(milled_corners("G1 ,A0 F100.\nX10. Y10. ,A90. ,R2.\nX0\n"),
             "l10,0,0 l10,8,0 a8,10,0 l0,10,0");

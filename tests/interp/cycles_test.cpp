@@ -25,13 +25,13 @@ std::string run(Dialect dialect, const std::string& text) {
   return ends(p) + (codes(p).empty() ? "" : " | " + codes(p));
 }
 
-TEST(Cycles, FanucG81WithBothReturnLevels) {
+TEST(Cycles, FanucG81ReturnsToTheLevelOfG98OrG99) {
   EXPECT_EQ(run(Dialect::fanuc, "G0 Z50\nG98 G81 X10 Y0 Z-5 R2 F100\nX20\nG99 X30\nX40\nG80\nX0\n"),
             "r0,0,50 r10,0,50 r10,0,2 l10,0,-5 r10,0,50 r20,0,50 r20,0,2 l20,0,-5 r20,0,50 "
             "r30,0,50 r30,0,2 l30,0,-5 r30,0,2 r40,0,2 l40,0,-5 r40,0,2 r0,0,2");
 }
 
-TEST(Cycles, IncrementalLevelsAndRepeats) {
+TEST(Cycles, IncrementalLevelsRepeatAtEachHole) {
   // R from the initial level, Z from R; K3 makes three holes 10 apart.
   EXPECT_EQ(run(Dialect::fanuc, "G0 Z20\nG91 G99 G81 X10 Z-7 R-18 K3 F100\n"),
             "r0,0,20 r10,0,20 r10,0,2 l10,0,-5 r10,0,2 r20,0,2 l20,0,-5 r20,0,2 r30,0,2 l30,0,-5 "
@@ -176,7 +176,7 @@ TEST(Cycles, Cycle83DrillsInStrokes) {
 
 // The tens of GMODE: the diameter of a centring, the end of the full diameter of a hole; a point of
 // 90 degrees is as long as its radius. AMODE 2 of all of them: DP counts, not DPR.
-TEST(Cycles, SinumerikDepthsByTheToolsPoint) {
+TEST(Cycles, SinumerikDepthsMayCountToTheToolsShoulder) {
   const auto end = [](const std::string& call) {
     const Program p = read_text("T1 M6 ; SPOT DRILL D10 90 DEG\nG0 Z5\nF100\n" + call + "\n",
                                 at_origin(Dialect::sinumerik));

@@ -152,7 +152,7 @@ TEST(FagorLanguage, InstructionsOfThe8070ThatMoveSomethingAreErrors) {
 }
 
 // They were comments: the program ran on.
-TEST(FagorLanguage, JumpsToAComputedBlock) {
+TEST(FagorLanguage, AJumpMayGoToAComputedBlock) {
   const std::string blocks = "N10 G1 X1 F9\nN20 G1 X2 F9\nM30\n";
   EXPECT_EQ(fagor("(P1=2)\n(GOTO N(P1*10))\n" + blocks), "l2,0,0");
   EXPECT_EQ(fagor("(P1=20)\n(GOTO NP1)\n" + blocks), "l2,0,0");

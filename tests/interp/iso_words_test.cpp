@@ -17,7 +17,7 @@ TEST(IsoWords, CornersBetweenTwoMoves) {
   EXPECT_EQ(iso("G36 X35\n"), " | value-missing");
 }
 
-TEST(IsoWords, ArcsByPointsAndTangents) {
+TEST(IsoWords, ArcsAreGivenByPointsAndTangents) {
   EXPECT_EQ(iso("G9 X20 Y0 I10 J10\nX30\n"), iso("G2 X20 Y0 I10 J0\nG1 X30\n"))
       << "behind G9 a line is in force again";
   EXPECT_EQ(iso("G91 X5\nG9 X20 Y0 I10 J10\n"), iso("G91 X5\nG2 X20 Y0 I10 J0\n"))

@@ -288,7 +288,7 @@ TEST(LatheHabits, CyclesOfCodeSystemCAreRefused) {
   EXPECT_EQ(codes(on_lathe("G20 G1 X1. Z-1. F.01\nG21 G99 G40\nG1 X20. Z-20.\n")), "");
 }
 
-TEST(LatheHabits, TheBarFeederOfHaas) {
+TEST(LatheHabits, TheBarFeederOfHaasMovesNoTool) {
   EXPECT_EQ(lathe_moves("G105 J2. K1. R.1\nG0 X40 Z2\nG1 Z0 F.1\n"), "r20,0,2 l20,0,0");
   EXPECT_EQ(lathe_notes("G105 P100\nG0 X40 Z2\nG1 Z0 F.1\n"), "not-supported");
 }

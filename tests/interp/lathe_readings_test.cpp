@@ -66,7 +66,7 @@ TEST(LatheToolReadings, InsertsAreReadFromComments) {
 }
 
 // A number that nothing names, of the value of a nose radius in mm or inches.
-TEST(LatheToolReadings, NosesWithoutAName) {
+TEST(LatheToolReadings, AnUnnamedNumberOfTheSizeOfANoseIsItsRadius) {
   expect_readings({
       {lathe_mm, "80 DEG ROUGH .031", "turning, insert 80, nose 0.7874"},
       {lathe_mm, "CNMG .8", "turning, insert 80, nose 0.8"},

@@ -268,7 +268,7 @@ TEST(ToolNotes, WorkAboveTheTWordOfALathe) {
 }
 
 // The nose in a line of its own was no nose: the insert was sharp.
-TEST(ToolNotes, NoseAndCornerOfAnInsertInLinesOfTheirOwn) {
+TEST(ToolNotes, NoseAndCornerOfAnInsertMayStandInLinesOfTheirOwn) {
   const auto insert = [](const std::string& lines) {
     InterpOptions options = at_origin(Dialect::fanuc, MachineKind::lathe);
     options.table.tools.clear();

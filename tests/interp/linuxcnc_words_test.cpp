@@ -92,7 +92,7 @@ TEST(LinuxCncWords, ADwellBesideAMoveMoves) {
 }
 
 // Twelve holes of the manual: four to the right, three up, three to the left, two down.
-TEST(LinuxCncWords, HolesInASquareOfTheManual) {
+TEST(LinuxCncWords, TheHolesOfTheManualsSquareAreDrilled) {
   const Program p = run_words(
       "N1000 G90 G0 X0 Y0 Z0\nN1010 G1 F50 X0 G4 P0.1\nN1020 G91 G81 X1 Y0 Z-0.5 R1 L4\n"
       "N1030 X0 Y1 R0 L3\nN1040 X-1 Y0 L3\nN1050 X0 Y-1 L2\nN1060 G80\nN1070 G90 G0 X0\n"

@@ -21,7 +21,7 @@ TEST(MillMakers, NcylOfOkumaDrillsNoHole) {
 }
 
 // G11 X Y Z P shifts the zero and turns about it, G10 ends that.
-TEST(MillMakers, LocalCoordinatesOfOkuma) {
+TEST(MillMakers, G11OfOkumaShiftsAndTurnsTheZero) {
   EXPECT_EQ(mill("G15 H1\nG11 X50 Y20 P90\nG1 X10 Y0 F100\nG11 X0 Y0 Z-1 P180\nX1 Y0 Z0\nG10\n"
                  "X2 Y0 Z0\n"),
             "l50,30,0 l-1,0,-1 l2,0,0");
@@ -42,7 +42,7 @@ TEST(MillMakers, MirrorOfOkumaIsRefused) {
 }
 
 // HA and DA are the registers of the tool in the spindle.
-TEST(MillMakers, RegistersOfTheToolInTheSpindle) {
+TEST(MillMakers, HaAndDaAreRegistersOfTheToolInTheSpindle) {
   InterpOptions options = at_origin(Dialect::fanuc);
   for (const char* name : {"D7", "H7"}) {
     OffsetRegister offset;
@@ -60,7 +60,7 @@ TEST(MillMakers, RegistersOfTheToolInTheSpindle) {
 }
 
 // G20 HP=1 is a home position, not inches; G131 tells how exact a path is.
-TEST(MillMakers, HomePositionsAndPathsOfOkuma) {
+TEST(MillMakers, G20OfOkumaGoesToAHomePosition) {
   const Program p = read_text(
       "G15 H1\nG20 HP=1\nG1 X5. Y0 Z0 F100\nG131 F.01 E.01 J3 D1\nX6.\n"
       "G130\nG30 HP=3\n",
@@ -73,7 +73,7 @@ TEST(MillMakers, HomePositionsAndPathsOfOkuma) {
 }
 
 // E chooses a work offset on Fadal and Centroid.
-TEST(MillMakers, WorkOffsetsInE) {
+TEST(MillMakers, EChoosesAWorkOffset) {
   InterpOptions options = at_origin(Dialect::fanuc);
   options.table.work.push_back({"E2", {10, 20, 0}});
   const std::string path = "G0 G90 S1000 M3 E2 X1. Y2.\nH1 Z5.\nG1 Z-1. F100\nE1 X3. Y0\n";
@@ -86,13 +86,13 @@ TEST(MillMakers, WorkOffsetsInE) {
 }
 
 // R0+.1 of Fadal is R.1.
-TEST(MillMakers, LevelsOfCyclesInR0) {
+TEST(MillMakers, FadalGivesTheLevelOfACycleInR0) {
   const std::string hole = "r1,0,2 l1,0,-5 r1,0,2 r3,0,2 l3,0,-5 r3,0,2";
   EXPECT_EQ(mill("G99 G81 X1. R0+2. Z-5. F100\nX3.\n"), "r1,0,0 " + hole);
 }
 
 // G59 P of Mach: P1 to P6 are G54 to G59, those behind them the offsets of G10 L2 P7 to P9.
-TEST(MillMakers, WorkOffsetsOfMach) {
+TEST(MillMakers, G59OfMachChoosesAWorkOffsetByP) {
   const auto mach = [](const std::string& text) {
     return path_text(read_text(text, at_origin(Dialect::ngc)));
   };
@@ -103,7 +103,7 @@ TEST(MillMakers, WorkOffsetsOfMach) {
 }
 
 // Programs of Mach are read as LinuxCNC's, which lacks these words. X Y Z of G51 are factors.
-TEST(MillMakers, FramesAndCirclesOfMach) {
+TEST(MillMakers, MachTurnsScalesAndMillsCircles) {
   const auto mach = [](const std::string& text) {
     return path_text(read_text("(MACH3)\nF100\n" + text + "M30\n", at_origin(Dialect::ngc)));
   };
@@ -171,7 +171,7 @@ TEST(MillMakers, TurnsOfAHelixComeBesideItsArc) {
 }
 
 // G51 P2000 is FANUC's factor 2; P2 of Centroid and Okuma is 2, which FANUC would call 0.002.
-TEST(MillMakers, ScaleFactorsWithoutAPoint) {
+TEST(MillMakers, ScaleFactorsWithoutAPointAreDoubted) {
   EXPECT_EQ(mill("G51 X0 Y0 P2000\nG1 X5 F100\n"), "l10,0,0");
   EXPECT_EQ(mill("G51 X0 Y0 P500\nG1 X5 F100\n"), "l2.5,0,0");
   EXPECT_EQ(mill("G51 X0 Y0 P2\nG1 X5 F100\n"), "l10,0,0 | number-without-point");

@@ -223,7 +223,7 @@ TEST(Okuma, G73AndG74OfLathesCutInStrokes) {
             "r20,0,-9 l18,0,-9 l17,0,-9 r20,0,-9 r20,0,-5");
 }
 
-TEST(Okuma, WordsOfItsPrograms) {
+TEST(Okuma, WordsOfItsProgramsChangeNoPath) {
   EXPECT_EQ(osp_named("NAT0101 T010101\nG1 X20 E.1 F.2\n"), "l10,0,0");
   EXPECT_EQ(
       path_text(read_text("G0 Z5\nG83 X2 Z-4 R2 Q4 I1 F9\n", at_origin(Dialect::fanuc), "a.MIN")),

@@ -110,7 +110,7 @@ TEST(Intersection, FallsBackToTheArc) {
 }
 
 // An extended arc may go on to be cut short by the next inside corner, and the other way round.
-TEST(Intersection, BetweenOutsideAndInsideCorners) {
+TEST(Intersection, AnExtendedArcMayEndAtAnInsideCorner) {
   const Program p =
       run("G451 G0 X-20 Y0\nG41 G1 X0 Y0 F100\nX20\nG3 X28 Y-4 I8 J6\nG1 X60 Y20\nG40 Y60\n");
   ASSERT_EQ(p.motions.size(), 6U) << listing(p);
@@ -129,7 +129,7 @@ TEST(Intersection, AHelixIsNoOpenCircle) {
 
 // Down a step lower than the tool's radius: the corner's arc, or its intersection, runs into the
 // next line.
-TEST(Intersection, AStepLowerThanTheRadius) {
+TEST(Intersection, AStepLowerThanTheRadiusLeavesOutItsLine) {
   const char* text = "G0 X-20 Y0\nG41 G1 X0 Y0 F100\nX20\nY-2\nX40\nG40 Y60\n";
   const Program arc = run(text), sharp = run(std::string("G451 ") + text);
   ASSERT_EQ(arc.motions.size(), 6U) << listing(arc);

@@ -182,7 +182,7 @@ TEST(Tools, ChangeAtM6OrWithoutItAtT) {
   EXPECT_EQ(ids("T1\nG1 X1 Y1 F1\nT2\nX2\n"), "12");
 }
 
-TEST(Subprograms, FanucInOneFile) {
+TEST(Subprograms, FanucCallsSubprogramsOfItsOwnFile) {
   const char* spellings[] = {"M98 P2 L3", "M98P30002", "M98 P0002 L3", "M98 P00030002"};
   for (const char* call : spellings) {
     SCOPED_TRACE(call);

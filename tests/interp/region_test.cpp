@@ -58,7 +58,7 @@ TEST(Region, AroundAnIslandCornersAreArcs) {
       1e-9);
 }
 
-TEST(Region, ArcsOfTheContour) {
+TEST(Region, ArcsOfTheContourAreOffsetExactly) {
   EXPECT_NEAR(inset_area(Region(circle_loop(20), {}), 5), kPi * 225, 1e-9);
   EXPECT_NEAR(inset_area(Region(circle_loop(20), {circle_loop(5)}), 2), kPi * (324 - 49), 1e-9);
   // Fillets as round as the cutter, and smaller ones: sharp corners of its path.

@@ -20,7 +20,7 @@ std::string at_level(std::string path, const std::string& z) {
   return path;
 }
 
-TEST(SinumerikPockets, ASquareInTwoInfeeds) {
+TEST(SinumerikPockets, ASquareIsClearedInTwoInfeeds) {
   // From the corner that is nearest; counter-clockwise, climbing; the floor's allowance is 1.
   const std::string path = kStart + "r15,15,50 r15,15,2 l15,15,-2 " + at_level(kRound, "-2") +
                            "r15,15,2 r15,15,0 l15,15,-4 " + at_level(kRound, "-4") + "r15,15,50";

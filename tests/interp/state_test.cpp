@@ -35,7 +35,7 @@ TEST(Start, IncrementsAndArcsCountFromIt) {
 }
 
 // A mill that never sees M6 takes its first tool late; D and radius are those of the program.
-TEST(Tools, WithoutM6AsWithIt) {
+TEST(Tools, WithoutM6ToolsActAsWithIt) {
   InterpOptions options = at_origin(Dialect::sinumerik);
   options.table.offsets = {{"T1.D2", 3, 0, 0}};
   const char* rows[] = {"G0 X-20 Y0 Z0 F100\nG41 D2 G1 X0 Y0\nY20\nG40 X-20\n",
@@ -146,7 +146,7 @@ TEST(FanucLathe, G90IsACycleOnlyWithoutAMotionWord) {
   EXPECT_EQ(read_text("F1\nG1 X30 Z0\nG90 X20 Z-5\n", lathe).motions.size(), 5U);
 }
 
-TEST(Sinumerik, RetAloneAndAmpersands) {
+TEST(Sinumerik, RetStandsAloneAndAmpersandsAreReadOver) {
   const InterpOptions s = at_origin(Dialect::sinumerik);
   EXPECT_EQ(codes(read_text("G1 X1 F1\nG1 X2 RET\n", s)), "call-not-alone");
   EXPECT_EQ(codes(read_text("G1 X1 F1\nRET\n", s)), "");

@@ -120,7 +120,7 @@ TEST(ToolNotes, AListOfNames) {
 }
 
 // What the comment leaves open the name may tell.
-TEST(ToolNotes, AKindInAndASizeByTheName) {
+TEST(ToolNotes, TheNameMayGiveTheSizeAndTheCommentTheKind) {
   const std::string call = " ALL HOLES\nT=\"DRILL_8\" M6\nG90 G0 X0 Y0 Z5\nG1 Z-1 F100\n";
   EXPECT_EQ(diameters("; TWIST DRILL FOR" + call, Dialect::sinumerik), "DRILL_8:8");
   EXPECT_EQ(diameters("; END MILL FOR" + call, Dialect::sinumerik), "DRILL_8:0 tool-unknown");

@@ -64,7 +64,7 @@ TEST(ToolCommentReadings, EachTongueHasItsWords) {
 }
 
 // Controls without Cyrillic letters: Russian in Latin ones.
-TEST(ToolCommentReadings, RussianInLatinLetters) {
+TEST(ToolCommentReadings, RussianMayStandInLatinLetters) {
   expect_readings({
       {lathe_mm, "SVERLO 1.5", "drill 1.5"},
       {mm, "SVERLO D10.2", "drill 10.2"},
@@ -85,7 +85,7 @@ TEST(ToolCommentReadings, RussianInLatinLetters) {
   });
 }
 
-TEST(ToolCommentReadings, BarsAndSpotsInShort) {
+TEST(ToolCommentReadings, PunteadoNamesASpotDrill) {
   expect_readings({
       {mm, "PUNTEADO D12", "drill 12, point 90"},
   });

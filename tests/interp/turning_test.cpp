@@ -186,7 +186,7 @@ TEST(Turning, G74AndG75Peck) {
 
 // Height 1, passes at 0.5 and 0.5 sqrt 2 and so on, 0.9 before the allowance of 0.1; one at full
 // depth. No angle and no chamfer: all start at Z 3.
-TEST(Turning, G76InTwoLines) {
+TEST(Turning, G76CutsAThreadInPasses) {
   const Program p = lathe("G0 X24 Z3\nG76 P010000 Q100 R.1\nG76 X18 Z-20 P1000 Q500 F1.5\n");
   EXPECT_EQ(turned(p),
             "r12,3 r9.5,3 t9.5,-20 r12,-20 r12,3 r9.293,3 t9.293,-20 r12,-20 r12,3 "
@@ -222,7 +222,7 @@ TEST(Turning, G76InfeedsOnBothFlanks) {
             turned(lathe("G0 X24 Z3\nG76 X18 Z-20 K1. D.5 F1.5 A60\n")));
 }
 
-TEST(Turning, G76OfLinuxCnc) {
+TEST(Turning, G76OfLinuxCncCutsAThreadInPasses) {
   const InterpOptions options = at_origin(Dialect::ngc);
   EXPECT_EQ(turned(read_text("G18\nG0 X5 Z2\nG76 P1.5 Z-10 I-1 J0.2 K0.5 R1 H1\nM2\n", options)),
             "r5,2 r5.3,2 r3.8,2 t3.8,-10 r5.3,-10 r5.1,2 r3.6,2 t3.6,-10 r5.1,-10 "
@@ -381,7 +381,7 @@ TEST(Turning, TheRepeatsOfG73AreAWholeNumber) {
 }
 
 // Cycles of other controls are refused with their names.
-TEST(Turning, CyclesOfOtherLathes) {
+TEST(Turning, CyclesOfOtherLathesAreRefusedByName) {
   const auto why = [](const std::string& line) {
     const Program p = read_text("G0 X40. Z5.\n" + line + "\nG1 X30. F.1\n",
                                 at_origin(Dialect::fanuc, MachineKind::lathe));

@@ -75,7 +75,7 @@ TEST(WordsOfMakers, OkumaChangesToolsAndReturnsFromHoles) {
   EXPECT_EQ(path_text(read_text("G71\nG1 Z50 F9\n", options)), "l0,0,50");
 }
 // PathPilot's and Mach's posts begin so; what G15, G50 and G69 end does not exist in LinuxCNC.
-TEST(WordsOfMakers, SafeStartsOfMachAndPathPilot) {
+TEST(WordsOfMakers, SafeStartsOfMachAndPathPilotAreRead) {
   const auto run = [](const std::string& text) {
     return path_text(read_text(text, at_origin(Dialect::ngc)));
   };
@@ -104,7 +104,7 @@ TEST(WordsOfMakers, SettingsOfGrblAreReadOverAndItsJogsRefused) {
 }
 
 // G5.3 P of Hurco sets how smooth surfaces get; LinuxCNC's stands behind G5.2.
-TEST(WordsOfMakers, SurfaceQualityOfHurco) {
+TEST(WordsOfMakers, G5OfHurcoSetsTheSurfaceQuality) {
   InterpOptions options = at_origin(Dialect::fanuc);
   options.dialect = Dialect::automatic;
   EXPECT_EQ(
@@ -112,7 +112,7 @@ TEST(WordsOfMakers, SurfaceQualityOfHurco) {
       "l50.8,0,0");
 }
 
-TEST(WordsOfMakers, TurningCyclesOfCodeSystemB) {
+TEST(WordsOfMakers, CodeSystemBHasTheTurningCyclesOfA) {
   const auto turn = [](const std::string& text) {
     InterpOptions options = at_origin(Dialect::fanuc, MachineKind::lathe);
     return path_text(read_text("G0 X50 Z5\n" + text, options));
@@ -156,7 +156,7 @@ TEST(WordsOfMakers, NormalDirectionControlIsNoCompensation) {
 }
 
 // G70 and G71 alone are the units there. G90 stays absolute, and G92 sets the zero.
-TEST(WordsOfMakers, TurningCyclesOfCodeSystemC) {
+TEST(WordsOfMakers, CodeSystemCHasTheTurningCyclesOfA) {
   const auto turn = [](const std::string& text) {
     InterpOptions options = at_origin(Dialect::fanuc, MachineKind::lathe);
     const std::string path = path_text(read_text("G97 S500 M3\n" + text, options));
@@ -203,7 +203,7 @@ TEST(WordsOfMakers, OffsetsOfHaasHaveSeveralNames) {
 }
 
 // Fusion's post for Grbl writes no T word; the one tool of its comments is in the spindle.
-TEST(WordsOfMakers, AToolNamedInACommentAlone) {
+TEST(WordsOfMakers, AToolNamedInACommentAloneIsInTheSpindle) {
   const auto diameter = [](const std::string& head, const std::string& given = "") {
     InterpOptions options;
     options.machine = MachineKind::mill;
@@ -248,7 +248,7 @@ TEST(WordsOfMakers, PocketsOfGskAreRefused) {
   EXPECT_EQ(path_text(limits).substr(0, 13), "l5,0,0 l9,0,0");
 }
 
-TEST(WordsOfMakers, ToolChangeOfBrother) {
+TEST(WordsOfMakers, G100OfBrotherChangesTheTool) {
   const Program p = read_text("T2 M6\nG1 X1 F100\nG100 T1 X10 Y20 Z50 G43 H0 L2 S8000 M3\nX5\n",
                               at_origin(Dialect::fanuc));
   EXPECT_EQ(path_text(p), "l1,0,0 r10,20,50 l5,20,50");
@@ -257,7 +257,7 @@ TEST(WordsOfMakers, ToolChangeOfBrother) {
   EXPECT_EQ(p.tools[static_cast<std::size_t>(p.motions[2].tool)].id, "1");
 }
 
-TEST(WordsOfMakers, LinesForDenfordsSimulation) {
+TEST(WordsOfMakers, LinesForDenfordsSimulationAreReadOver) {
   const Program p = read_text("[BILLET X100 Y80 Z15\n[TOOLDEF T1 D8\nO1\nG1 X1 F100\n",
                               at_origin(Dialect::fanuc));
   EXPECT_EQ(path_text(p), "l1,0,0");
@@ -265,7 +265,7 @@ TEST(WordsOfMakers, LinesForDenfordsSimulation) {
 }
 
 // The next tool is set up by hand: G92 Z0 is said where it touches the part, not where T1 was.
-TEST(WordsOfMakers, G92BehindAToolChangedByHand) {
+TEST(WordsOfMakers, G92BehindAToolChangedByHandIsATouchOff) {
   const std::string one = "G21 G90\nG0 Z20\n", two = "G92 Z0\nG0 Z5\nG1 Z-1 F9\n";
   for (const char* pause : {"M0\n", "M6 T2\n", "M5\nM0\nM6 T2\n"}) {
     const Program p = read_text(one + pause + two, at_origin(Dialect::iso));
@@ -283,14 +283,14 @@ TEST(WordsOfMakers, NamesOfProgramsAreOneError) {
   EXPECT_NE(p.diagnostics.back().text.find("<SUB/A.NC>"), std::string::npos);
 }
 
-TEST(WordsOfMakers, LookAheadWithATolerance) {
+TEST(WordsOfMakers, LookAheadMayHaveATolerance) {
   for (const Dialect dialect : {Dialect::fanuc, Dialect::iso, Dialect::ngc})
     EXPECT_EQ(path_text(read_text("G90 G64 P0.01 Q0.02\nG1 X1 F100\n", at_origin(dialect))),
               "l1,0,0");
 }
 
 // PowerMill and NX write a line for each value.
-TEST(WordsOfMakers, CornerRadiusInALineOfItsOwn) {
+TEST(WordsOfMakers, ACornerRadiusMayStandInALineOfItsOwn) {
   InterpOptions options;
   options.machine = MachineKind::mill;
   options.start = Vec3{};
@@ -311,7 +311,7 @@ TEST(WordsOfMakers, CornerRadiusInALineOfItsOwn) {
 }
 
 // "T1 = 6mm", and the T of an insert's code.
-TEST(WordsOfMakers, NumbersAboutAToolsNumber) {
+TEST(WordsOfMakers, NumbersBesideAToolsNumberAreItsSizes) {
   const auto tool = [](const std::string& comment, bool lathe) {
     InterpOptions options;
     options.machine = lathe ? MachineKind::lathe : MachineKind::mill;
@@ -329,7 +329,7 @@ TEST(WordsOfMakers, NumbersAboutAToolsNumber) {
 }
 
 // LinuxCNC: M61 says which tool is in the spindle. It was passed over.
-TEST(WordsOfMakers, ToolInTheSpindle) {
+TEST(WordsOfMakers, M61TellsTheToolInTheSpindle) {
   InterpOptions options = at_origin(Dialect::ngc);
   options.table.tools[0].id = "1";
   options.table.tools.push_back(options.table.tools[0]);
@@ -342,7 +342,7 @@ TEST(WordsOfMakers, ToolInTheSpindle) {
 }
 
 // On a lathe the comment beside the T word names what its tool does.
-TEST(WordsOfMakers, WhatATurretToolDoes) {
+TEST(WordsOfMakers, ACommentTellsWhatATurretToolDoes) {
   const auto tool = [](const std::string& comment) {
     const Program p = read_text("T0303 (" + comment + ")\nG1 X5 Z1 F.1\n", [] {
       InterpOptions options = at_origin(Dialect::fanuc, MachineKind::lathe);
@@ -365,7 +365,7 @@ TEST(WordsOfMakers, WhatATurretToolDoes) {
 }
 
 // Without T words and numbers: Estlcam, bCNC. Two of them ask for --tool.
-TEST(WordsOfMakers, AToolWithoutANumber) {
+TEST(WordsOfMakers, OneToolWithoutANumberIsInTheSpindle) {
   InterpOptions options;
   options.machine = MachineKind::mill;
   options.dialect = Dialect::ngc;
@@ -389,7 +389,7 @@ TEST(WordsOfMakers, MirrorOfHaasAboutAnotherPlaceIsRefusedByName) {
   EXPECT_NE(p.diagnostics.back().text.find("mirror"), std::string::npos);
 }
 
-TEST(WordsOfMakers, RBesideG61AndM19OfLinuxCnc) {
+TEST(WordsOfMakers, RBesideG61AndBesideG64WithM19IsRefused) {
   const auto of = [](const std::string& text) {
     return codes(read_text("G1 X1 F100\n" + text + "\n", at_origin(Dialect::ngc)));
   };

@@ -153,7 +153,7 @@ TEST(MeshPart, ShortMovesTakeFewCells) {
   }
 }
 
-TEST(MeshPart, SameBytesForAnyNumberOfThreads) {
+TEST(MeshPart, BytesAreTheSameForAnyNumberOfThreads) {
   const AnalyticField part = primer_2f();
   for (const double tolerance : {0.0, 0.01}) {
     const TriMesh one = mesh_part(part, 0.5, with_tolerance(tolerance, 1));

@@ -193,7 +193,7 @@ class Lost : public ::testing::Test {
   std::vector<MinimalEdge> edges_;
 };
 
-TEST_F(Lost, NothingByItsOwnMesh) {
+TEST_F(Lost, NothingIsLostByItsOwnMesh) {
   EXPECT_GT(shown(), 20u);
   EXPECT_EQ(lost(wall(place(1, 0))), 0u);
 }

@@ -113,7 +113,7 @@ TEST(Turned, BoundHoldsBothWaysOnRandomParts) {
   }
 }
 
-TEST(Turned, SameBytesForAnyNumberOfThreads) {
+TEST(Turned, BytesAreTheSameForAnyNumberOfThreads) {
   std::mt19937 random(testing::salted(9));
   const PartField field = cut(bar(15, 0, 24), random_moves(random), insert("D", 0.8, 0, 12));
   const TriMesh one = mesh_part(field, 0.25, within(0.01, 1)),

@@ -110,7 +110,7 @@ TEST(Collisions, RetractFromAPocketWithClosedFlutesAndAShankOfTheSameDiameter) {
 
 // The cuts of one level end where those of the next begin: no cut alone has cleared that plane, all
 // of which a shank in the pocket passes.
-TEST(Collisions, ShankAboveLevelsAsHighAsTheFlutes) {
+TEST(Collisions, AShankClearsLevelsAsHighAsTheFlutes) {
   Tool tool = endmill(8, 0, 4);
   tool.shank = {{7, 7, 60}};
   Moves m({20, 20, 5});
@@ -127,7 +127,7 @@ TEST(Collisions, ShankAboveLevelsAsHighAsTheFlutes) {
   expect_one(check(block(), roof.motions, tool, 0.25), 2, ToolPart::shank, 0.05, 0.01);
 }
 
-TEST(Collisions, HolderInASlotNarrowerThanItself) {
+TEST(Collisions, AHolderCollidesInASlotNarrowerThanItself) {
   Tool tool = endmill(10, 0, 6);
   tool.holder = {{30, 30, 40}};
   // The holder begins 6 mm above the tip: at Z-9 it reaches 3 mm into the block.
@@ -135,7 +135,7 @@ TEST(Collisions, HolderInASlotNarrowerThanItself) {
   expect_one(check(block(), m.motions, tool), 2, ToolPart::holder, 3);
 }
 
-TEST(Collisions, ShankWiderThanTheCutterInADeepPocket) {
+TEST(Collisions, AShankWiderThanTheCutterCollidesInADeepPocket) {
   Tool tool = endmill(6, 0, 5);
   tool.shank = {{8, 8, 30}};
   const Moves m =
@@ -175,7 +175,7 @@ TEST(Collisions, ATiltedHolderMeetsTheBlock) {
   expect_one(check(block(), m.motions, tool), 0, ToolPart::holder, -low, 0.02);
 }
 
-TEST(Collisions, InsertThroughTheBar) {
+TEST(Collisions, AnInsertThatRapidsThroughTheBarCollides) {
   Tool insert;
   insert.id = "1";
   insert.type = ToolType::turning;
@@ -200,7 +200,7 @@ TEST(Collisions, InsertThroughTheBar) {
 }
 
 // On the axis a drill is searched for in one half plane; a little beside it, in space.
-TEST(Collisions, DrillOnTheAxisOfTheBar) {
+TEST(Collisions, ADrillOnTheAxisOfTheBarCollides) {
   for (const double x : {0.0, 1e-7}) {
     const Moves m = Moves({30, 0, 60})
                         .rapid({x, 0, 60})

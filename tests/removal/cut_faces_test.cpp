@@ -69,7 +69,7 @@ struct FacesScene {
 
 const StockShape kPlate = box_stock({0, 0, -10}, {40, 30, 0});
 
-TEST(CutFaces, OneForEachStepBetweenMoments) {
+TEST(CutFaces, EachStepBetweenMomentsHasOneFace) {
   const FacesScene scene(kPlate, {line({-5, 15, -3}, {20, 15, -3})}, endmill(8), 0.5);
   EXPECT_EQ(scene.seen().size(), scene.faces.faces.size());
   EXPECT_TRUE(scene.faces.late.empty());
@@ -129,7 +129,7 @@ TEST(CutFaces, InheritedCutsAreOverWhenThePlayBegins) {
   EXPECT_GT(new_floor, 500);
 }
 
-TEST(CutFaces, SameOnAnyNumberOfThreads) {
+TEST(CutFaces, FacesAreTheSameOnAnyNumberOfThreads) {
   const std::vector<Motion> moves{line({-5, 8, -3}, {45, 20, -4}),
                                   line({45, 22, -3}, {-5, 12, -3.2})};
   const FacesScene one(kPlate, moves, ballmill(6), 0.5, 0, 1),

@@ -131,7 +131,7 @@ void expect_useful(const Count& count, double least_known, const std::string& wh
   EXPECT_GE(count.tightness, 0.75 * count.known) << what;
 }
 
-TEST(FaceRange, LevelLinesArcsAndPlunges) {
+TEST(FaceRange, FacesOfLevelLinesArcsAndPlungesLieInTheirRange) {
   Random random(1);
   for (const Tool& tool : mills()) {
     Count lines, arcs;
@@ -155,7 +155,7 @@ TEST(FaceRange, LevelLinesArcsAndPlunges) {
   }
 }
 
-TEST(FaceRange, BallsOnSlantedLinesAndUprightArcs) {
+TEST(FaceRange, FacesOfSlantedLinesAndUprightArcsLieInTheirRange) {
   Random random(2);
   for (const Tool& tool : {mill(ToolType::ballmill, 6), mill(ToolType::bullmill, 8, 1.5),
                            mill(ToolType::endmill, 6)}) {
@@ -208,7 +208,7 @@ TEST(FaceRange, RangesOfTurnedFacesHoldTheirSamples) {
   }
 }
 
-TEST(FaceRange, FacesOfTubesAndBoxes) {
+TEST(FaceRange, FacesOfTubesAndBoxesLieInTheirRange) {
   StockShape tube;
   tube.kind = StockShape::Kind::tube;
   tube.axis_point = {3, -2, 0};

@@ -79,7 +79,7 @@ void expect_faces_agree(const PartField& field) {
   EXPECT_GT(faces, 100);
 }
 
-TEST(PartField, FacesOfMillingSweeps) {
+TEST(PartField, FacesOfMillingSweepsAgreeWithTheDistance) {
   StockShape shape;
   shape.box = {{0, 0, 0}, {40, 40, 20}};
   for (const Tool& tool : {testing::endmill(6), testing::ballmill(6)}) {
@@ -157,7 +157,7 @@ TEST(PartField, FloorsOfSlightSlopesAreFound) {
   }
 }
 
-TEST(PartField, FacesOfTurningSweeps) {
+TEST(PartField, FacesOfTurningSweepsAgreeWithTheDistance) {
   StockShape shape;
   shape.kind = StockShape::Kind::cylinder;
   shape.outer_radius = 25;

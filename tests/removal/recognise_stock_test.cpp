@@ -51,7 +51,7 @@ TEST(RecogniseStock, BarsBecomeRound) {
   EXPECT_EQ(s.description, "cylinder d 50 x 51 mm, exact (from bar.stl)");
 }
 
-TEST(RecogniseStock, BarsOffTheAxisToo) {
+TEST(RecogniseStock, BarsOffTheAxisAreRecognisedToo) {
   const StockShape s = recognise_stock(cylinder_mesh(300, 12.7, -3.3, 51, 104.25, -7.1));
   EXPECT_EQ(s.kind, ShapeKind::cylinder);
   EXPECT_DOUBLE_EQ(s.outer_radius, 12.7);

@@ -44,7 +44,7 @@ TEST(RemovedVolumes, SlotWithRoundEnd) {
   const VolumeScene scene{kBlock, endmill(10), {line({-10, 30, -5}, {50, 30, -5})}};
   expect_closed_form(scene, 5 * (10 * 50 + kPi * 25 / 2), 0.25);
 }
-TEST(RemovedVolumes, HalfImmersionSideCut) {
+TEST(RemovedVolumes, ASideCutRemovesHalfTheToolsWidth) {
   const VolumeScene scene{kBlock, endmill(10), {line({-10, 0, -5}, {110, 0, -5})}};
   expect_closed_form(scene, 5 * 5 * 100.0, 0.25);
 }
@@ -101,14 +101,14 @@ TEST(RemovedVolumes, SumIsThatOfTheVoxelsGone) {
   EXPECT_NE(removed[5], other[18]);
 }
 
-TEST(RemovedVolumes, SameOnAnyNumberOfThreads) {
+TEST(RemovedVolumes, VolumesAreTheSameOnAnyNumberOfThreads) {
   const VolumeScene scene = pocket();
   const std::vector<double> one = scene.removed(0.3, 1);
   for (const int threads : {2, 3, 7}) EXPECT_EQ(one, scene.removed(0.3, threads));
 }
 
 // What a V tool cuts along a line: a groove, with half a cone at each end.
-TEST(RemovedVolumes, GrooveOfAVTool) {
+TEST(RemovedVolumes, AVToolRemovesItsGroove) {
   Tool tool = mill(ToolType::chamfer, 6);
   tool.tip_angle = radians(60);
   const VolumeScene scene{kBlock, tool, {line({20, 30, -0.4}, {80, 30, -0.4})}};
@@ -148,7 +148,7 @@ TEST(RemovedVolumes, WallsMayLieBetweenColumns) {
             1e-3);
 }
 
-TEST(RemovedVolumes, RecordLowsOfEachColumn) {
+TEST(RemovedVolumes, AMotionRemovesWhatItLowersInEachColumn) {
   for (const Tool& tool : {endmill(6), endmill(6, 1), ballmill(6)}) {
     VolumeScene scene{round_stock(10, 0, -12, 0), tool, {}};
     scene.motions = {line({-15, 3, -1}, {15, -4, -6}), line({2, -15, -5}, {-3, 15, -2}, 1),

@@ -56,7 +56,7 @@ TEST(Withdrawals, TheWayBackAlongTheBarMeetsTheSameWedge) {
   }
 }
 
-TEST(Withdrawals, OutOfABoreAsWell) {
+TEST(Withdrawals, AWayOutOfABoreIsAWithdrawal) {
   Tool tool = rougher();
   tool.type = ToolType::boring;
   const StockShape tube = testing::round_stock(25, 10, 0, 50);

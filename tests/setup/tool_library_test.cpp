@@ -41,7 +41,7 @@ TEST(ToolLibrary, TablesOfLinuxCncAreRead) {
 
 // The table of LinuxCNC's simulated lathe: the nose's centre lies by (dx, dz) radii from the point,
 // (1,-1) (1,1) (-1,1) (-1,-1) (0,-1) (1,0) (0,1) (-1,0), and the edges at I and J degrees from +Z.
-TEST(ToolLibrary, OrientationsOfLinuxCnc) {
+TEST(ToolLibrary, OrientationsOfLinuxCncAreTips) {
   const ToolLibrary l = parse_library(
       "T1 P1 D0.1 I95 J155 Q1\nT2 P2 D0.1 I85 J25 Q2\nT3 P3 D0.1 I275 J335 Q3\n"
       "T4 P4 D0.1 I265 J205 Q4\nT5 P5 D0.1 I210 J150 Q5\nT6 P6 D0.1 I120 J60 Q6\n"
@@ -58,7 +58,7 @@ TEST(ToolLibrary, OrientationsOfLinuxCnc) {
   }
 }
 
-TEST(ToolLibrary, UnitsAndShapesOfCamotics) {
+TEST(ToolLibrary, UnitsAndShapesOfCamoticsAreRead) {
   const ToolLibrary l = parse_library(
       R"({"units":"metric","tools":{"1":{"units":"metric","shape":"cylindrical","length":20,"diameter":3},
       "2":{"units":"imperial","shape":"ballnose","length":1,"diameter":0.25},
