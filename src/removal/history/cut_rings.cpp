@@ -2,6 +2,7 @@
 
 #include "core/numbers/rounding.h"
 #include "core/numbers/vec.h"
+#include "removal/history/first_sweeps.h"
 
 #include <algorithm>
 #include <cmath>
@@ -59,40 +60,26 @@ void RingPlanes::split(const Part& whole, Parts& parts) {
     points_.x[c] = center.x, points_.y[c] = 0, points_.z[c] = middle;
     const double reach = std::hypot(0.5 * width, 0.5 * (deep - 1) * h) + field_.slack();
     const double stock = whole.in_stock ? -kInfinity : field_.solid().distance(center);
-    part.in_stock = stock<-reach, part.closed = stock> reach;
+    part.in_stock = stock<-reach, part.decided = stock> reach;
     part.list.clear();
     part.least = kInfinity;
   }
   points_.count = parts.size();
 }
 
-// Does for rings what CutWalker::distribute does for cubes.
 void RingPlanes::distribute(const Part& whole, Parts& parts) {
   const Part& any = parts.front();
   const double radius =
       std::hypot(0.5 * (any.high - any.low), 0.5 * (any.deep - 1) * lattice_.voxel);
-  const double reach = radius + field_.slack(), lost = 2 * radius + field_.slack();
-  bool open = std::any_of(parts.begin(), parts.end(), [](const Part& p) { return !p.closed; });
-  for (auto sweep = whole.list.begin(); sweep != whole.list.end() && open; ++sweep) {
-    measure_all(field_, *sweep, points_);
-    open = false;
-    for (std::size_t c = 0; c < parts.size(); ++c) {
-      Part& part = parts[c];
-      const double d = points_.least[c];
-      if (!part.closed && d <= reach && d <= part.least + lost) {
-        part.list.push_back(*sweep);
-        part.least = std::min(part.least, d);
-        part.closed = d < -reach;
-      }
-      open = open || !part.closed;
-    }
-  }
+  distribute_sweeps(whole.list, std::span<Part>(parts), points_.least, radius + field_.slack(),
+                    2 * radius + field_.slack(),
+                    [&](std::uint32_t sweep) { measure_all(field_, sweep, points_); });
 }
 
 void RingPlanes::settle(const Part& part, std::size_t depth) {
-  if (part.closed && part.list.empty()) return append(part, kNeverThere);
+  if (part.decided && part.list.empty()) return append(part, kNeverThere);
   if (part.in_stock && part.list.empty()) return append(part, kStillThere);
-  if (part.in_stock && part.closed && part.list.size() == 1)
+  if (part.in_stock && part.decided && part.list.size() == 1)
     return append(part, field_.sweeps().motion(part.list.front()));
   if (part.deep > 1 || part.high - part.low > kNarrowest * lattice_.voxel)
     return divide(part, depth + 1);

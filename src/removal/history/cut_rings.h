@@ -50,7 +50,7 @@ class RingPlanes {
     int deep = 0;
     List list;
     bool in_stock = false;  // all of it
-    bool closed = false;    // in the air, or in a sweep of the list
+    bool decided = false;   // in the air, or in a sweep of the list
     double least = 0;       // distance of the centre from the nearest sweep of the list
   };
   using Parts = std::array<Part, PointColumns::kPad>;

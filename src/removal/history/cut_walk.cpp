@@ -4,6 +4,7 @@
 #include "core/numbers/units.h"
 #include "core/numbers/vec.h"
 #include "removal/field/lattice.h"
+#include "removal/history/first_sweeps.h"
 
 #include <algorithm>
 
@@ -72,8 +73,8 @@ std::size_t CutWalker::divide(const CutCell& cell, bool in_stock, Children& chil
     child.least = kInfinity;
     const double stock = in_stock ? -kInfinity : field_.solid().distance(center);
     child.in_stock = stock < -reach;
-    child.closed = stock > reach;
-    if (child.closed && sink_ != nullptr) sink_->tile(child.cell, kNeverThere);
+    child.decided = stock > reach;
+    if (child.decided && sink_ != nullptr) sink_->tile(child.cell, kNeverThere);
   }
   for (std::size_t c = count; c < PointColumns::kPad; ++c)
     points_.x[c] = points_.x[0], points_.y[c] = points_.y[0], points_.z[c] = points_.z[0];
@@ -81,33 +82,16 @@ std::size_t CutWalker::divide(const CutCell& cell, bool in_stock, Children& chil
   return count;
 }
 
-// A child's list ends with the first sweep that holds all of it. A sweep goes where an earlier one
-// is nearer everywhere: both distances are 1-Lipschitz.
 void CutWalker::distribute(const List& list, double radius, std::span<Child> children) {
-  const double reach = radius + band_, lost = 2 * radius + field_.slack();
-  bool open = std::any_of(children.begin(), children.end(),
-                          [](const Child& child) { return !child.closed; });
-  for (auto entry = list.begin(); entry != list.end() && open; ++entry) {
-    measure(*entry);
-    open = false;
-    for (std::size_t c = 0; c < children.size(); ++c) {
-      Child& child = children[c];
-      const double d = points_.least[c];
-      if (!child.closed && d <= reach && d <= child.least + lost) {
-        child.list.push_back(*entry);
-        child.least = std::min(child.least, d);
-        child.closed = d < -reach;
-      }
-      open = open || !child.closed;
-    }
-  }
+  distribute_sweeps(list, children, points_.least, radius + band_, 2 * radius + field_.slack(),
+                    [&](std::uint32_t index) { measure(index); });
 }
 
 void CutWalker::settle(Child& child, std::size_t depth) {
-  if (child.closed && child.list.empty()) return;  // in the air
+  if (child.decided && child.list.empty()) return;  // in the air
   if (child.in_stock && child.list.empty()) {
     if (sink_ != nullptr) sink_->tile(child.cell, kStillThere);
-  } else if (child.in_stock && child.closed && child.list.size() == 1) {
+  } else if (child.in_stock && child.decided && child.list.size() == 1) {
     fill_tile(child.cell, child.list.front());
   } else if (child.cell.size > leaf_size()) {
     visit(child.cell, child.list, child.in_stock, depth + 1);

@@ -42,7 +42,7 @@ class CutWalker {
     CutCell cell;
     List list;
     bool in_stock = false;  // deep in the stock, which never decides
-    bool closed = false;    // nothing more to be found: in the air, or in a sweep of the list
+    bool decided = false;   // nothing more to be found: in the air, or in a sweep of the list
     double least = 0;       // distance of the centre from the nearest sweep of the list
   };
   using Children = std::array<Child, 8>;
