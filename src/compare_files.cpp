@@ -1,4 +1,5 @@
 // The compare part of the facade that needs every stage: parts from .vdb, programs beside parts.
+#include "compare/distance/nominal.h"
 #include "core/process/error.h"
 #include "core/process/memory_limit.h"
 #include "core/text/ascii.h"
@@ -117,7 +118,7 @@ TriMesh read_solid(const std::string& path, double deflection, int threads, std:
   if (!is_step(path)) mesh_format_of(path, " .step .stp .vdb");
   TriMesh mesh = is_step(path) ? read_step(path, deflection, note) : read_mesh(path);
   if (note == nullptr) return mesh;
-  constexpr double kCheckBytes = 520;  // a triangle, as the comparison asks for after this
+  // The comparison asks for as much after this.
   require_memory(kCheckBytes * double(mesh.triangles.size()), "checking the bodies of " + path,
                  "a coarser mesh takes less");
   if (!is_step(path)) *note = repair(mesh, path);

@@ -16,7 +16,6 @@
 namespace mrsim {
 namespace {
 
-constexpr double kCheckBytes = 520;  // a triangle, measured: to say where a mesh is no solid
 constexpr std::size_t kBatch = 512;  // points that share one chain of hints
 
 // Bits 0, 3, 6, ... of the low 21.

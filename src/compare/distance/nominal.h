@@ -46,6 +46,9 @@ class NominalSurface {
   std::vector<std::uint8_t> doubtful_;  ///< #F or empty: bit f is set where feature f needs winding
 };
 
+/// Bytes of a triangle that require_comparable() takes at most, to say where a mesh is no solid.
+inline constexpr double kCheckBytes = 520;
+
 /// Throws Error "compare-empty", "compare-not-finite", "compare-too-far" (10 km) or
 /// "compare-<role>-open" unless the mesh bounds a solid. `role` is "part" or "nominal". Returns its
 /// signed volume in mm^3.
