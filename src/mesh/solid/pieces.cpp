@@ -96,6 +96,77 @@ std::vector<std::size_t> depths_of_surfaces(const MeshAudit& audit, const MeshSo
   return out;
 }
 
+// Makes the blocks of a piece from those of the mesh. Vertices keep their order and are numbered
+// anew; numbers of former blocks are known as long as their vertices are unfinished.
+class PieceBlocks {
+ public:
+  explicit PieceBlocks(const std::vector<bool>& wanted) : wanted_(wanted) {}
+
+  // `components`: those of the block's triangles. The result is valid until the next call.
+  MeshBlock take(const MeshBlock& block, const std::vector<std::uint32_t>& components) {
+    keep(block, components);
+    rename_unfinished(block);
+    const MeshBlock out{kept_.vertices, borrowed_,    first_new_, kept_.triangles,
+                        kept_.owners,   kept_.colors, unfinished_};
+    first_new_ += static_cast<std::uint32_t>(out.fresh().size());
+    return out;
+  }
+
+ private:
+  static constexpr std::uint32_t kDropped = ~0u;
+
+  void keep(const MeshBlock& block, const std::vector<std::uint32_t>& components) {
+    kept_ = {};
+    borrowed_.clear();
+    place_.assign(block.points.size(), kDropped);
+    for (std::size_t f = 0; f < components.size(); ++f)
+      if (wanted_[components[f]])
+        for (const std::uint32_t v : block.triangles[f]) place_[v] = 0;
+    for (std::size_t v = 0; v < place_.size(); ++v) {
+      if (place_[v] == kDropped) continue;
+      place_[v] = static_cast<std::uint32_t>(kept_.vertices.size());
+      kept_.vertices.push_back(block.points[v]);
+      if (v < block.borrowed.size())
+        borrowed_.push_back(number_.at(block.borrowed[v]));
+      else if (!block.colors.empty())
+        kept_.colors.push_back(block.colors[v - block.borrowed.size()]);
+    }
+    for (std::size_t f = 0; f < components.size(); ++f) {
+      if (!wanted_[components[f]]) continue;
+      const auto& t = block.triangles[f];
+      kept_.triangles.push_back({place_[t[0]], place_[t[1]], place_[t[2]]});
+      if (!block.owners.empty()) kept_.owners.push_back(block.owners[f]);
+    }
+  }
+
+  void rename_unfinished(const MeshBlock& block) {
+    std::map<std::uint32_t, std::uint32_t> still;
+    unfinished_.clear();
+    for (const std::uint32_t number : block.unfinished) {
+      const auto known = number_.find(number);
+      std::uint32_t renamed = kDropped;
+      if (known != number_.end())
+        renamed = known->second;
+      else if (number >= block.first_new)
+        renamed = place_[number - block.first_new + block.borrowed.size()];
+      if (renamed == kDropped) continue;
+      if (known == number_.end())
+        renamed += first_new_ - static_cast<std::uint32_t>(borrowed_.size());
+      still.emplace_hint(still.end(), number, renamed);
+      unfinished_.push_back(renamed);
+    }
+    number_ = std::move(still);
+  }
+
+  const std::vector<bool>& wanted_;                // by component
+  std::map<std::uint32_t, std::uint32_t> number_;  // in the piece, of unfinished vertices
+  std::uint32_t first_new_ = 0;
+  // The block being made:
+  TriMesh kept_;
+  std::vector<std::uint32_t> place_;  // in the piece's block, by point of the mesh's
+  std::vector<std::uint32_t> borrowed_, unfinished_;
+};
+
 }  // namespace
 
 std::optional<MisplacedBody> find_misplaced_body(const TriMesh& mesh) {
@@ -129,54 +200,11 @@ PieceOfMesh::PieceOfMesh(const MeshAudit& audit, const MeshSource& mesh, const P
   }
 }
 
-// Vertices keep their order and are numbered anew, those of a former block as long as they are
-// unfinished.
 void PieceOfMesh::for_each_block(const Body& body) const {
-  constexpr std::uint32_t kDropped = ~0u;
-  std::map<std::uint32_t, std::uint32_t> renumbered;  // unfinished vertices
-  std::uint32_t first_new = 0;
+  PieceBlocks blocks(wanted_);
   std::size_t index = 0;
   mesh_.for_each_block([&](const MeshBlock& block) {
-    const std::vector<std::uint32_t> components = audit_.components_of(index++, block);
-    std::vector<std::uint32_t> at(block.points.size(), kDropped), borrowed, unfinished;
-    for (std::size_t f = 0; f < components.size(); ++f)
-      if (wanted_[components[f]])
-        for (const std::uint32_t v : block.triangles[f]) at[v] = 0;
-    TriMesh kept;
-    for (std::size_t v = 0; v < at.size(); ++v) {
-      if (at[v] == kDropped) continue;
-      at[v] = static_cast<std::uint32_t>(kept.vertices.size());
-      kept.vertices.push_back(block.points[v]);
-      if (v < block.borrowed.size())
-        borrowed.push_back(renumbered.at(block.borrowed[v]));
-      else if (!block.colors.empty())
-        kept.colors.push_back(block.colors[v - block.borrowed.size()]);
-    }
-    for (std::size_t f = 0; f < components.size(); ++f) {
-      if (!wanted_[components[f]]) continue;
-      const auto& t = block.triangles[f];
-      kept.triangles.push_back({at[t[0]], at[t[1]], at[t[2]]});
-      if (!block.owners.empty()) kept.owners.push_back(block.owners[f]);
-    }
-    std::map<std::uint32_t, std::uint32_t> still;
-    for (const std::uint32_t number : block.unfinished) {
-      const auto known = renumbered.find(number);
-      std::uint32_t renamed = kDropped;
-      if (known != renumbered.end())
-        renamed = known->second;
-      else if (number >= block.first_new)
-        renamed = at[number - block.first_new + block.borrowed.size()];
-      if (renamed == kDropped) continue;
-      if (known == renumbered.end())
-        renamed += first_new - static_cast<std::uint32_t>(borrowed.size());
-      still.emplace_hint(still.end(), number, renamed);
-      unfinished.push_back(renamed);
-    }
-    const MeshBlock out{kept.vertices, borrowed,    first_new, kept.triangles,
-                        kept.owners,   kept.colors, unfinished};
-    first_new += static_cast<std::uint32_t>(out.fresh().size());
-    renumbered = std::move(still);
-    body(out);
+    body(blocks.take(block, audit_.components_of(index++, block)));
   });
 }
 
