@@ -292,11 +292,7 @@ std::optional<SubprogramPlace> BlockReader::locate(const SubprogramName& name, c
 bool BlockReader::call(const SubprogramName& name, long repeats, const Word& word) {
   const std::optional<SubprogramPlace> place = locate(name, word);
   if (!place) return false;
-  CallRequest request;
-  request.file = place->file;
-  request.begin = {place->offset, place->line, 0};
-  request.repeats = repeats;
-  return enter(std::move(request), word);
+  return enter(call_of(*place, repeats), word);
 }
 
 int BlockReader::file_index(const std::string& file) {

@@ -30,6 +30,15 @@ struct CallRequest {
   std::function<void()> on_left;   ///< after the last run, when the caller is read again
 };
 
+/// Runs a subprogram from its header on.
+inline CallRequest call_of(const SubprogramPlace& place, long repeats = 1) {
+  CallRequest request;
+  request.file = place.file;
+  request.begin = {place.offset, place.line, 0};
+  request.repeats = repeats;
+  return request;
+}
+
 class BlockReader : public ControlPart {
  public:
   explicit BlockReader(Control& control);

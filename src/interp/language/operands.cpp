@@ -73,6 +73,11 @@ bool Operands::bracketed(Value& out) {
   skip_blanks();
   if (at(p_) == '=' && rules_.spelling == Spelling::hash)
     return fail("expression", "a comparison is written EQ here: [#1 EQ 2]", p_, p_ + 1);
+  return close(from);
+}
+
+// Reads the bracket that closes the one at `from`.
+bool Operands::close(std::size_t from) {
   if (at(p_) != rules_.close)
     return fail("bracket",
                 fmt::format("the {} here is not closed with {}", rules_.open, rules_.close), from,
@@ -255,11 +260,7 @@ bool Operands::arguments(std::vector<Value>& values, std::size_t most) {
     values.push_back(std::move(value));
     skip_blanks();
   } while (at(p_) == ',' && values.size() < most);
-  if (at(p_) != rules_.close)
-    return fail("bracket",
-                fmt::format("the {} here is not closed with {}", rules_.open, rules_.close), from,
-                from + 1);
-  ++p_;
+  if (!close(from)) return false;
   --depth_;
   return true;
 }

@@ -62,6 +62,7 @@ class Operands : public ExpressionLexer {
  private:
   bool number_of_vacant(Value& value, std::size_t from);
   bool bracketed(Value& out);
+  bool close(std::size_t from);
   bool plc_variable(Value& out);
   bool parameter_variable(Value& out);
   bool negation(std::size_t from, bool bits, Value& out);

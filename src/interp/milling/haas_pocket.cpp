@@ -66,9 +66,7 @@ bool HaasPocket::find_contour() {
   request_ = {};
   request_.file = reader_.file();
   if (reader_.has_subprogram(name)) {
-    const auto place = reader_.locate(name, program_);
-    request_.file = place->file;
-    request_.begin = {place->offset, place->line, 0};
+    request_ = call_of(*reader_.locate(name, program_));
     return true;
   }
   Place behind;

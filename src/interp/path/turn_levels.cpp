@@ -123,12 +123,17 @@ bool LevelCuts::rises(std::size_t i) {
     return true;
   }
   if (piece.ccw ? at_.x < piece.center.x : at_.x > piece.center.x) return false;
+  arc_up(piece);
+  return !piece.ccw;
+}
+
+// Follows an arc to its end, or to its top if it falls behind that.
+void LevelCuts::arc_up(const ProfilePiece& piece) {
   Vec2 to = piece.end;
   if (piece.ccw && to.x < piece.center.x)
     to = piece.center + Vec2{0, length(piece.start - piece.center)};
   if (length(at_ - to) > kNoMove) arc(piece, to);
   at_ = to;
-  return !piece.ccw;
 }
 
 // Passes over pockets: goes to where the piece rises above the height of the tool, and follows it
@@ -142,16 +147,9 @@ void LevelCuts::rise_only(std::size_t i) {
   if (piece.arc && (piece.ccw ? x < piece.center.x : x > piece.center.x)) return;
   at_.x = x;
   line(at_);
-  if (!piece.arc) {
-    line(piece.end);
-    at_ = piece.end;
-    return;
-  }
-  Vec2 to = piece.end;
-  if (piece.ccw && to.x < piece.center.x)
-    to = piece.center + Vec2{0, length(piece.start - piece.center)};
-  if (length(at_ - to) > kNoMove) arc(piece, to);
-  at_ = to;
+  if (piece.arc) return arc_up(piece);
+  line(piece.end);
+  at_ = piece.end;
 }
 
 // Cuts along the level to the contour, leaves it, and goes back to where the cut began.

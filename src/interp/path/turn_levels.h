@@ -26,6 +26,7 @@ class LevelCuts {
   bool arc_falls(std::size_t i, double level);
   bool rises(std::size_t i);
   void rise_only(std::size_t i);
+  void arc_up(const ProfilePiece& piece);
   Cut cut(std::size_t& i);
   void cut_to(std::size_t i, double end);
   bool to_next_pocket(std::size_t& i);

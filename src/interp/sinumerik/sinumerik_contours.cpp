@@ -66,9 +66,7 @@ bool SinumerikContours::find_contour(const std::string& name, CallRequest& reque
   Place end;
   request.file = reader_.file();
   if (!labels && !name.empty() && reader_.has_subprogram(program)) {
-    const auto place = reader_.locate(program, where_);
-    request.file = place->file;
-    request.begin = {place->offset, place->line, 0};
+    request = call_of(*reader_.locate(program, where_));
     return true;
   }
   if (!labels) {

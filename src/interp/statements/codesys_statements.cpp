@@ -358,9 +358,7 @@ bool CodesysStatements::call(const SubprogramName& name, const std::vector<Value
                    fmt::format("{} is {}", wanted[i].name,
                                wanted[i].type == VariableType::text ? "a text" : "no text"),
                    where);
-  CallRequest request;
-  request.file = place->file;
-  request.begin = {place->offset, place->line, 0};
+  CallRequest request = call_of(*place);
   request.on_start = [this, wanted, given] {
     variables_.enter_level();
     std::string ignored;

@@ -234,10 +234,7 @@ bool MacroStatements::call_macro(const SubprogramName& program, long repeats,
     return error("subprogram-depth", "more than 4 macros inside one another (alarm 118)", where);
   const auto place = reader_.locate(program, where);
   if (!place) return false;
-  CallRequest request;
-  request.file = place->file;
-  request.begin = {place->offset, place->line, 0};
-  request.repeats = repeats;
+  CallRequest request = call_of(*place, repeats);
   request.on_start = [this, arguments, kept, level] {
     levels_.push_back(level);
     variables_.enter_level();

@@ -183,10 +183,7 @@ bool OspStatements::argument(std::size_t& p, Call& out) {
 bool OspStatements::enter(const Call& call, bool modal) {
   const auto place = reader_.locate(call.program, call.place);
   if (!place) return false;
-  CallRequest request;
-  request.file = place->file;
-  request.begin = {place->offset, place->line, 0};
-  request.repeats = call.repeats;
+  CallRequest request = call_of(*place, call.repeats);
   request.on_start = [this, arguments = call.arguments, modal] {
     ++calls_;
     if (modal) runs_modal_ = true;

@@ -346,8 +346,7 @@ bool OwordStatements::call_program(const SubprogramName& name, long repeats, con
     request.file = program_.files.front();
     request.begin = all.entry(i).at;
   } else if (const auto place = reader_.locate(name, word)) {
-    request.file = place->file;
-    request.begin = {place->offset, place->line, 0};
+    request = call_of(*place);
   } else {
     return false;
   }

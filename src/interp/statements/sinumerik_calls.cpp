@@ -167,10 +167,7 @@ bool SinumerikCalls::call(const SubprogramName& name, const std::vector<Procedur
   if (name.text.find_first_of("/\\") != name.text.npos) program.text = program_of_path(name.text);
   const auto place = reader_.locate(program, word);
   if (!place) return false;
-  CallRequest request;
-  request.file = place->file;
-  request.begin = {place->offset, place->line, 0};
-  request.repeats = repeats;
+  CallRequest request = call_of(*place, repeats);
   if (!procedures_.bind(*place, given, word, request)) return false;
   if (before) {
     request.on_start = [this, before = std::move(before), start = std::move(request.on_start)] {
