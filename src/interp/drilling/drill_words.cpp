@@ -259,12 +259,11 @@ bool DrillWords::at_points(const std::vector<Vec3>& points, const Word& where, b
 
 // Finds the levels. In G91 R counts from the level before the first cycle, and Z from R. LinuxCNC
 // keeps the numbers of both and reads them again in each block, by the G90 or G91 that holds there.
-bool DrillWords::fill(Hole& hole, bool haas_words) {
+bool DrillWords::fill_levels(Hole& hole, const Word& where) {
   const DrillCycle& cycle = modal_.drill;
   const auto relative = [&](const CycleLevel& level) {
     return is(Dialect::ngc) ? modal_.incremental : level.incremental;
   };
-  const Word& where = block_.motion_code ? *block_.motion_code : block_.words.front();
   if (!cycle.bottom.given)
     return error("value-missing", fmt::format("G{} needs the depth of the hole", cycle.number),
                  where);
@@ -290,6 +289,14 @@ bool DrillWords::fill(Hole& hole, bool haas_words) {
     return error("value-range", "R lies below the bottom of the hole", where);
   if (up && modal_.plane == 0 && !lathe())  // across the spindle both directions are down
     reporter_.add(Severity::warning, "cycle-upwards", "R lies below the bottom of the hole", where);
+  return true;
+}
+
+// The levels, feeds, dwells and strokes of the cycle in force.
+bool DrillWords::fill(Hole& hole, bool haas_words) {
+  const DrillCycle& cycle = modal_.drill;
+  const Word& where = block_.motion_code ? *block_.motion_code : block_.words.front();
+  if (!fill_levels(hole, where)) return false;
   const int g = cycle.plane == 2 ? cycle.number - 4 : cycle.number;  // G87 to G89 are as G83 to G85
   hole.feed_out = g == 74 || g == 84 || g == 85 || g == 89;
   hole.feed_to_end = hole.feed_out && g != 85 && is(Dialect::ngc);

@@ -35,6 +35,7 @@ class DrillWords : public ControlPart {
   double level_aside(const Hole& hole) const;
   void meet_level(const Hole& hole, AxisSet& named, const Word& where);
   bool fill(Hole& hole, bool haas_words = true);
+  bool fill_levels(Hole& hole, const Word& where);
   void fill_dwells(int g, Hole& hole) const;
   double end_level(double safe, bool up) const;
   double tapping_lead() const;

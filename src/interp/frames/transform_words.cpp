@@ -15,19 +15,10 @@ bool TransformWords::run(const Word& word) {
   const bool factors = names_factors();
   if (block_.frame_op != Code::local_turned_off) arguments(values, named, !factors);
   switch (block_.frame_op) {
-    case Code::rotation_on: {
+    case Code::rotation_on:
       if (word.value != 68) return untilted_plane(values, named, word);
-      const Word* r = take('R');
-      if (!r) return error("value-missing", "G68 needs the angle R", word);
-      if (turns_in_space())
-        return error("not-supported",
-                     "G68 with I J K turns about an axis in space, which is not supported yet",
-                     word);
-      if (!center_of_mach(values, word)) return false;
-      const bool adds = modal_.incremental || take('I');
-      turn_about(angle_value(*r), kNormalOfPlane[modal_.plane], values, adds, word);
+      if (!turn_in_plane(values, word)) return false;
       break;
-    }
     case Code::scaling_on:
       if (!(factors ? scale_as_mach(word, values, named) : scale_axes(word, values))) return false;
       break;
@@ -56,6 +47,19 @@ bool TransformWords::run(const Word& word) {
       break;
   }
   rebuild();
+  return true;
+}
+
+// G68: `center` is where the block's axes are.
+bool TransformWords::turn_in_plane(Vec3 center, const Word& word) {
+  const Word* r = take('R');
+  if (!r) return error("value-missing", "G68 needs the angle R", word);
+  if (turns_in_space())
+    return error("not-supported",
+                 "G68 with I J K turns about an axis in space, which is not supported yet", word);
+  if (!center_of_mach(center, word)) return false;
+  const bool adds = modal_.incremental || take('I');
+  turn_about(angle_value(*r), kNormalOfPlane[modal_.plane], center, adds, word);
   return true;
 }
 

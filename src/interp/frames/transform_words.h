@@ -34,6 +34,7 @@ class TransformWords : public FrameChain {
   bool turn_locally(Vec3 zero, AxisSet named, const Word& word);
   void turn_about(double angle, int axis, const Vec3& center, bool adds, const Word& word);
   bool turns_in_space();
+  bool turn_in_plane(Vec3 center, const Word& word);
   bool center_of_mach(Vec3& center, const Word& word);
   bool fagor_turn(const Word& word);
   void set_mirror();

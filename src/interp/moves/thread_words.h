@@ -15,6 +15,10 @@ class ThreadWords : public ControlPart {
   /// thread; the hand of a cut thread follows from the spindle and the direction, so that its lead
   /// is above 0. False: an error was reported.
   bool take_lead(const Target& to, const Vec3& from);
+
+ private:
+  void read_lead_along(const Vec3& way);
+  void read_lead_of_feed();
 };
 
 }  // namespace mrsim

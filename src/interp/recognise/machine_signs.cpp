@@ -179,6 +179,25 @@ std::string MachineSigns::weak_mill(bool tool_in_table, bool commented) const {
   return two ? fmt::format("{} and {}", length_, !change_.empty() ? change_ : plane_) : "";
 }
 
+// T0101 of FANUC's lathes, empty where it may be a mill's. A milling tool in a turret is a live
+// tool if there are turning tools or an axis C.
+std::string MachineSigns::turret() const {
+  const bool live = !turning_tool_.empty() || !rotary_.empty();
+  if (!change_.empty() || !(milling_tool_.empty() || live || (turns_ && !mills_))) return "";
+  return turret_.empty() && !turning_tool_.empty() ? short_turret_ : turret_;
+}
+
+// Why it is a lathe if nothing moves in Y; empty: no sign says so. `table`: the tool table has
+// turning tools alone.
+std::string MachineSigns::weak_lathe(bool fanuc, const std::string& turret_sign, bool table) const {
+  if (fanuc && !fanuc_turning_.empty()) return fanuc_turning_;
+  if (!turning_.empty()) return turning_;
+  if (!turret_sign.empty()) return turret_sign;
+  if (milling_tool_.empty() && !turning_tool_.empty() && !per_revolution_.empty())
+    return fmt::format("turning tool {}, {}", turning_tool_, per_revolution_);
+  return table ? "a turning tool in the tool table" : "";
+}
+
 void MachineSigns::judge(const InterpOptions& options, Recognition& out) const {
   if (out.dialect == Dialect::codesys) {
     out.machine = MachineKind::mill;
@@ -191,21 +210,12 @@ void MachineSigns::judge(const InterpOptions& options, Recognition& out) const {
   const bool ngc = out.dialect == Dialect::ngc;  // X is a radius on LinuxCNC until G7
   const std::string& own = ngc ? ngc_lathe_ : fanuc ? fanuc_lathe_ : lathe_;
   const std::string& lathe = lathe_.empty() || (ngc && !own.empty()) ? own : lathe_;
-  std::string weak = fanuc && !fanuc_turning_.empty() ? fanuc_turning_ : turning_;
-  // A milling tool in a turret is a live tool, if there are turning tools or an axis C.
-  const bool live = !turning_tool_.empty() || !rotary_.empty();
-  std::string turret;
-  if (fanuc && change_.empty() && (milling_tool_.empty() || live || (turns_ && !mills_)) &&
-      !milling)
-    turret = turret_.empty() && !turning_tool_.empty() ? short_turret_ : turret_;
-  if (weak.empty()) weak = turret;
-  if (weak.empty() && milling_tool_.empty() && !turning_tool_.empty() && !per_revolution_.empty())
-    weak = fmt::format("turning tool {}, {}", turning_tool_, per_revolution_);
-  if (weak.empty() && turning && !milling) weak = "a turning tool in the tool table";
+  const std::string turret_sign = fanuc && !milling ? turret() : "";
+  const std::string weak = weak_lathe(fanuc, turret_sign, turning && !milling);
   const std::string mill = weak_mill(milling && !turning, !milling_tool_.empty());
   const bool sure = !lathe.empty() && !(ngc && lathe.starts_with("G96"));
   const std::string& across = mill_.empty() && !sure ? level_ : mill_;
-  const std::string against = sure ? lathe : mill_.empty() ? turret : "";
+  const std::string against = sure ? lathe : mill_.empty() ? turret_sign : "";
   if (!across.empty() && !against.empty()) {
     out.machine_reason = fmt::format("{} speaks for a mill, {} for a lathe", across, against);
   } else if (!across.empty()) {

@@ -21,6 +21,8 @@ class MachineSigns {
  private:
   void fanuc_line(const std::string& code, int n);
   void weak_signs(const std::string& code, int n);
+  std::string turret() const;
+  std::string weak_lathe(bool fanuc, const std::string& turret_sign, bool table) const;
   std::string weak_mill(bool tool_in_table, bool commented) const;
   bool is_transformed(const std::string& code);
 

@@ -22,32 +22,9 @@ std::optional<bool> MakerWords::read(const Word& word, Code code) {
     block_.length_changed = true;
     return true;
   }
-  if (is_cycle_of_system_c(word))
-    return error("not-supported",
-                 fmt::format("{} beside axes and F is a turning cycle of code system C, which is "
-                             "not supported: write those of system A, G90, G92 and G94",
-                             text_of(word)),
-                 word);
-  if (is(Dialect::fanuc) && lathe() && word.value == 95 && peek('R') && (peek('Z') || peek('W')))
-    return error("not-supported",
-                 "G95 with R taps with a live tool (Haas), which is not supported: tap on the axis "
-                 "with G84",
-                 word);
-  if (is(Dialect::fanuc) && lathe() && word.value == 105) {  // the servo bar feeder of Haas
-    if (const Word* p = peek('P'))
-      return error("not-supported",
-                   "P of G105 runs a program that cuts off, which is not supported: call it by M98",
-                   *p);
+  if (const std::optional<bool> refused = refuse(word)) return refused;
+  if (is(Dialect::fanuc) && lathe() && word.value == 105)  // the servo bar feeder of Haas
     note_once("bar-fed", "G105 feeds the bar: it is read as being in its place", word, "G105");
-  }
-  // G41.1 of LinuxCNC has the diameter in D, also in programs that are read as FANUC's.
-  const bool follows_path = word.value == 41.1 || word.value == 42.1;
-  if (is(Dialect::fanuc) && follows_path && !peek('D'))
-    return error("not-supported",
-                 fmt::format("{} without D is normal direction control, where an axis turns the "
-                             "tool along the path, which is not supported",
-                             text_of(word)),
-                 word);
   if (modal_.okuma && word.value >= 101 && word.value <= 120 && word.value != 116)
     return okuma_macro(word);
   const bool mirror = word.value == 101 || (word.value == 100 && !peek('T'));
@@ -70,6 +47,35 @@ std::optional<bool> MakerWords::read(const Word& word, Code code) {
   }
   if (word.value == 100) return brother_change(word);
   if (word.value == 71 && stands_for_level(word)) return okuma_level();
+  return std::nullopt;
+}
+
+// Words that cut or move in ways that are not read. Nothing: it is none of them.
+std::optional<bool> MakerWords::refuse(const Word& word) {
+  if (is_cycle_of_system_c(word))
+    return error("not-supported",
+                 fmt::format("{} beside axes and F is a turning cycle of code system C, which is "
+                             "not supported: write those of system A, G90, G92 and G94",
+                             text_of(word)),
+                 word);
+  if (!is(Dialect::fanuc)) return std::nullopt;
+  if (lathe() && word.value == 95 && peek('R') && (peek('Z') || peek('W')))
+    return error("not-supported",
+                 "G95 with R taps with a live tool (Haas), which is not supported: tap on the axis "
+                 "with G84",
+                 word);
+  if (const Word* p = peek('P'); p && lathe() && word.value == 105)
+    return error("not-supported",
+                 "P of G105 runs a program that cuts off, which is not supported: call it by M98",
+                 *p);
+  // G41.1 of LinuxCNC has the diameter in D, also in programs that are read as FANUC's.
+  const bool follows_path = word.value == 41.1 || word.value == 42.1;
+  if (follows_path && !peek('D'))
+    return error("not-supported",
+                 fmt::format("{} without D is normal direction control, where an axis turns the "
+                             "tool along the path, which is not supported",
+                             text_of(word)),
+                 word);
   return std::nullopt;
 }
 

@@ -16,6 +16,7 @@ class MakerWords : public ControlPart {
   std::optional<bool> read(const Word& word, Code code);
 
  private:
+  std::optional<bool> refuse(const Word& word);
   bool okuma_offset(const Word& word);
   bool okuma_level();
   bool okuma_home(const Word& word);

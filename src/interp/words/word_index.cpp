@@ -206,26 +206,49 @@ void WordIndex::read_okuma_corner() {
   code->address = Address::data;
 }
 
-// Enters the words by address. An address that stands twice is an error, except for G and M words
-// and a few of CODESYS.
+// MANUAL GUIDE's blank is left out, its cycles are refused.
+bool WordIndex::leave_out_dialogue(const Word& cycle) {
+  const auto codes = std::count_if(block_.words.begin(), block_.words.end(),
+                                   [](const Word& w) { return w.address == letter('G'); });
+  if (!is_blank_of_dialogue(cycle) || codes > 1)
+    return error("not-supported",
+                 fmt::format("{} is a cycle of MANUAL GUIDE i, which is not supported: let the "
+                             "control convert the program (NC CNV)",
+                             text_of(cycle)),
+                 cycle);
+  note_once("simulator-line",
+            fmt::format("{} is the blank of MANUAL GUIDE's own picture: left out; --stock says "
+                        "the same here",
+                        text_of(cycle)),
+            cycle, "simulator-line");
+  block_.words.clear();
+  return true;
+}
+
+// G and M words may stand several times in a block, and a few letters of some controls.
+bool WordIndex::may_repeat(const Word& word) const {
+  const auto c = static_cast<char>(word.address);
+  return c == 'G' || c == 'M' || word.address == Address::function ||
+         word.address == Address::data || (is(Dialect::sinumerik) && c == 'H') ||
+         (is(Dialect::fanuc) && c == 'T') ||
+         (is(Dialect::codesys) && (c == 'E' || c == 'H' || c == 'L' || c == 'O'));
+}
+
+bool WordIndex::refuse_repeat(const Word& word) {
+  const auto c = static_cast<char>(word.address);
+  const bool axis = (c >= 'I' && c <= 'K') || (c >= 'X' && c <= 'Z');
+  const std::string alarm =
+      is(Dialect::sinumerik) ? axis ? " (alarm 16420)" : " (alarm 12010)" : "";
+  const std::string name =
+      word.address < Address::function
+          ? std::string(1, c)
+          : std::string(block_.line.substr(static_cast<std::size_t>(word.column),
+                                           static_cast<std::size_t>(word.length)));
+  return error("address-twice", fmt::format("{} is given twice in the block{}", name, alarm), word);
+}
+
 bool WordIndex::run() {
-  if (const Word* cycle = dialogue_cycle()) {
-    const auto codes = std::count_if(block_.words.begin(), block_.words.end(),
-                                     [](const Word& w) { return w.address == letter('G'); });
-    if (!is_blank_of_dialogue(*cycle) || codes > 1)
-      return error("not-supported",
-                   fmt::format("{} is a cycle of MANUAL GUIDE i, which is not supported: let the "
-                               "control convert the program (NC CNV)",
-                               text_of(*cycle)),
-                   *cycle);
-    note_once("simulator-line",
-              fmt::format("{} is the blank of MANUAL GUIDE's own picture: left out; --stock says "
-                          "the same here",
-                          text_of(*cycle)),
-              *cycle, "simulator-line");
-    block_.words.clear();
-    return true;
-  }
+  if (const Word* cycle = dialogue_cycle()) return leave_out_dialogue(*cycle);
   read_okuma_corner();
   CodeSystems(control_).rewrite();
   bool ok = OkumaTurning(control_).rewrite();
@@ -235,25 +258,8 @@ bool WordIndex::run() {
     const Word& word = block_.words[i];
     if (&word == block_.offset_number) continue;
     if (!legal_[static_cast<std::size_t>(word.address)] && !refuse_address(word)) ok = false;
-    const auto c = static_cast<char>(word.address);
-    const bool repeats = c == 'G' || c == 'M' || word.address == Address::function ||
-                         word.address == Address::data || (is(Dialect::sinumerik) && c == 'H') ||
-                         (is(Dialect::fanuc) && c == 'T') ||
-                         (is(Dialect::codesys) && (c == 'E' || c == 'H' || c == 'L' || c == 'O'));
-    if (!block_.add(i, repeats) && !repeats) {
-      const bool axis = (c >= 'I' && c <= 'K') || (c >= 'X' && c <= 'Z');
-      const std::string alarm =
-          is(Dialect::sinumerik) ? axis ? " (alarm 16420)" : " (alarm 12010)" : "";
-      ok = error(
-          "address-twice",
-          fmt::format("{} is given twice in the block{}",
-                      word.address < Address::function
-                          ? std::string(1, c)
-                          : std::string(block_.line.substr(static_cast<std::size_t>(word.column),
-                                                           static_cast<std::size_t>(word.length))),
-                      alarm),
-          word);
-    }
+    const bool repeats = may_repeat(word);
+    if (!block_.add(i, repeats) && !repeats) ok = refuse_repeat(word);
   }
   return ok;
 }

@@ -21,6 +21,9 @@ class WordIndex : public ControlPart {
   bool chooses_fixture() const;
   bool use_own_register(Word& word);
   bool refuse_address(const Word& word);
+  bool leave_out_dialogue(const Word& cycle);
+  bool may_repeat(const Word& word) const;
+  bool refuse_repeat(const Word& word);
 
   std::array<bool, static_cast<std::size_t>(Address::count)> legal_{};  ///< by address
 };
