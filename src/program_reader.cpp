@@ -47,7 +47,8 @@ class Collector : public MotionSink {
  private:
   static constexpr std::size_t kFew = 10000;  // motions that may be kept without asking for memory
 
-  // What a list had before is handed back at once: a loop without an end would hold as much again.
+  // The old memory of a list is given back to the system at once. Otherwise a program that never
+  // ends would take twice the memory that its motions need.
   template <class T>
   static void grow(std::vector<T>& list, const char* name) {
     require_memory(2.0 * double(list.size()) * sizeof(T),

@@ -61,7 +61,7 @@ class Surfaces {
   NominalSurface part_, nominal_;
 };
 
-// Of the solid within the surface.
+// The centroid of the solid within the surface.
 Vec3 center_of(const TriMesh& mesh, const Box3& bounds) {
   Vec3 sum;
   double volume = 0;

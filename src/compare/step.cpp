@@ -147,8 +147,9 @@ TriMesh weld_facets(const StepFacets& facets) {
   return mesh;
 }
 
-// Checks what Open CASCADE says little about, or never ends on, before the module reads the file.
-// That reads it a second time, so a pipe is refused. Returns the size of the file, bytes.
+// Finds faults for which Open CASCADE has poor messages, or on which it runs without end. The
+// module reads the file again afterwards, so a pipe is refused. Returns the size of the file,
+// bytes.
 std::size_t checked_step_size(const std::string& path) {
   std::error_code ignored;
   const auto status = std::filesystem::status(path, ignored);

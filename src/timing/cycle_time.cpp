@@ -36,13 +36,15 @@ bool stops_between(const Motion& before, const Motion& after) {
          (before.kind == MotionKind::rapid) != (after.kind == MotionKind::rapid);
 }
 
-// What events say of the corners, read in the order of the motions.
+// Tells from the events whether the tool stops between two motions. To be asked in the order of
+// the motions.
 class EventStops {
  public:
   enum class Corner : std::uint8_t { rounded, exact, stop };
   explicit EventStops(const std::vector<Event>& events) : events_(events) {}
 
-  // The corner where motion i begins: that before it ran in the mode of then.
+  // How the tool passes the corner at which motion i begins. The mode in which the motion before it
+  // ran decides, not one that an event between both sets.
   Corner before(std::size_t i) {
     while (next_ < events_.size() && events_[next_].before < i) take(events_[next_++]);
     bool stops = mode_ == PathMode::exact_stop;
@@ -53,7 +55,7 @@ class EventStops {
   }
 
  private:
-  // True: the tool stops there.
+  // Carries out the event. True: the tool stops at it.
   bool take(const Event& event) {
     switch (event.kind) {
       case EventKind::path_mode:
@@ -148,7 +150,7 @@ double turning(SpindleTurn turn) {
 void add_changes(const Program& program, const MachineData& machine, CycleTime& time) {
   int tool = -1;
   double speed = 0, direction = 1;
-  bool follows = false;  // the radius
+  bool follows = false;  // the speed follows the radius
   auto event = program.events.begin();
   for (std::size_t i = 0; i < program.motions.size(); ++i) {
     const Motion& m = program.motions[i];

@@ -101,7 +101,7 @@ double surface_speed_seconds(const Motion& m, double length, double per_turn,
   return kSecondsPerMinute / per_turn * length * turn;
 }
 
-// Of the axis that travels farthest, mm: a thread's lead is measured along it.
+// The travel of the axis that travels farthest, mm: a thread's lead is measured along that axis.
 double longest_travel(const Motion& m) {
   const Vec3 d = m.end - m.start;
   return std::max({std::fabs(d.x), std::fabs(d.y), std::fabs(d.z)});

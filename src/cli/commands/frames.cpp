@@ -163,8 +163,8 @@ void allow_open_files(std::size_t count) {
 
 }  // namespace
 
-// The whole program comes first: it says what is to be said, and without its part there are no
-// others.
+// Runs the whole program first: it prints the findings, and if it makes no part, no earlier frame
+// is made either.
 int run_frames(const Arguments& arguments) {
   std::vector<std::string> paths;
   for (int frame = 1; frame <= arguments.frames; ++frame)

@@ -44,12 +44,13 @@ sigset_t stop_signals() {
   return out;
 }
 
-// What is printed ends with a whole line, where its reader takes it: JSON is read line by line.
+// Lets the printed text end with a whole line, because programs read JSON line by line. Gives up
+// after 20 ms if nobody reads the output.
 void end_line() {
   using Clock = std::chrono::steady_clock;
   const auto end = Clock::now() + std::chrono::milliseconds(20);
-  while (::ftrylockfile(stdout) != 0)  // kept: nobody prints from here on
-    if (Clock::now() > end) return;    // the reader of the output takes nothing
+  while (::ftrylockfile(stdout) != 0)  // the lock is kept, so that nothing is printed from here on
+    if (Clock::now() > end) return;
   pollfd out{STDOUT_FILENO, POLLOUT, 0};
   if (::poll(&out, 1, 0) == 1) std::fflush(stdout);
 }

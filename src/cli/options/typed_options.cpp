@@ -121,8 +121,8 @@ TypedOptions::TypedOptions(const CommandLine& line, int argc, const char* const*
   if (flag("--help")) help_ = single_spaced(app.help());
 }
 
-// Of words that do not parse: the files of --json and the like, "--json F" and "--json=F", and
-// --json without a file.
+// Finds the files of --json and the like on a command line that does not parse: "--json F",
+// "--json=F", and --json without a file.
 void TypedOptions::read_paths(int argc, const char* const* argv) {
   for (const OptionRow& row : option_table()) {
     const auto found = typed_.find(row.name);

@@ -15,7 +15,7 @@ namespace {
 
 const char* tool_kind(MachineKind kind) { return kind == MachineKind::lathe ? "lathe" : "mill"; }
 
-// Of a program with one tool the cycle tells it.
+// The times by tool. With a single tool the time of the cycle says the same.
 void add_tool_times(const JobResult& result, ReportFacts& out) {
   if (result.cycle.tools.size() < 2) return;
   for (const ToolTime& tool : result.cycle.tools) {
@@ -56,7 +56,7 @@ std::vector<ReportCollision> collisions_of(const JobResult& result) {
         shown.text = d.source_line;
     out.push_back(shown);
   }
-  // Of depths that are printed alike the one that meets more material is worse.
+  // Of two collisions whose printed depths are equal, the one that meets more material is worse.
   const auto order = [](const ReportCollision& c) {
     return std::pair(-std::llround(c.depth / 1e-3), -c.volume);
   };

@@ -19,7 +19,7 @@ using Json = nlohmann::ordered_json;
 
 // Infinities, which JSON lacks, stand for "nothing".
 Json number(double x) { return x - x == 0 ? Json(x) : Json(nullptr); }
-// Of what is never zero where it is known.
+// For figures that are never zero: 0 means that the figure is not known.
 Json positive(double x) { return x > 0 ? number(x) : Json(nullptr); }
 Json point(const Vec3& p) { return {number(p.x), number(p.y), number(p.z)}; }
 Json box(const Box3& b) { return {point(b.lo), point(b.hi)}; }
@@ -128,7 +128,8 @@ Json reduction_json(const MeshReduction& reduction) {
           {"at", point(reduction.place)}};
 }
 
-// Of the mesh that is written; 0 where it was not found, as on the voxels of --voxel.
+// Bound of the distance between the written mesh and the exact part, mm; 0 where no bound was
+// found, as on the voxels of --voxel.
 double bound_of(const JobResult& r) {
   return r.mesh_bound > 0 ? r.mesh_bound + r.reduction.most : 0;
 }

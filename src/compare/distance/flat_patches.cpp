@@ -38,7 +38,7 @@ struct Crossing {
   CutPlane plane;     // upright on it
 };
 
-// Of a border with the shadow of the piece on the plane with that normal.
+// Where a border crosses the projection of the piece onto the plane with that normal.
 Crossing crossing(const std::array<Vec3, 2>& border, const Vec3& normal,
                   const TrianglePiece& piece) {
   const Vec3 across = normalized(cross(normal, border[1] - border[0]));

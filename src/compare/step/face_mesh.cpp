@@ -16,8 +16,8 @@ constexpr int kRounds = 24;
 constexpr std::size_t kMostTriangles = 20'000'000;  // of one face
 constexpr double kThin = 0.001;                     // mm: the height of a sliver
 constexpr std::uint32_t kNone = UINT32_MAX;
-// Of the distance: the middle of a triangle is farther from the face than the middles of its sides
-// by up to a third.
+// The part of the allowed distance that the middles of a triangle's sides may have: its own middle
+// can be a third farther from the face than they are.
 constexpr double kSideShare = 0.7;
 // Barycentric places on a triangle where the face is evaluated: centre, sides, towards the corners.
 constexpr double kPlaces[][3] = {{1 / 3., 1 / 3., 1 / 3.},

@@ -43,7 +43,7 @@ void divide_edges(const TopoDS_Shape& solid, double deflection, double inner) {
   const BRepMesh_IncrementalMesh mesher(solid, wish);
 }
 
-// Of an edge's curve from its chords.
+// The largest distance between an edge's curve and its chords, as far as samples show it.
 double deviation_of(const TopoDS_Edge& edge, const TopoDS_Face& face) {
   TopLoc_Location place;
   const Handle(Poly_Triangulation) facets = BRep_Tool::Triangulation(face, place);

@@ -57,10 +57,10 @@ void write_all(int fd, const char* data, std::size_t size) {
   }
 }
 
-// The process dies with the one that has started it.
+// Lets the kernel kill this process when its parent ends.
 void die_with(pid_t parent) {
   ::prctl(PR_SET_PDEATHSIG, SIGKILL);
-  if (::getppid() != parent) ::_exit(1);  // which was dead already
+  if (::getppid() != parent) ::_exit(1);  // the parent has died before prctl() took effect
 }
 
 void be_silent() {
@@ -69,7 +69,8 @@ void be_silent() {
   ::dup2(nowhere, STDERR_FILENO);
 }
 
-// In the copy of this process: only what is allowed where other threads have been.
+// Runs in the forked copy of this process. Only calls that are safe in a signal handler are allowed
+// there: other threads of the original may have held locks when it was copied.
 [[noreturn]] void be_program(char* const* words, ProgramLife life, pid_t parent, int told) {
   if (life == ProgramLife::ours)
     die_with(parent);
@@ -87,12 +88,12 @@ void be_silent() {
 [[noreturn]] void be_child(int fd, const ChildLimits& limits,
                            const std::function<void(const ByteSink&)>& work, pid_t parent) {
   die_with(parent);
-  be_silent();  // what a dying library says is of no use
+  be_silent();  // a library that fails here may print; the caller reports the end instead
   lower(RLIMIT_CORE, 0);
   lower(RLIMIT_CPU, static_cast<rlim_t>(limits.seconds));
-#ifndef __SANITIZE_ADDRESS__  // its shadow takes all addresses
+#ifndef __SANITIZE_ADDRESS__  // its shadow memory takes all addresses, so no limit can be set
   if (limits.bytes > 0) {
-    // Room that the heap keeps and has not touched would come on top of the limit.
+    // Memory that the heap has reserved and not used yet would be free beyond the limit.
     grow_heap_in_small_steps();
     release_freed_memory();
     lower(RLIMIT_AS, address_space() + limits.bytes);
@@ -110,7 +111,7 @@ void be_silent() {
   ::_exit(0);
 }
 
-// False where the clock ran out.
+// Reads until the other end closes the pipe. False: `seconds` were over before.
 bool collect(int fd, int seconds, const std::string& what, std::string& bytes) {
   using Clock = std::chrono::steady_clock;
   const auto end = Clock::now() + std::chrono::seconds(seconds);
@@ -197,7 +198,8 @@ int start_program(const std::vector<std::string>& words, ProgramLife life) {
   pointers.reserve(words.size() + 1);
   for (const std::string& word : words) pointers.push_back(const_cast<char*>(word.c_str()));
   pointers.push_back(nullptr);
-  std::array<int, 2> ends{};  // closed by the program; a byte where there is none
+  // A started program closes the pipe; a byte comes through it where the program does not exist.
+  std::array<int, 2> ends{};
   if (::pipe2(ends.data(), O_CLOEXEC) != 0) return -1;
   const pid_t parent = ::getpid();
   const pid_t child = ::fork();
@@ -241,7 +243,7 @@ void send(Header header, const ChildParcel& parcel, const ByteSink& sink) {
   send_all(parcel.mesh.triangles, sink);
 }
 
-// Takes from the front of what came.
+// Takes values one after another from the bytes that came through the pipe.
 class Reader {
  public:
   explicit Reader(const std::string& bytes) : bytes_(bytes) {}
@@ -274,7 +276,7 @@ class Reader {
   std::size_t at_ = 0;
 };
 
-// Empty where bytes are missing: the process died while it wrote.
+// The parcel in `bytes`; empty where some are missing, because the process died while it wrote.
 std::optional<ChildParcel> receive(const std::string& bytes) {
   Reader reader(bytes);
   Header header;

@@ -239,8 +239,8 @@ void merge_sizes(ToolHint& into, const ToolHint& line) {
   if (into.doubt.empty()) into.doubt = both.doubt;
 }
 
-// Of two lines one may say nothing of the tool: it names upkeep, or sizes of the work. True: so it
-// is, and `into` is the other one.
+// One of two lines may say nothing of the tool, but name upkeep, or sizes of the work. True if it
+// does; `into` then holds what the other line says.
 bool merge_without_work(ToolHint& into, const ToolHint& more) {
   if (is_sized_tool(into) && more.upkeep) return true;
   if (is_sized_tool(into) && is_size_of_work(more)) return pass_work(into, more), true;

@@ -15,8 +15,9 @@ constexpr double kNoCorner = 0.05;  // radians: a smaller turn is no corner
 // Whether the tool runs outside of the circle.
 bool outside_circle(const PlanePiece& piece, int side) { return piece.sweep * side < 0; }
 
-// A full turn back is an outside corner, up to kNoCorner before it. Where the tool runs outside of
-// the arc behind it, or of the one before a line, it is one from kNoCorner beyond it on.
+// A path that turns back by 180 degrees has an outside corner, and so has one that turns by up to
+// kNoCorner less. Where the tool runs outside of the arc behind the corner (or of the arc before
+// it, if a line follows), only turns by kNoCorner more than 180 degrees are outside corners.
 Corner stepwise_kind(const PathMove& a, const PathMove& b) {
   const PlanePiece p = to_plane(a.motion, a.basis), q = to_plane(b.motion, b.basis);
   const Vec2 t = end_tangent(p), u = start_tangent(q);
@@ -27,7 +28,8 @@ Corner stepwise_kind(const PathMove& a, const PathMove& b) {
   return (turn < 0 ? turn + kTwoPi : turn) < back ? Corner::inside : Corner::outside;
 }
 
-// Finds where both meet: before the end of the first, else behind it.
+// Finds the point in which both pieces meet: before the end of the first one if there is such a
+// point, else behind it.
 bool meets_inside(const PlanePiece& piece, const PlanePiece& next, Vec2& out) {
   std::array<Vec2, 2> hits;
   const int n = intersect(piece, next, hits);

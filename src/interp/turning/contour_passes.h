@@ -15,8 +15,8 @@ struct ContourCut {
   Word where;        ///< of the cycle
   Vec3 allowance;    ///< what is left for finishing, mm, X as radius
   Vec3 semi_finish;  ///< I and K: what the passes leave for the cut along the contour, mm
-  /// Of Okuma's LAP: allowances are sizes, left on the side that the passes come from, which begin
-  /// where the tool stands.
+  /// The cycle is Okuma's LAP: allowances have no sign and are left on the side from which the
+  /// passes come, and the passes begin where the tool stands.
   bool lap = false;
 };
 

@@ -5,9 +5,9 @@
 
 namespace mrsim::detail {
 
-/// How often a voxel may be halved: down to half the tolerance (mm), in which any triangle is
-/// within it, an eighth of a voxel without one; but not so small that coordinates as floats no
-/// longer resolve the cells of a part within `bounds`, mm.
+/// How often a voxel may be halved. With a tolerance (mm), until cells are half as large as it,
+/// since any triangle in such a cell keeps it; without one, three times. Fewer where float
+/// coordinates of a part within `bounds` (mm) could not tell the corners of so small cells apart.
 int voxel_halvings(const Box3& bounds, double voxel, double tolerance);
 
 /// Throws Error "voxel-invalid" where float coordinates do not separate the planes of the voxels

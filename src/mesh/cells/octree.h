@@ -86,7 +86,7 @@ class CellOctree final : public SurfaceCells {
   /// All edges that no smaller cell divides and whose ends lie on different sides of the surface,
   /// in the order of the tree; of a part: in the order of their places.
   std::vector<MinimalEdge> crossing_edges() const;
-  /// Those about the leaves that are set.
+  /// Those of crossing_edges() that lie about the leaves that are set.
   std::vector<MinimalEdge> crossing_edges_about(const std::vector<char>& leaves) const;
   /// Sets the leaves, too, that share an edge with one that is set. `leaves`: by cell.
   void add_neighbours(std::vector<char>& leaves) const;

@@ -40,7 +40,7 @@ std::vector<FoundThin> lost_features(const ExactField& field, const SurfaceCells
 /// it. Costs a few samples for each block that the surface may pass.
 std::optional<ThinFeature> find_material(const ExactField& field, double voxel);
 
-/// Of the features found, one for each pair of owners in each block.
+/// Keeps one of the found features for each pair of owners in each block.
 std::vector<ThinFeature> distinct(std::span<const FoundThin> found);
 
 }  // namespace mrsim::detail

@@ -53,8 +53,8 @@ Corners sorted_corners(const TriMesh& mesh, std::uint32_t face) {
   return out;
 }
 
-// Of faces with the same corners, the first. A ray that meets one of them meets all of them, so
-// that thousands of bodies in one place would take thousands of times as long.
+// Keeps the first of all faces with the same corners. A ray that meets one of them meets all of
+// them, so that thousands of bodies in one place would take thousands of times as long.
 std::vector<std::uint32_t> distinct_faces(const TriMesh& mesh) {
   struct FaceKey {
     std::uint64_t hash = 0;

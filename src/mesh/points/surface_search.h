@@ -163,8 +163,8 @@ void run_together(const Probe& probe, std::span<Search> searches) {
   }
 }
 
-/// True for a place in the room that is off its sides by 1e-6 of it (`flat`: the axis on which it
-/// has no extent, or -1).
+/// Whether p lies in the room at a distance from its sides of at least 1e-6 of its size. `flat`:
+/// the axis on which the room has no extent, or -1.
 bool strictly_inside(const Vec3& p, const Box3& room, int flat);
 
 /// Whether p is so near to the room (a cell, or a face of one) that the probe's candidates are

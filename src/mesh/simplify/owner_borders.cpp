@@ -59,7 +59,7 @@ class BorderCutter {
  private:
   enum class Plane : std::uint8_t { no, yes, cut };  ///< `cut`: more than one owner was seen in it
 
-  // Whose face it is at a point of the surface; nothing where that is elsewhere.
+  // The sample that names the face at p; nothing if the surface does not pass p.
   std::optional<FieldSample> face_at(const Vec3& p, std::int32_t& cell) const {
     cell = tree_.locate(p, cell);
     const FieldSample s = field_.sample(p, tree_.candidates(cell));

@@ -28,7 +28,7 @@ bool reaches(const Tile& tile, const CellPlace& cell, const Lattice& lattice) {
   return true;
 }
 
-// What a thread makes tiles in, one after another.
+// The memory in which one thread makes its tiles, one after another.
 struct TileMaker::Memory {
   Memory(const ExactField& field, const Lattice& lattice, const CommonLists& common)
       : cells(field, lattice, &common),
@@ -60,7 +60,7 @@ CellPlace TileMaker::place_of(const SurfaceCells& cells, std::int32_t cell) cons
   return {lattice_.nearest(cells.box(cell).lo), cells.size_of(cell)};
 }
 
-// The lower corner of a cell on the tile's diagonal.
+// The lower corner of cell number `cell` on the tile's diagonal.
 Vec3 TileMaker::corner(const Tile& tile, std::int32_t cell) const {
   return lattice_.position({(tile.first.x + cell) * unit(), (tile.first.y + cell) * unit(),
                             (tile.first.z + cell) * unit()});

@@ -105,7 +105,7 @@ class UniformMesher {
     show_progress(joined);
   }
 
-  // As it was kept, or made.
+  // The kept mesh of tile i, or a new one.
   std::shared_ptr<const TileMesh> tile_mesh(std::size_t i) {
     std::shared_ptr<const TileMesh> kept = kept_.find(i, bare_.about(set_.tiles[i].place));
     return kept != nullptr ? kept : make_tile(i);

@@ -96,7 +96,7 @@ class Chooser {
     }
   }
 
-  // As few stops as the limit needs, and of those the ones with the lowest chords.
+  // Takes as few stops as the limit needs, and of all such choices the one with the lowest chords.
   std::vector<std::size_t> even_stops(std::size_t from, std::size_t to) const {
     std::vector<std::size_t> best = stops_within(from, to, limits_.height);
     if (best.size() <= 2) return best;

@@ -62,7 +62,7 @@ class DepthSearch {
   Vec3 place_;
 };
 
-// -d_k; leaves the distances of the cuts in distance_.
+// Depth of p in the material, -d_k, mm. Leaves the distances of the cuts in distance_.
 double DepthSearch::material(const Vec3& p, std::span<const std::uint32_t> cuts) {
   distance_.resize(cuts.size());
   scene_.part.sweeps().distances(cuts, p, distance_.data());

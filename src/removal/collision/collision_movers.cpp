@@ -59,7 +59,7 @@ Box3 path_box(const Motion& m) {
   return b;
 }
 
-// Turning tools go round the bar.
+// The box of a turning tool, seen from the bar that turns: all places round the axis.
 Box3 turned(Box3 b) {
   const double r = std::max(std::fabs(b.lo.x), std::fabs(b.hi.x));
   b.lo.x = b.lo.y = -r;
@@ -96,7 +96,8 @@ class Selection {
       : part_(part), motions_(motions), tools_(tools), stock_(stock), known_(tools.size()) {}
 
   bool may_collide(std::size_t at);
-  /// For a rapid that may. Any number of threads at once.
+  /// Whether a rapid stays within what the motions just before it have cleared. Requires:
+  /// may_collide(at). Any number of threads may call it at once.
   bool keeps_to_recent_places(std::size_t at, double touch) const;
   const std::vector<int>& shapeless() const { return shapeless_; }
 
@@ -146,9 +147,9 @@ bool Selection::may_collide(std::size_t at) {
     return false;
   const Known& k = known(m.tool);
   if (!k.reach || !meets(mover_box(m, *k.reach, k.shape.turning), stock_)) return false;
-  // An insert that leaves the plane of X and Z is out of its machine's reach.
+  // A lathe moves its inserts in the plane of X and Z only.
   if (k.shape.turning && (m.start.y != 0 || m.end.y != 0)) return false;
-  // Out of a thread, whose groove the part does not have.
+  // The way out of a thread: threads are not cut here, so the part does not have its groove.
   if (k.shape.turning && at > 0 && motions_[at - 1].lead != 0) return false;
   return part_ != ToolPart::cutter || !follows_cut(at, k);
 }

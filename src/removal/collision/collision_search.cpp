@@ -202,14 +202,15 @@ double CollisionDetector::depth_at(const CollisionView& view, const Vec3& p, std
   double least = -view.stock_distance(p);
   const auto end = std::partition_point(
       cuts.begin(), cuts.end(), [&](std::uint32_t cut) { return sweeps.motion(cut) <= time; });
-  // Backwards: of many cuts in one place the last one is likely to have cleared it.
+  // From the last cut to the first: if many cuts pass one place, the last one has likely cleared
+  // it.
   for (auto cut = end; cut != cuts.begin() && least > scene_.threshold;)
     least = std::min(least, view.cut_distance(*--cut, p));
   return least;
 }
 
-// The smallest boxes: their centre may lie beside a mover, whose nearest point is used instead.
-// The box's own cuts may not be all that count there.
+// Looks at boxes of the smallest size. Their centre may lie beside a mover, so the mover's nearest
+// point is asked; that may lie outside of the box, where more cuts than the box's own count.
 void CollisionDetector::look_beside(const Ball& ball, const Tier& tier) {
   for (const std::uint32_t mover : tier.movers) {
     const Vec3 p = view_->drawn_onto(mover, ball.center);
@@ -221,8 +222,8 @@ void CollisionDetector::look_beside(const Ball& ball, const Tier& tier) {
   }
 }
 
-// Joins it with those that it meets: between two that are no farther apart than the threshold all
-// lies within that of one of them.
+// Joins the range of heights with those that it meets. Two that are no farther apart than the
+// threshold are joined too: each place between them lies within the threshold of one of them.
 void CollisionDetector::add_cleared(Heights heights) {
   std::erase_if(cleared_, [&](const Heights& other) {
     if (other.low > heights.high + scene_.threshold || heights.low > other.high + scene_.threshold)

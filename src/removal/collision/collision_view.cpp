@@ -23,7 +23,8 @@ double CollisionView::mover_distance(std::uint32_t mover, const Vec3& p) const {
   return d;
 }
 
-// From face to face: beside a crease, two or three of them lead into it.
+// Moves p onto sweep i, along the normal of one face after another: beside a crease, two or three
+// steps lead into it.
 Vec3 drawn_onto(const SweepTable& sweeps, std::uint32_t i, const Vec3& p) {
   Vec3 q = p;
   for (int step = 0; step < 8; ++step) {

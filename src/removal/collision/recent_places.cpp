@@ -26,19 +26,20 @@ constexpr std::size_t kMotionsBack = 256;  ///< motions back
 constexpr int kMostHalvings = 8;           ///< of a rapid
 constexpr double kAngleError = 1e-9;       ///< rad
 
-// Directions in plan within `half` of `middle`, rad; all of them from pi on.
+// The directions in plan within `half` of `middle`, rad. From half = pi on these are all
+// directions.
 struct Sector {
   double middle = 0, half = 0;
 };
 
-// (-pi, pi].
+// The same angle in (-pi, pi].
 double wrapped(double angle) {
   while (angle > kPi) angle -= kTwoPi;
   while (angle <= -kPi) angle += kTwoPi;
   return angle;
 }
 
-// The directions of both, but for those in which they meet a second time.
+// The directions that both have. Where they overlap at both ends, one of the two overlaps.
 Sector common(const Sector& a, const Sector& b) {
   if (a.half >= kPi) return b;
   if (b.half >= kPi) return a;

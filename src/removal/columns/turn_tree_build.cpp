@@ -27,7 +27,7 @@ struct Path {
   double bulge = 0;
 };
 
-// The first of the farthest ends.
+// The end of a path that is farthest from `from`; the first one of equals.
 Vec2 farthest(std::span<const Path> paths, Vec2 from) {
   Vec2 found = from;
   double most = -1;
@@ -39,7 +39,7 @@ Vec2 farthest(std::span<const Path> paths, Vec2 from) {
 
 }  // namespace
 
-// Tier by tier; the packs of a tier side by side.
+// Builds the tree tier by tier; threads make the packs of a tier side by side.
 class TurnTree::Builder {
  public:
   Builder(TurnTree& tree, std::span<const ToolShape> shapes, int threads)
@@ -53,7 +53,7 @@ class TurnTree::Builder {
         kChildrenOfThread);
   }
 
-  // The packs of the items [from, to), all of one insert; the last one is their root.
+  // Adds the packs of the items [from, to), all of one insert. The last one is their root.
   void add(std::uint32_t from, std::uint32_t to) {
     auto tier = add_tier(from, to, true);
     while (tree_.packs_.size() - tier > 1)
@@ -73,7 +73,7 @@ class TurnTree::Builder {
     std::array<const ConvexPolygon*, kLanes> polygons{};
   };
 
-  // The packs above the items, or packs, [from, to); the first of them.
+  // Adds the packs above the items (or packs) [from, to). Returns the first of the new packs.
   std::uint32_t add_tier(std::uint32_t from, std::uint32_t to, bool leaves) {
     const std::size_t count = (to - from + kLanes - 1) / kLanes, first = tree_.packs_.size();
     tree_.packs_.resize(first + count), tree_.size_.resize(first + count);

@@ -15,8 +15,8 @@ Vec2 in_plan(const Vec3& p, const double* c) {
   return {p.x - c[LineSlot::x], p.y - c[LineSlot::y]};
 }
 
-// Of a function with these values at the corners, which strays from their interpolation by up to
-// `strays`, mm.
+// The envelope of a function that has these values at the corners and differs from their linear
+// interpolation by up to `strays`, mm.
 Envelope bent_envelope(const std::array<double, 3>& at, double strays) {
   Envelope e{at, at, at, true};
   for (int k = 0; k < 3; ++k) e.low[k] -= strays, e.high[k] += strays;

@@ -36,7 +36,7 @@ void StaircaseWalker::walk(std::size_t tile, CutSink& sink) const {
   std::vector<std::int32_t> cut(std::size_t(HeightGrid::kTile) * HeightGrid::kTile * deep,
                                 kNeverThere);
   const auto z = [&](std::int32_t k) { return lattice_.position({0, 0, bottom_ + k}).z; };
-  std::int32_t first = 0, end = deep_;  // of the stock
+  std::int32_t first = 0, end = deep_;  // layers with voxels of the stock
   while (first < end && !(z(first) > stock.lo.z)) ++first;
   while (end > first && !(z(end - 1) < stock.hi.z)) --end;
   for (int x = 0; x < HeightGrid::kTile; ++x)
@@ -49,7 +49,8 @@ void StaircaseWalker::walk(std::size_t tile, CutSink& sink) const {
   const std::vector<std::uint32_t>& sweeps = sweeps_[tile];
   const Vec2 corner = grid_.corner(tile);
   const double h = lattice_.voxel;
-  // Steps fall, so what a step removes ends where something has gone before.
+  // Bottoms of successive steps only get lower, so all above the first voxel that an earlier step
+  // has removed is gone.
   const auto remove = [&](const Vec2& at, std::uint32_t index, double bottom) {
     const auto x = std::size_t(std::lround((at.x - corner.x) / h)),
                y = std::size_t(std::lround((at.y - corner.y) / h));

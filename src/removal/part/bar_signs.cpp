@@ -98,8 +98,8 @@ class WaysReader {
     }
   }
 
-  // Two passes that end in front of the zero or at it, at different radii: it is at a shoulder.
-  // A way in that a face follows is none.
+  // If two passes end in front of the zero or at it, at different radii, the zero is at a shoulder.
+  // A way in that a face follows is no such pass.
   void note_neck(std::size_t i, std::size_t next, double begin) {
     const double radius = std::fabs(motions_[i].start.x);
     if (!is_upright_line(motions_[i]) || radius < kLeastMargin || !works_outside(motions_[i]))

@@ -1,5 +1,5 @@
-// What the ways in of tools show of the bar of a lathe beyond the sizes of its cuts: where it
-// begins, on which side it is held, and whether it has a hole.
+// The bar of a lathe, as the moves by which tools go into the material show it, beyond the sizes of
+// the cuts: where the bar begins, which end is held, and whether it has a hole.
 #pragma once
 
 #include "removal/part/stock_margin.h"
@@ -11,24 +11,25 @@
 
 namespace mrsim {
 
-/// Where tools begin to cut, mm in Z, where that may be in front of the program's zero.
+/// The place in Z, mm, where tools begin to cut. It may lie in front of the program's zero.
 struct FarWays {
   double begin = kNoHeight;
   bool is_front = false;  ///< the bar begins there, not at the zero: they cut in front of that
 };
 
-/// `begin` is kNoHeight where most ways in begin near the zero and lead behind it, or begin after a
-/// face at it.
+/// `begin` is kNoHeight if most moves into the material begin near the zero and lead behind it, or
+/// begin after the zero has been faced.
 FarWays far_ways(std::span<const Motion> motions, std::span<const Tool> tools, double zero);
 
-/// The radius from which on nothing is cut along Z: the largest of all cuts across, where tools go
-/// in level from a rapid. Infinite where none does.
+/// The radius beyond which nothing is cut along Z: the largest one of all cuts that do not run
+/// along Z. Infinite unless a tool goes straight inwards right behind a rapid: only such a move
+/// shows where the air ends.
 double air_radius(std::span<const Motion> motions);
 
-/// Which end of the bar is held. `plus`: a counter spindle holds it, and its front looks to -Z, as
-/// all ways in lead towards +Z, beyond all places where the tools were. A way back in the air
-/// is none. `unsure`: they lead there
-/// from behind the zero, where tools come to from in front of a bar, too.
+/// Which end of the bar is held. `plus`: a counter spindle holds it, and its front looks to -Z: all
+/// moves into the material lead towards +Z, beyond all places where the tools were (a way back in
+/// the air does not count). `unsure`: such moves begin behind the zero, which tools also reach from
+/// in front of a bar.
 enum class HeldEnd : std::uint8_t { minus, plus, unsure };
 HeldEnd held_end(std::span<const Motion> motions, double zero);
 

@@ -90,7 +90,7 @@ TurnedCuts turned_cuts(std::span<const Motion> motions, std::span<const Tool> to
     cuts.widest = std::max(cuts.widest, wide);
     if (m.lead != 0) continue;
     cuts.narrowest = std::min(cuts.narrowest, to);
-    // A rapid leads to where a slope begins: it says nothing of what is wider.
+    // A slope that leads to a face begins in the air, where a rapid ended: only its end counts.
     if (inwards) cuts.along = std::max(cuts.along, to_face ? to : std::max(from, to));
     if (inwards && is_upright_line(m)) cuts.passes = std::max(cuts.passes, wide);
     cuts.only_passes = cuts.only_passes && (is_upright_line(m) || leads_in);
@@ -103,7 +103,7 @@ TurnedCuts turned_cuts(std::span<const Motion> motions, std::span<const Tool> to
   return cuts;
 }
 
-// A stroke's way back along its own cut.
+// Whether the rapid goes back along the stroke that was just cut.
 bool goes_back_in(const Motion& cut, const Motion& rapid) {
   return is_cut(cut) && cut.start.z == cut.end.z && rapid.end.z == cut.end.z &&
          std::fabs(rapid.end.x) < std::fabs(cut.start.x) - kSameHeight;
@@ -231,7 +231,7 @@ double front_of(const TurnedCuts& cuts, double clearance, double zero) {
 // shorter by more is no sign of that.
 constexpr double kMostAir = 6;
 
-// Its radius and Z, rounded.
+// The radius of the bar and its ends in Z, rounded.
 struct Bar {
   double radius = 0, low = 0, front = 0;
 };

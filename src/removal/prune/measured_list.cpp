@@ -126,7 +126,7 @@ double MeasuredList::measure_others(const SweepTable& table, const CandidateList
   return extent;
 }
 
-// The nearest of all packs; its distance.
+// Measures all packs of the slice. Returns the nearest one and its distance.
 LeastDistance MeasuredList::measure_packs(const CandidateList::Slice& slice) {
   scratch_.packs.clear(), scratch_.turned = {};
   const Vec3& c = region_.center;

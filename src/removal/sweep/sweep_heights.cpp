@@ -250,7 +250,8 @@ double SweepHeights::helix_bottom(const Row& row, double x, double y, double rad
   return end <= path.sweep ? path.center.z + end * path.rise.z : kInfinity;
 }
 
-// Distances do not grow upwards.
+// Searches the height at which the distance is 0. There is one, since distances do not grow
+// upwards.
 double SweepHeights::search(std::uint32_t sweep, double x, double y,
                             const Underside::Bounds& within) const {
   double low = std::max(low_, within.lower) - kFound, high = std::min(high_, within.upper);

@@ -47,8 +47,9 @@ class SweepTable {
   std::vector<std::uint32_t> all(double longest = std::numeric_limits<double>::infinity()) const;
   /// The sweeps of a list, packs expanded, whose bounds meet a box; ascending.
   std::vector<std::uint32_t> expanded(std::span<const std::uint32_t> list, const Box3& box) const;
-  /// Those of expanded() that may meet a bounded box: of turning sweeps, whose bounds are far
-  /// larger than they are, the tree tells. Costs what lies about the box, not what the list holds.
+  /// The sweeps of expanded() that may meet a bounded box. Bounds of turning sweeps are far larger
+  /// than these sweeps, so their tree is asked. The cost grows with the sweeps about the box, not
+  /// with the length of the list.
   std::vector<std::uint32_t> meeting(std::span<const std::uint32_t> list, const Box3& box) const;
   /// Index of the motion that makes sweep i. Never falls with i.
   std::int32_t motion(std::size_t i) const;

@@ -1,6 +1,6 @@
 // The underside of a cutter that never narrows upwards: its height above the tip by the distance
-// from the axis, and where a slanted move touches with it. What heights of sweeps are made of
-// (docs/history.md).
+// from the axis, and the place at which it touches on a slanted move. The heights of sweeps are
+// computed from it (docs/history.md).
 #pragma once
 
 #include "removal/tool/tool.h"

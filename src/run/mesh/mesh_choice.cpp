@@ -102,7 +102,7 @@ bool is_plain(const detail::SurfaceSurvey& survey) { return survey.creasing <= k
 
 double groove_nodes(const MeshChoice& choice) { return kGrooveNodes * choice.kinds.grooves; }
 
-// Of all blocks together.
+// The sum over all blocks: one for the block itself, and one for each sweep that meets it.
 double sweeps_met(const detail::SurfaceSurvey& survey) {
   return static_cast<double>(survey.blocks) * (1 + survey.sweeps);
 }

@@ -22,8 +22,8 @@ namespace mrsim {
 namespace {
 
 constexpr double kUnlimited = std::numeric_limits<double>::infinity();
-// Of a mesh within a tolerance: what it takes of its expected memory at most, and bytes of each
-// thread beside that.
+// A mesh within a tolerance takes at most kMeshErr times its expected memory, and kThreadRoom bytes
+// more for each thread.
 constexpr double kMeshErr = 1.25, kThreadRoom = 8e6;
 
 MeshPlan chosen_plan(const Job& job, const Stock& stock, const MeshChoice& choice) {

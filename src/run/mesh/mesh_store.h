@@ -38,7 +38,7 @@ class MeshStore final : public MeshSink {
   void keep(const Piece& piece);
   /// Another mesh takes its place. Requires: one that is in memory.
   void replace(TriMesh mesh);
-  /// Of what is left, ascending.
+  /// The owners of the faces that are left, ascending.
   std::vector<std::int32_t> owners() const { return owners_.sorted(); }
   void set_origin(const OwnerTable& origin);
   /// The mesh where it is in memory, else none.
