@@ -153,7 +153,7 @@ TEST_F(Figures, BytesAreTheSameForAnyNumberOfThreads) {
   EXPECT_EQ(read("t1.stl"), read("t7.stl"));
 }
 
-TEST_F(Figures, SameBytesForAnyInstructionSet) {
+TEST_F(Figures, BytesAreTheSameForAnyInstructionSet) {
   for (const char* level : {"scalar", "avx2", "avx512"}) {
     ::setenv("MRSIM_SIMD", level, 1);
     for (const std::string part : {"2F.MPF --stock block.stl", "2S.MPF --stock bar.stl"})

@@ -216,7 +216,7 @@ TEST(ArcForms, ReversedArcIsTheSameCircle) {
   }
 }
 
-TEST(ArcForms, FullCircleWithoutEndPoint) {
+TEST(ArcForms, AnArcWithoutAnEndPointIsAFullCircle) {
   for (const Dialect d : {Dialect::sinumerik, Dialect::iso, Dialect::fanuc, Dialect::codesys})
     for (const char* word : {"G2 I10", "G3 I10 J0", "g2 i10 j0", "G3 X0 Y0 I10"}) {
       SCOPED_TRACE(word);

@@ -196,7 +196,7 @@ TEST(ControlsDiffer, ComputedScalesCountAsWritten) {
 }
 
 // Within a word ROUND of FANUC rounds to least increments, everywhere else to whole numbers.
-TEST(ControlsDiffer, RoundInAWord) {
+TEST(ControlsDiffer, RoundInAWordRoundsToIncrementsOnFanuc) {
   EXPECT_EQ(mill("#1=3.2\nG1 X[ROUND[#1*1.1]] F10\n"), "l3.52,0,0");
   EXPECT_EQ(mill("R1=3.2\nG1 X=ROUND(R1*1.1) F10\n", Dialect::sinumerik), "l4,0,0");
   EXPECT_EQ(mill("#1=3.2\nG1 X[ROUND[#1*1.1]] F10\n", Dialect::ngc), "l4,0,0");

@@ -16,7 +16,7 @@ std::string turned_corners(const std::string& text) {
   return path_text(read_text(text, at_origin(Dialect::fanuc, MachineKind::lathe)));
 }
 
-TEST(CornerWords, RoundsAndChamfersOnMills) {
+TEST(CornerWords, MillsRoundAndChamferCorners) {
   EXPECT_EQ(milled_corners("G1 X30. F100. ,R5.\nY40. ,C2.\nX0\n"),
             "l25,0,0 a30,5,0 l30,38,0 l28,40,0 l0,40,0");
   EXPECT_EQ(milled_corners("#1=5\nG1 X30. , R #1 F100.\nY40.\n"), "l25,0,0 a30,5,0 l30,40,0");

@@ -101,7 +101,7 @@ TEST(FanucVariables, CountersAndOutputsKeepWhatIsSet) {
 }
 
 // Loops that make a tool longer cut deeper on the machine, and cut all at one depth here.
-TEST(FanucRegisters, ALengthThatChangesBetweenCuts) {
+TEST(FanucRegisters, ALengthMustNotChangeBetweenCuts) {
   const auto run_lengths = [](const std::string& first, const std::string& second,
                               const std::string& h = "H1") {
     const auto cut = [](const std::string& number) {
@@ -120,7 +120,7 @@ TEST(FanucRegisters, ALengthThatChangesBetweenCuts) {
   EXPECT_EQ(run_lengths("G10 P1 R80.\n", "G10 P1 R79.\n"), "not-supported") << "memory A";
 }
 
-TEST(FanucRegisters, AnOffsetOfALatheThatChangesBetweenCuts) {
+TEST(FanucRegisters, AnOffsetOfALatheMustNotChangeBetweenCuts) {
   const auto told = [](const std::string& set, const std::string& second = "T0101") {
     const std::string cut = "\nG0 X20. Z1.\nG1 Z-5. F.1\nG0 X30.\nZ1.\n";
     return codes(read_text("G10 P1 X0 Z0\nT0101" + cut + set + second + cut,
@@ -134,7 +134,7 @@ TEST(FanucRegisters, AnOffsetOfALatheThatChangesBetweenCuts) {
   EXPECT_EQ(told("G10 P10001 X-180.\n"), "not-supported");
 }
 
-TEST(FanucRegisters, TheAxisOfAnOffsetThatChanges) {
+TEST(FanucRegisters, TheAxisOfAnOffsetThatChangesIsTold) {
   const auto told = [](const std::string& set) {
     const std::string cut = "T0101\nG0 X20. Z1.\nG1 Z-5. F.1\nG0 X30.\nZ1.\n";
     for (const Diagnostic& d :
@@ -147,7 +147,7 @@ TEST(FanucRegisters, TheAxisOfAnOffsetThatChanges) {
 }
 
 // Another tool's length, and one that no cut follows, change nothing.
-TEST(FanucRegisters, ALengthThatChangesBehindAnotherTool) {
+TEST(FanucRegisters, ALengthMayChangeBehindAnotherTool) {
   const auto told = [](const std::string& text) {
     return codes(read_text(text, at_origin(Dialect::fanuc)));
   };
@@ -177,7 +177,7 @@ TEST(FanucRegisters, TwoLengthsOfOneToolAreAnError) {
 }
 
 // On the machine the two are as far apart as the tool is long.
-TEST(FanucRegisters, CutsWithAndWithoutTheLength) {
+TEST(FanucRegisters, CutsMustNotBeWithAndWithoutTheLength) {
   const auto told = [](const std::string& second, bool listed = false) {
     InterpOptions options = at_origin(Dialect::fanuc);
     if (listed) options.table.offsets.push_back({"H1", 0, 0, 20});

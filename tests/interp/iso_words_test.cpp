@@ -11,7 +11,7 @@ std::string iso(const std::string& text) {
 }
 
 // The rounding and the chamfer of the programming manual's pictures.
-TEST(IsoWords, CornersBetweenTwoMoves) {
+TEST(IsoWords, CornersAreRoundedBetweenTwoMoves) {
   EXPECT_EQ(iso("G36 R5 X35 Y0\nX35 Y50\n"), iso("X30 Y0\nG3 X35 Y5 I0 J5\nG1 X35 Y50\n"));
   EXPECT_EQ(iso("G39 R15 X35 Y0\nX35 Y50\n"), iso("X20 Y0\nX35 Y15\nX35 Y50\n"));
   EXPECT_EQ(iso("G36 X35\n"), " | value-missing");
@@ -53,7 +53,7 @@ TEST(IsoWords, WordsWithoutEffectOnThePartAreReadOver) {
 
 // 8055: G11 to G13 mirror about the zero, one beside the other; G72 S scales about it; G73 Q turns
 // further each time, so that a part repeated by RPT stands round about; alone it ends that.
-TEST(IsoWords, MirrorScaleAndRotationOfFagor) {
+TEST(IsoWords, FagorMirrorsScalesAndTurns) {
   EXPECT_EQ(iso("G11 X5 Y2\nX10\nG12\nX11 Y3\nG10\nX12 Y4\n"),
             "l-5,2,0 l-10,2,0 l-11,-3,0 l12,4,0");
   EXPECT_EQ(iso("G13\nX1 Y1 Z-2\nG10 G1 X5 Z-3\n"), "l1,1,2 l5,1,-3");

@@ -47,7 +47,7 @@ TEST(ToolNotes, WorkNamesTheToolOfALathe) {
 }
 
 // As SINUMERIK's lists call them; A and I are outside and inside.
-TEST(ToolNotes, NamesInTheListsOfLathes) {
+TEST(ToolNotes, NamesInTheListsOfLathesTellTheTool) {
   const auto named = [](const std::string& name) {
     InterpOptions options;
     options.dialect = Dialect::sinumerik;
@@ -124,7 +124,7 @@ TEST(ToolNotes, RoundToolsAndStopsAreNoInserts) {
 }
 
 // A radius of inserts is the tool's, any other one the work's.
-TEST(ToolNotes, NoseBesideTheWork) {
+TEST(ToolNotes, ARadiusOfInsertsBesideTheWorkIsTheNose) {
   InterpOptions options;
   options.dialect = Dialect::fanuc;
   options.machine = MachineKind::lathe;
@@ -183,7 +183,7 @@ TEST(ToolNotes, HalfOfALathesStationIsItsOffset) {
 
 // A comment that names its tool by the number, in a list above the program: what its words say of
 // the work counts, too.
-TEST(ToolNotes, WorkOfATurretToolInAList) {
+TEST(ToolNotes, WorkInAListNamesTheTurretToolOfItsNumber) {
   const auto tool = [](const std::string& comment) {
     InterpOptions options = at_origin(Dialect::fanuc, MachineKind::lathe);
     options.table.tools.clear();
@@ -237,7 +237,7 @@ TEST(ToolNotes, APlungeAndBackNeedsDataOfItsBlade) {
 }
 
 // Words for the work above a T word name its tool, but not in a list above the first cut.
-TEST(ToolNotes, WorkAboveTheTWordOfALathe) {
+TEST(ToolNotes, WorkAboveTheTWordNamesItsToolOnALathe) {
   const auto tools = [](const std::string& text) {
     InterpOptions options = at_origin(Dialect::fanuc, MachineKind::lathe);
     options.table.tools.clear();

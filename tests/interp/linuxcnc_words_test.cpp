@@ -202,7 +202,7 @@ TEST(LinuxCncWords, AxesBesideWordsThatHaveNoneMove) {
 }
 
 // The machine cuts deeper, and here all passes are at one depth.
-TEST(LinuxCncWords, ALengthThatChangesBetweenCuts) {
+TEST(LinuxCncWords, ALengthMustNotChangeBetweenCuts) {
   const auto told = [](const std::string& first, const std::string& second) {
     const std::string cut = "G1 Z0 F9\nG0 Z9\n";
     return codes(read_text("T1 M6\n" + first + cut + second + cut, at_origin(Dialect::ngc)));
@@ -266,7 +266,7 @@ TEST(LinuxCncWords, G89FeedsOnToTheLevelOfG98) {
             "r0,0,5 r0,0,4 l0,0,-1 l0,0,4 r0,0,5");
 }
 
-TEST(LinuxCncWords, PolarPlacesOfHolesAndAtTheirZero) {
+TEST(LinuxCncWords, PolarWordsGivePlacesOfHoles) {
   EXPECT_EQ(path_of_words("F9\nG81 X3 Y4 Z-2 R1\n^90\n@2\nM2\n"),
             "r0,0,1 r3,4,1 l3,4,-2 r3,4,1 r0,5,1 l0,5,-2 r0,5,1 r0,2,1 l0,2,-2 r0,2,1");
   EXPECT_EQ(path_of_words("G1 F9 @-5 ^0\nM2\n"), "l-5,0,0");
@@ -325,7 +325,7 @@ TEST(LinuxCncWords, M17EndsNothing) {
 }
 
 // G10 L10 and G43.2 make another length, too; G49 none.
-TEST(LinuxCncWords, ALengthThatTouchingOffChanges) {
+TEST(LinuxCncWords, TouchingOffMustNotChangeALengthBetweenCuts) {
   const auto told = [](const std::string& first, const std::string& second) {
     const std::string cut = "G1 Z0 F9\nG0 Z9\n";
     return codes(read_text("T1 M6\nG0 Z9\n" + first + cut + second + cut, at_origin(Dialect::ngc)));

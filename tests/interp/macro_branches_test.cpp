@@ -79,7 +79,7 @@ TEST(MacroBranches, PartsOfBranchesThatBlockSkipLeavesOut) {
 }
 
 // Nothing of the line ran but its IF, and the program went on behind it.
-TEST(MacroBranches, BranchesWithinALineThatNoSemicolonEnds) {
+TEST(MacroBranches, BranchesWithinALineNeedASemicolonAtItsEnd) {
   const std::string line = "IF[1EQ1]THEN; G1 X1 F9; ELSE; G1 X2 F9; ENDIF; G1 X3 F9";
   const auto read = [&](const char* end) {
     return read_text(line + end + "\nG1 X99 F9\nM30\n", at_origin(Dialect::fanuc));
@@ -121,7 +121,7 @@ TEST(MacroBranches, PartsOfBranchesAndLoopsBehindWordsAreErrors) {
 }
 
 // Haas: N50 [#1 LT 10] M99 P10 goes on at a block where the condition holds.
-TEST(MacroBranches, ReturnsOnAConditionOfHaas) {
+TEST(MacroBranches, AConditionBeforeM99DecidesOnHaas) {
   const std::string sub = "M30\nO7\n[#1 GT 2] M99\nX[#1*10]\nM99\n";
   EXPECT_EQ(run(Dialect::fanuc, "G1 F100 X1\nG65 P7 A2\nG65 P7 A3\nX4\n" + sub),
             "1,0,0 20,0,0 4,0,0 ");

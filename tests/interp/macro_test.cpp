@@ -100,7 +100,7 @@ TEST(Macro, Fanuc30iAndMitsubishiHaveMoreCommonVariables) {
   EXPECT_EQ(run(Dialect::fanuc, "G1 F100 X1\nX#98500\n"), "1,0,0 variable-number");
 }
 
-TEST(Macro, ReturnsAndLocalCalls) {
+TEST(Macro, M99ReturnsToABlockAndM97CallsOne) {
   EXPECT_EQ(run(Dialect::fanuc,
                 "G1 F100 X1\nM98 P7\nX99\nN50 X2\nM97 P900 L2\nX3\nM30\nN900 G91 Y1\nG90\nM99\n"
                 "O7\nX5\nM99 P50\n"),

@@ -168,7 +168,7 @@ TEST(MillCycles, FacesAreCleared) {
   expect_cleared("CYCLE61(50,3,2,0,0,0,50,30,1.5,80,0,800,31,1001,1,2210)", 0, kept, -10, 60);
 }
 
-TEST(MillCycles, OpenSlotAndThread) {
+TEST(MillCycles, OpenSlotsAndThreadsAreMilled) {
   const auto slot = [](double x, double y) {
     return std::abs(x) > 30 ? std::max(0.0, std::abs(y) - 12) : std::abs(y) - 12;
   };

@@ -172,7 +172,7 @@ TEST(Disc, SharpensTheCorner) {
   EXPECT_EQ(codes(p), "");
 }
 
-TEST(Disc, EndsOfTheRange) {
+TEST(Disc, TheEndsOfTheRangeAreG450AndG451) {
   EXPECT_EQ(listing(run(std::string("DISC=0\n") + kSquare)),
             listing(run("\n" + std::string(kSquare))));
   EXPECT_EQ(listing(run(std::string("DISC=100\n") + kSquare)),

@@ -51,7 +51,7 @@ TEST(PostWords, WhatMovesTheMachineIsNamed) {
   }
 }
 
-TEST(PostWords, SemicolonsPointsAndTurns) {
+TEST(PostWords, SemicolonsPointsAndTurnsAreRead) {
   for (const Dialect d : {Dialect::fanuc, Dialect::iso, Dialect::ngc}) {
     const Program p = read_text("G1 Z-1 F100 ;Z-3\nG1 X1\n", at_origin(d));
     ASSERT_EQ(p.motions.size(), 2U);
@@ -321,7 +321,7 @@ TEST(PostWords, ParametersOfTheControlAreNotRead) {
   EXPECT_EQ(fanuc("G10 L52\nN3401 R1\nG11\nG1 X5 F100\n"), "l5,0,0 | parameter-set");
 }
 
-TEST(PostWords, WordsOfSpindlesAndNames) {
+TEST(PostWords, WordsOfSpindlesAndNamesAreReadOver) {
   const auto fanuc = [](const std::string& text) {
     return path_text(read_text(text, at_origin(Dialect::fanuc)));
   };

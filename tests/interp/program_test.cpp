@@ -152,7 +152,7 @@ TEST(ToolComment, ToolsAreReadInManyTongues) {
   EXPECT_FALSE(read_tool_comment("finish the pocket"));
 }
 
-TEST(Tools, UnknownOnlyWhenItCuts) {
+TEST(Tools, AToolIsUnknownOnlyWhenItCuts) {
   InterpOptions options;
   options.dialect = Dialect::fanuc;
   const Program p = read_text("T7 M6\nG0 X1 Y1\nT1 M6 (END MILL D5)\nG1 X5 F1\n", options);
@@ -264,7 +264,7 @@ TEST(Subprograms, MissingAndEndlessSubprogramsAreErrors) {
   EXPECT_EQ(codes(loop, Severity::note), "program-loops");
 }
 
-TEST(Flow, SkippedBlocksLabelsAndEnds) {
+TEST(Flow, SkippedBlocksLabelsAndEndsAreObeyed) {
   InterpOptions options = at_origin(Dialect::sinumerik);
   EXPECT_EQ(read_text("G1 X1 F1\n/X2\n/3 X3\nM30\nX4\n", options).motions.size(), 3U);
   options.block_skip = 1;

@@ -26,7 +26,7 @@ std::string refusal(const std::string& text, const std::string& name = "a.nc") {
 }
 
 // Listings of FANUC programs print the end of a block; an O number is no Heidenhain's.
-TEST(RecogniseDialect, SignsAtTheEndsOfBlocks) {
+TEST(RecogniseDialect, SignsAtTheEndsOfBlocksAreNoOtherControl) {
   for (const char* sign : {"*", "$"}) {
     const std::string text = fmt::format("%\nO1000{0}\nN10 G90{0}\nN20 G1 X5. F100{0}\n", sign);
     InterpOptions options = at_origin(Dialect::automatic);

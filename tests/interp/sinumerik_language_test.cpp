@@ -259,7 +259,7 @@ TEST(SinumerikLanguage, IsvarAsksForAVariable) {
 }
 
 // As of FANUC's lengths: the machine cuts deeper, and here all passes are at one depth.
-TEST(SinumerikLanguage, ALengthThatChangesBetweenCuts) {
+TEST(SinumerikLanguage, ALengthMustNotChangeBetweenCuts) {
   const auto told = [](const std::string& set, const std::string& second = "T1 M6\n") {
     const std::string cut = "D1 G0 Z9\nG1 Z0 F9\nG0 Z9\n";
     return codes(read_text("T1 M6\n$TC_DP3[2,1]=90 $TC_DP12[1,1]=0\n" + cut + set + second + cut,

@@ -25,7 +25,7 @@ TEST(Sinumerik, RadiusOfTheToolIsKnownBeforeItCuts) {
   EXPECT_EQ(run("T1 D0 M6\nF100 G1 X=20-$P_TOOLR Y0\n"), "20,0,0 ") << "D0: no edge";
 }
 
-TEST(Sinumerik, NamesBehindASign) {
+TEST(Sinumerik, NamesMayStandBehindASign) {
   const std::string def = "DEF REAL _A=4, _B=2\nF100 G1 ";
   EXPECT_EQ(run(def + "X=-_A\nX=-_A*_B\nX=5-_A\nX=+_A\nX=-(_A+_B)\n"),
             "-4,0,0 -8,0,0 1,0,0 4,0,0 -6,0,0 ");
@@ -48,7 +48,7 @@ TEST(Sinumerik, CallsOfIsoModeAreRefused) {
 }
 
 // Speeds, smoothing, couplings, the handling of wear: the path stays what it is.
-TEST(Sinumerik, WordsThatMoveNothing) {
+TEST(Sinumerik, WordsThatMoveNothingAreReadOver) {
   const std::string path = "F100 G1 X1\n";
   for (const char* word :
        {"G54 G17 GWPSOF", "GWPSON(1)", "PAROTOF",   "TOROTOF", "FENDNORM",      "G62",
@@ -181,7 +181,7 @@ TEST(Sinumerik, MeasuringCyclesAreANote) {
 }
 
 // MEAS and MEAW beside a move: it ends where the probe touches.
-TEST(Sinumerik, MovesOfAProbe) {
+TEST(Sinumerik, MovesOfAProbeEndWhereItTouches) {
   for (const char* word : {"MEAS=1", "MEAS=-1", "MEAW=2"}) {
     const Program p =
         read_text(std::string("G0 X0 Y0 Z0\n") + word + " G1 X30 F300\nG0 X5\nG1 Y9\n",

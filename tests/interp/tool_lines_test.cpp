@@ -110,7 +110,7 @@ TEST(ToolLines, SizesMayStandInALineOfTheirOwn) {
 }
 
 // Below a tool's comment, what the work is like: it was read as the tool's.
-TEST(ToolLines, LinesAboutTheWork) {
+TEST(ToolLines, LinesAboutTheWorkAreDoubted) {
   const auto asks = [&](const char* tool, const char* line, const char* about) {
     EXPECT_NE(below(tool, line).find(about), std::string::npos) << tool << ", " << line;
   };
@@ -148,7 +148,7 @@ TEST(ToolLines, LinesAboutTheWork) {
 
 // A plain end mill may rough a slot or go along an edge of any form; the cutter of that form has
 // its own name or size.
-TEST(ToolLines, ShapesOfTheWorkBelowAPlainEndMill) {
+TEST(ToolLines, ShapesBelowAPlainEndMillAreThoseOfTheWork) {
   using enum ToolType;
   for (const char* const work : {"DOVETAIL SLOT", "ROUGH DOVETAIL", "ROUGH T-SLOT",
                                  "ROUND OVER EDGES", "FINISH T SLOT SIDES"}) {
@@ -164,7 +164,7 @@ TEST(ToolLines, ShapesOfTheWorkBelowAPlainEndMill) {
 }
 
 // The comment of the block of the change, or right behind it, names the tool.
-TEST(ToolLines, FormsAtTheChangeToAPlainEndMill) {
+TEST(ToolLines, AFormAtTheChangeContradictsAPlainEndMill) {
   const std::string cut = kCut, fusion = "(T1 D=10. CR=0. - ZMIN=-5. - FLAT END MILL)\n";
   for (const char* const form :
        {"DOVETAIL", "KEYSEAT", "T-SLOT", "ROUGH DOVETAIL", "DOVETAIL CUTTER"}) {
@@ -178,7 +178,7 @@ TEST(ToolLines, FormsAtTheChangeToAPlainEndMill) {
 }
 
 // Such a size is that of a corner rounding cutter or of the head of a T-slot cutter.
-TEST(ToolLines, SizesOfAFormBesideAPlainEndMill) {
+TEST(ToolLines, SizesOfAFormBesideAPlainEndMillAreDoubted) {
   const std::string call = std::string("T1 M6\n") + kCut;
   for (const char* const lines :
        {"(CORNER ROUNDING)\n(10MM END MILL)\n(CR 3)\n", "(CORNER ROUNDING)\n(10MM END MILL R3)\n",
@@ -190,7 +190,7 @@ TEST(ToolLines, SizesOfAFormBesideAPlainEndMill) {
 }
 
 // "MILL D25" may be any mill: the name of a form says which, and asks for what it lacks.
-TEST(ToolLines, AFormBelowAMillOfNoKind) {
+TEST(ToolLines, AFormBelowAMillOfNoKindIsItsKind) {
   const std::string cut = kCut, call = "T1 M6\n" + cut;
   for (const std::string& text :
        {"(T1 MILL D25)\nT1 M6 (T-SLOT CUTTER)\n" + cut, "(T1 MILL D25)\n(T-SLOT)\n" + call,
@@ -211,7 +211,7 @@ TEST(ToolLines, WhatIsTakenToBeTheWorkIsTold) {
 }
 
 // Diameters of holes and pockets beside the tool that makes them.
-TEST(ToolLines, SizesOfTheWorkBesideATool) {
+TEST(ToolLines, SizesOfTheWorkAreNotThoseOfTheTool) {
   const std::string call = std::string("T1 M6\n") + kCut;
   const std::string mill = tool_like(ToolType::endmill, 10, 0, 0);
   for (const char* line :

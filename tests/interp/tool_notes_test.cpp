@@ -111,7 +111,7 @@ TEST(ToolNotes, KeysWithValuesAreReadLineByLine) {
 }
 
 // A list of NX: each line is about the tool whose name it gives.
-TEST(ToolNotes, AListOfNames) {
+TEST(ToolNotes, EachLineOfAListIsAboutTheToolItNames) {
   const std::string cut = "G90 G0 X0 Y0 Z5\nG1 Z-1 F100\n";
   const std::string list = "; MILL_D20R2 (D20 R2)\n; MILL_D20 (D20)\n; DRILL_D8\n";
   EXPECT_EQ(diameters(list + "T=\"MILL_D20R2\" M6\n" + cut + "T=\"DRILL_D8\" M6\n" + cut,

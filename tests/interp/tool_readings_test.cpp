@@ -41,7 +41,7 @@ TEST(ToolCommentReadings, TapsAreAsWideAsTheirThreads) {
   });
 }
 
-TEST(ToolCommentReadings, NumberAndLetterDrills) {
+TEST(ToolCommentReadings, NumbersAndLettersAreDiametersOfDrills) {
   expect_readings({
       {inch, "#7 DRILL", "drill 5.1054"},
       {inch, "NO. 7 DRILL", "drill 5.1054"},
@@ -168,7 +168,7 @@ TEST(ToolCommentReadings, HyphensMayStandBetweenThePartsOfAName) {
   });
 }
 
-TEST(ToolCommentReadings, TwoDiametersOfAPointedMill) {
+TEST(ToolCommentReadings, TheSmallerDiameterOfAPointedMillIsItsTip) {
   expect_readings({
       {mm, "CHAMFER MILL D10/D2", "chamfer 10, point 90, tip 2"},
       {mm, "CHAMFER D2-D10 90 DEG", "chamfer 10, point 90, tip 2"},
@@ -179,7 +179,7 @@ TEST(ToolCommentReadings, TwoDiametersOfAPointedMill) {
 }
 
 // FRESA, FRAISE and FREZ alone are end mills; the word behind them may name another shape.
-TEST(ToolCommentReadings, WordsBehindTheMill) {
+TEST(ToolCommentReadings, WordsBehindTheMillNameItsShape) {
   expect_readings({
       {mm, "FRAISE CHANFREIN 90 D10", "chamfer 10, point 90"},
       {mm, "FRESA A SMUSSARE 90 D10", "chamfer 10, point 90"},
@@ -361,7 +361,7 @@ TEST(ToolCommentReadings, NumbersThatCountThingsAreNoSizes) {
   });
 }
 
-TEST(ToolReadings, BallsAndDrillsByTheirShortNames) {
+TEST(ToolReadings, BallsAndDrillsHaveShortNames) {
   expect_readings({
       {mm, "T1 6MM BALL NOSED SLOT DRILL", "ballmill 6"},
       {mm, "6.00 DIA BALLNOSE SLOTDRILL", "ballmill 6"},

@@ -37,7 +37,7 @@ TEST(ToolShapes, RouterBitsAreMills) {
 }
 
 // A word before MILL that makes another shape of it; all were end mills.
-TEST(ToolShapes, ShapesNamedBeforeMill) {
+TEST(ToolShapes, AWordBeforeMillNamesItsShape) {
   const char* const more = "? names a kind of tool that needs more data";
   expect_readings({
       {mm, "SPHERE MILL 8", "ballmill 8"},

@@ -40,7 +40,7 @@ TEST(WordsTogether, OnlyOneOfThemIsAnError) {
 }
 
 // G5 and G7 of Fagor, round and square corners, stand beside moves of every form.
-TEST(WordsTogether, CornersOfFagorBesideMoves) {
+TEST(WordsTogether, CornersOfFagorStandBesideMoves) {
   EXPECT_EQ(mill("G5 G1 R5 Q90 F9\n", Dialect::iso), "l0,5,0");
   EXPECT_EQ(mill("G7 R5 Q90 F9 G1\n", Dialect::iso), "l0,5,0");
   EXPECT_EQ(mill("G5 G2 X10 Y0 I5 J0 F9\n", Dialect::iso), mill("G2 X10 Y0 I5 J0 F9\n"));

@@ -236,7 +236,7 @@ TEST_F(LostCrest, IsNoWall) {
 }
 
 // Between this plane of the grid and the next, so that all edges that show the wall are held.
-TEST_F(Lost, WallThatEndsBesideAnEdge) {
+TEST_F(Lost, AWallIsLostWhereItEndsBesideAnEdge) {
   const Place at = place(1, 0);
   const std::int32_t voxel = lattice_.per_voxel();
   const auto plane = static_cast<std::int32_t>((at.middle.x - lattice_.coordinate(0, 0)) / kVoxel);

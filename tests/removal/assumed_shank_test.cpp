@@ -20,7 +20,7 @@ TEST(AssumedShank, MillBelowWhatItsFlutesDoNotReach) {
   expect_none(check(block(), slot.motions, endmill(6), 0.25));  // cuts up to the top
 }
 
-TEST(AssumedShank, NeckOfATSlotMill) {
+TEST(AssumedShank, TheNeckOfATSlotMillCollides) {
   Tool tool = mill(ToolType::tslot, 16);
   tool.width = 4;
   tool.neck_diameter = 8;

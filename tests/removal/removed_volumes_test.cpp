@@ -40,7 +40,7 @@ void expect_closed_form(const VolumeScene& scene, double exact, double voxel) {
 
 const StockShape kBlock = box_stock({0, 0, -20}, {100, 60, 0});
 
-TEST(RemovedVolumes, SlotWithRoundEnd) {
+TEST(RemovedVolumes, ASlotRemovesItsRoundEndToo) {
   const VolumeScene scene{kBlock, endmill(10), {line({-10, 30, -5}, {50, 30, -5})}};
   expect_closed_form(scene, 5 * (10 * 50 + kPi * 25 / 2), 0.25);
 }

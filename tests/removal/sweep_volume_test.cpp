@@ -77,7 +77,7 @@ TEST(SweepVolume, CirclesAndHelicesHaveTheClosedForm) {
   EXPECT_NEAR(volume(table(helix, endmill(10)), 2) - bore, kPi * 49 * 5, 5);
 }
 
-TEST(SweepVolume, PlungesOfDrillsAndEndmills) {
+TEST(SweepVolume, PlungesOfDrillsAndEndmillsHaveTheirVolume) {
   Tool drill = endmill(6);
   drill.type = ToolType::drill;
   const double r = 3, cone = r / std::tan(radians(59));

@@ -88,7 +88,7 @@ const char* const kFusion = R"({"data":[
   {"type":"dovetail mill","unit":"millimeters","geometry":{"DC":8},"post-process":{"number":5}},
   {"type":"holder"}],"version":2})";
 
-TEST(ToolLibrary, MeasuresOfFusionPlainAndZipped) {
+TEST(ToolLibrary, MeasuresOfFusionAreReadPlainAndZipped) {
   for (const std::string& bytes : {std::string(kFusion), detail::zip({{"tools.json", kFusion}})}) {
     const ToolLibrary l = parse_library(bytes, "lib.tools");
     EXPECT_EQ(l.format, LibraryFormat::fusion);
