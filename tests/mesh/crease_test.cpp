@@ -5,6 +5,7 @@
 #include "removal/part/part_field.h"
 #include "support/analytic_field.h"
 #include "support/moves.h"
+#include "support/shapes.h"
 #include "support/tools.h"
 
 #include <cmath>
@@ -110,8 +111,7 @@ TEST(Crease, PassesACellOfShortMoves) {
 // On a slight slope the floor of a tip turns up into the flank within less than a micrometre: the
 // two join smoothly, and that is a crease for a cell.
 TEST(Crease, IsFoundWhereAFloorTurnsUpIntoAFlank) {
-  StockShape shape;
-  shape.box = {{0, 0, -3}, {10, 10, 0}};
+  const StockShape shape = testing::box_stock({0, 0, -3}, {10, 10, 0});
   Tool vee = testing::mill(ToolType::chamfer, 3);
   vee.tip_angle = radians(90), vee.tip_diameter = 0.2;
   const Motion m = testing::line({-3, 5, -0.4}, {13, 5, -0.5});

@@ -8,6 +8,7 @@
 #include "removal/part/part_field.h"
 #include "support/field_distance.h"
 #include "support/moves.h"
+#include "support/shapes.h"
 #include "support/tools.h"
 
 #include <cmath>
@@ -26,8 +27,7 @@ using testing::line;
 
 // A slot along x through the middle of a block of 20 x 20 x 8 mm, 3 mm deep.
 PartField slot(const Tool& tool) {
-  StockShape shape;
-  shape.box = {{0, 0, 0}, {20, 20, 8}};
+  const StockShape shape = testing::box_stock({0, 0, 0}, {20, 20, 8});
   const Motion cut = line({-10, 10, 5}, {30, 10, 5});
   return PartField(StockSolid(shape), SweepTable(std::span(&cut, 1), std::span(&tool, 1)));
 }
@@ -45,8 +45,7 @@ TEST(DefaultMesh, SurveyTellsTheCutSurfaceWithinAFactorOfTwo) {
 // Slots of Ø0.5 with walls of 0.4 mm between them, several in one block: each wall counts. A slot
 // alone is told as well.
 TEST(DefaultMesh, SurveyCountsEverySheetOfSurface) {
-  StockShape shape;
-  shape.box = {{0, 0, 0}, {40, 40, 8}};
+  const StockShape shape = testing::box_stock({0, 0, 0}, {40, 40, 8});
   std::vector<Motion> cuts;
   for (int k = 0; k < 40; ++k) cuts.push_back(line({-10, 1 + 0.9 * k, 3}, {50, 1 + 0.9 * k, 3}));
   const Tool narrow = endmill(0.5);
@@ -61,8 +60,7 @@ TEST(DefaultMesh, SurveyCountsEverySheetOfSurface) {
 
 // Slots and walls of 0.5 mm, many in one block.
 TEST(DefaultMesh, CellsAsLargeAsGapsAndWallsTakeMore) {
-  StockShape shape;
-  shape.box = {{0, 0, 0}, {200, 200, 8}};
+  const StockShape shape = testing::box_stock({0, 0, 0}, {200, 200, 8});
   std::vector<Motion> cuts;
   for (int k = 0; k < 200; ++k) cuts.push_back(line({-10, 0.5 + k, 3}, {210, 0.5 + k, 3}));
   const Tool narrow = endmill(0.5);
@@ -74,8 +72,7 @@ TEST(DefaultMesh, CellsAsLargeAsGapsAndWallsTakeMore) {
 
 // Twenty pecks share a wall; twenty passes of a ball beside one another leave creases everywhere.
 TEST(DefaultMesh, SurveyTellsSweepsThatLeaveCreases) {
-  StockShape shape;
-  shape.box = {{0, 0, 0}, {20, 20, 20}};
+  const StockShape shape = testing::box_stock({0, 0, 0}, {20, 20, 20});
   std::vector<Motion> pecks, passes;
   for (int k = 0; k < 20; ++k) {
     pecks.push_back(line({10, 10, 22.0 - k}, {10, 10, 19.0 - k}));
@@ -124,8 +121,7 @@ TEST(DefaultMesh, AToleranceThatTakesTooMuchIsGivenUp) {
 
 // Passes of a ball, 5 mm apart, over the whole block: cells about their crests are small.
 PartField crests() {
-  StockShape shape;
-  shape.box = {{0, 0, 0}, {20, 20, 8}};
+  const StockShape shape = testing::box_stock({0, 0, 0}, {20, 20, 8});
   std::vector<Motion> passes;
   for (int k = 0; k < 5; ++k) {
     const double y = 1.3 + 4.3 * k;

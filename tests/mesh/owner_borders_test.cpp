@@ -5,6 +5,7 @@
 #include "mesh/solid/check.h"
 #include "removal/part/part_field.h"
 #include "support/moves.h"
+#include "support/shapes.h"
 #include "support/tools.h"
 
 #include <algorithm>
@@ -23,8 +24,7 @@ constexpr double kVoxel = 0.5, kTolerance = 0.02;
 constexpr double kRoom = kVoxel / 8;  // what docs/mesh.md promises of borders on planes
 
 PartField milled(const std::vector<Motion>& motions) {
-  StockShape stock;
-  stock.box = {{0, 0, -10}, {60, 50, 0}};
+  const StockShape stock = box_stock({0, 0, -10}, {60, 50, 0});
   const Tool tool = endmill(10);
   return {StockSolid(stock), SweepTable(motions, std::span(&tool, 1))};
 }
@@ -221,8 +221,7 @@ TEST(OwnerBorders, OfBandsNarrowerThanCellsTakeFewCuts) {
     const double lap = k / kSides + std::min(1.0, (k % kSides + 1) / 6.0);
     places.push_back({rounded(r * cos), rounded(1.1 * r * sin), rounded(-3.0 / kLaps * lap)});
   }
-  StockShape sheet;
-  sheet.box = {{-90, -90, -3}, {90, 90, 0}};
+  const StockShape sheet = box_stock({-90, -90, -3}, {90, 90, 0});
   const Tool tool = endmill(3.175);
   const PartField field{StockSolid(sheet), SweepTable(path(places), std::span(&tool, 1))};
   MeshPlan plan;
@@ -245,8 +244,7 @@ TEST(OwnerBorders, KeepPiecesOfChordsWithinTheTolerance) {
     places.push_back({rounded(699.23445 + r * cos), rounded(752.73065 + r * sin),
                       -5.06 * (1 + k / (kSides + 1))});
   }
-  StockShape sheet;
-  sheet.box = {{0, 0, -25}, {800, 1200, 0}};
+  const StockShape sheet = box_stock({0, 0, -25}, {800, 1200, 0});
   const Tool tool = endmill(8);
   const PartField field{StockSolid(sheet), SweepTable(path(places), std::span(&tool, 1))};
   MeshPlan plan;

@@ -2,6 +2,7 @@
 #include "core/numbers/vec.h"
 #include "mesh/surface/dual_surface.h"
 #include "removal/part/part_field.h"
+#include "support/shapes.h"
 
 #include <algorithm>
 #include <map>
@@ -31,8 +32,7 @@ PartField crossing_grooves() {
     m.end = k % 3 ? Vec3{22, 20 - 0.8 * at, -1 - 0.2 * k} : Vec3{19 - at, 22, -2};
     motions.push_back(m);
   }
-  StockShape shape;
-  shape.box = {{0, 0, -6}, {20, 20, 0}};
+  const StockShape shape = testing::box_stock({0, 0, -6}, {20, 20, 0});
   return {StockSolid(shape), SweepTable(motions, tools)};
 }
 

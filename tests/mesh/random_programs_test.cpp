@@ -9,6 +9,7 @@
 #include "removal/part/part_field.h"
 #include "support/cgal_mesh.h"
 #include "support/random.h"
+#include "support/shapes.h"
 
 #include <algorithm>
 #include <array>
@@ -27,8 +28,7 @@ class Generator {
   explicit Generator(std::uint64_t seed) : random_(testing::salted(seed)) {}
 
   PartField part() {
-    StockShape stock;
-    stock.box = {{0, 0, 0}, {whole(15, 30), whole(15, 30), whole(6, 12)}};
+    const StockShape stock = box_stock({0, 0, 0}, {whole(15, 30), whole(15, 30), whole(6, 12)});
     const double top = stock.box.hi.z;
     Tool tool;
     constexpr std::array kTypes{ToolType::endmill, ToolType::ballmill, ToolType::bullmill};

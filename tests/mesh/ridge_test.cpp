@@ -6,6 +6,7 @@
 #include "support/cgal_mesh.h"
 #include "support/mesh_asserts.h"
 #include "support/moves.h"
+#include "support/shapes.h"
 #include "support/tools.h"
 
 #include <cmath>
@@ -29,8 +30,7 @@ struct Part {
 };
 
 Part meshed(const std::vector<Motion>& cuts, const Tool& tool, double height, double voxel) {
-  StockShape shape;
-  shape.box = {{-10, -10, -height}, {10, 10, 0}};
+  const StockShape shape = testing::box_stock({-10, -10, -height}, {10, 10, 0});
   const PartField field{StockSolid(shape), SweepTable(cuts, std::span(&tool, 1))};
   MeshPlan options;
   options.tolerance = kRidgeTolerance;
@@ -86,8 +86,7 @@ TEST(Ridge, BottomsOfGroovesMayCrossInAPoint) {
   tool.tip_angle = kPi / 4;
   const std::vector<Motion> cuts{line({-5.918, 3.77, -1}, {-3.536, 3.181, -1}),
                                  line({-5.035, 2.693, -1}, {-5.562, 5.101, -1})};
-  StockShape shape;
-  shape.box = {{-20, -20, -5}, {20, 20, 0}};
+  const StockShape shape = testing::box_stock({-20, -20, -5}, {20, 20, 0});
   const PartField field{StockSolid(shape), SweepTable(cuts, std::span(&tool, 1))};
   MeshPlan options;
   options.tolerance = 0.0068;
@@ -156,8 +155,7 @@ TEST(Ridge, BurrsBesideArcsAreSharp) {
 // its own, which must not know of the other.
 TEST(Ridge, CrestsOfMilledThreadsAreSharp) {
   const Motion helix = half_turn(-2, 0.5);
-  StockShape shape;
-  shape.box = {{-10, -10, -3}, {10, 10, 0}};
+  const StockShape shape = testing::box_stock({-10, -10, -3}, {10, 10, 0});
   const Tool tool = tooth();
   const PartField field{StockSolid(shape), SweepTable(std::span(&helix, 1), std::span(&tool, 1))};
   MeshPlan options;

@@ -10,6 +10,7 @@
 #include "removal/part/part_field.h"
 #include "support/crossed_slots.h"
 #include "support/moves.h"
+#include "support/shapes.h"
 #include "support/temp_folder.h"
 
 #include <cstdint>
@@ -24,9 +25,8 @@ using namespace mrsim::testing;
 
 // `around`: mm of stock beside the slots.
 PartField crossed_part(double around) {
-  StockShape stock;
-  stock.box = {{-around, -around, 0},
-               {kCrossedSize[0] + around, kCrossedSize[1] + around, kCrossedSize[2]}};
+  const StockShape stock = testing::box_stock(
+      {-around, -around, 0}, {kCrossedSize[0] + around, kCrossedSize[1] + around, kCrossedSize[2]});
   Tool tool;
   tool.type = ToolType::endmill;
   tool.diameter = kCrossedMill;
@@ -121,8 +121,8 @@ TEST(Slabs, TilesThatWereSplitMeetTheOthers) {
 // Three slots narrower than a voxel: two pieces of surface in one cell have their vertices in the
 // same corner of the part. Then they go between their crossings.
 TEST(Slabs, PiecesInOneCellDoNotTouch) {
-  StockShape stock;
-  stock.box = {{0, 0, 0}, {53.956341099692509, 40.307636285433546, 4.5330535713583231}};
+  const StockShape stock =
+      box_stock({0, 0, 0}, {53.956341099692509, 40.307636285433546, 4.5330535713583231});
   Tool tool;
   tool.type = ToolType::bullmill;
   tool.diameter = 0.28352510700933636;

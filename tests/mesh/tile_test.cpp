@@ -11,6 +11,7 @@
 #include "support/analytic_field.h"
 #include "support/cgal_mesh.h"
 #include "support/mesh_asserts.h"
+#include "support/shapes.h"
 
 #include <algorithm>
 #include <cmath>
@@ -40,9 +41,8 @@ PartField raster(const Vec3& origin, const Tool& tool, bool steep) {
       m.start = at(k), m.end = at(k + 1);
       motions.push_back(m);
     }
-  StockShape shape;
-  shape.box = {origin - Vec3{1, 1, 4}, origin + Vec3{9, 8, 1}};
-  return {StockSolid(shape), SweepTable(motions, {&tool, 1})};
+  return {StockSolid(testing::box_stock(origin - Vec3{1, 1, 4}, origin + Vec3{9, 8, 1})),
+          SweepTable(motions, {&tool, 1})};
 }
 PartField raster(const Vec3& origin, double diameter, bool steep) {
   Tool ball;
@@ -247,8 +247,7 @@ TEST(CellTile, SidesThatNoCutReachesAreOneSquareATile) {
         slots[k].start = origin + Vec3{23, 24 + k * (1 + wall), -1};
         slots[k].end = slots[k].start + Vec3{3, 0, 0};
       }
-      StockShape plate;
-      plate.box = {origin - Vec3{0, 0, 5}, origin + Vec3{60, 45, 0}};
+      const StockShape plate = testing::box_stock(origin - Vec3{0, 0, 5}, origin + Vec3{60, 45, 0});
       const PartField field{StockSolid(plate), SweepTable(slots, {&mill, 1})};
       const TriMesh mesh = mesh_part(field, 0.1, MeshPlan{});
       testing::expect_closed_manifold(mesh);

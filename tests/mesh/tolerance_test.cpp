@@ -9,6 +9,7 @@
 #include "support/moves.h"
 #include "support/random.h"
 #include "support/rounds.h"
+#include "support/shapes.h"
 #include "support/tools.h"
 
 #include <cmath>
@@ -33,8 +34,7 @@ Motion arc(Vec3 center, double radius, double from, double sweep) {
 // The report of a mesh of these moves in a block of 20 x 20 x 8 mm.
 MeshReport expect_bound_holds(const std::vector<Motion>& motions, const Tool& tool,
                               double tolerance, const std::string& what) {
-  StockShape shape;
-  shape.box = {{0, 0, 0}, {20, 20, 8}};
+  const StockShape shape = testing::box_stock({0, 0, 0}, {20, 20, 8});
   const PartField field(StockSolid(shape), SweepTable(motions, std::span(&tool, 1)));
   MeshPlan options;
   options.tolerance = tolerance;
@@ -116,8 +116,7 @@ TEST(Tolerance, SidesOfAPlateTakeFewCells) {
   const double depth = 0.15, radius = depth * std::tan(radians(30));
   const double cone = kPi * radius * radius * depth / 3, wedge = radius * depth * 5;
   for (const double side : {40.0, 400.0}) {
-    StockShape plate;
-    plate.box = {{0, 0, 0}, {side, 0.75 * side, 10}};
+    const StockShape plate = testing::box_stock({0, 0, 0}, {side, 0.75 * side, 10});
     const PartField part{StockSolid(plate), SweepTable(groove, std::span(&vee, 1))};
     MeshPlan options;
     options.tolerance = 0.05;
@@ -173,8 +172,7 @@ TEST(Tolerance, BoundHoldsWhereFacesEndWithinTriangles) {
 TEST(Tolerance, GroovesOfASharpTipTakeFewTriangles) {
   Tool vee = mill(ToolType::chamfer, 8);
   vee.tip_angle = kPi / 2;
-  StockShape shape;
-  shape.box = {{0, 0, 0}, {20, 20, 8}};
+  const StockShape shape = testing::box_stock({0, 0, 0}, {20, 20, 8});
   const Motion cut = line({-10, 9.7, 6}, {30, 9.7, 6});
   const PartField field(StockSolid(shape), SweepTable(std::span(&cut, 1), std::span(&vee, 1)));
   MeshPlan options;
@@ -211,8 +209,7 @@ TEST(Tolerance, TrianglesLieAlongTheirFaces) {
     motions.push_back(arc(to - 0.5 * Vec3{x, y, 0}, 0.5, t, -kPi));
     at = to - Vec3{x, y, 0};
   }
-  StockShape shape;
-  shape.box = {{0, 0, -20}, {120, 80, 0}};
+  const StockShape shape = testing::box_stock({0, 0, -20}, {120, 80, 0});
   const PartField field(StockSolid(shape), SweepTable(motions, std::span(&tool, 1)));
   MeshPlan options;
   options.tolerance = 0.0204;

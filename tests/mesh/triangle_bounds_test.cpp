@@ -9,6 +9,7 @@
 #include "support/mesh_asserts.h"
 #include "support/moves.h"
 #include "support/random.h"
+#include "support/shapes.h"
 
 #include <cmath>
 #include <utility>
@@ -72,8 +73,7 @@ TEST(Certify, RememberedDistancesAreThoseOfTheField) {
 // Rows of loops of short moves, as adaptive clearing makes them: where their walls meet the side of
 // the stock, tips of thin material end on the floor.
 TEST(Certify, LoopsThatLeaveTheStockTakeFewCells) {
-  StockShape shape;
-  shape.box = {{0, 0, 0}, {20, 24, 12}};
+  const StockShape shape = box_stock({0, 0, 0}, {20, 24, 12});
   Tool tool;
   tool.type = ToolType::endmill;
   tool.diameter = 10;

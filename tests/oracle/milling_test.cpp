@@ -10,6 +10,7 @@
 #include "support/collecting_sink.h"
 #include "support/random.h"
 #include "support/rounds.h"
+#include "support/shapes.h"
 
 #include <algorithm>
 #include <array>
@@ -80,9 +81,8 @@ Removed removed_by(const Milled& part, const std::map<double, ExactRegion>& leve
 }
 
 PartField field_of(const Milled& part) {
-  StockShape shape;
-  shape.box = part.stock;
-  return {StockSolid(shape), SweepTable(part.motions, part.tools)};
+  return {StockSolid(testing::box_stock(part.stock.lo, part.stock.hi)),
+          SweepTable(part.motions, part.tools)};
 }
 
 // The volume that a run prints, of the mesh less what the mesh holds too much, against the

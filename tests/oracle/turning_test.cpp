@@ -11,6 +11,7 @@
 #include "support/collecting_sink.h"
 #include "support/random.h"
 #include "support/rounds.h"
+#include "support/shapes.h"
 
 #include <algorithm>
 #include <cmath>
@@ -90,11 +91,8 @@ ExactRegion region_of(const Turned& part) {
 }
 
 PartField field_of(const Turned& part) {
-  StockShape shape;
-  shape.kind = StockShape::Kind::cylinder;
-  shape.outer_radius = part.radius;
-  shape.box = {{-part.radius, -part.radius, part.z0}, {part.radius, part.radius, part.z1}};
-  return {StockSolid(shape), SweepTable(part.motions, part.tools)};
+  return {StockSolid(testing::round_stock(part.radius, 0, part.z0, part.z1)),
+          SweepTable(part.motions, part.tools)};
 }
 
 void expect_membership(const Turned& part, const ExactRegion& region, const PartField& field,

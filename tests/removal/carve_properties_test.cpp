@@ -2,6 +2,7 @@
 // included; and what holds of any two programs.
 #include "carve_support.h"
 #include "core/numbers/units.h"
+#include "support/shapes.h"
 #include "sweep_support.h"
 
 #include <gtest/gtest.h>
@@ -79,13 +80,7 @@ std::vector<Motion> random_scene(Random& r, bool turning, int count) {
 }
 
 StockShape stock_of(bool turning) {
-  StockShape shape;
-  shape.box = {{0, 0, 0}, {7, 7, 5}};
-  if (!turning) return shape;
-  shape.kind = StockShape::Kind::cylinder;
-  shape.outer_radius = 4.5;
-  shape.box = {{-4.5, -4.5, 0}, {4.5, 4.5, 6}};
-  return shape;
+  return turning ? round_stock(4.5, 0, 0, 6) : box_stock({0, 0, 0}, {7, 7, 5});
 }
 
 void expect_reference(const Kind& kind, std::uint64_t first, std::uint64_t count) {

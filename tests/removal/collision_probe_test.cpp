@@ -4,6 +4,7 @@
 #include "core/numbers/units.h"
 #include "core/numbers/vec.h"
 #include "support/random.h"
+#include "support/shapes.h"
 
 #include <algorithm>
 #include <memory>
@@ -24,8 +25,7 @@ class ProbeScene {
     tools_[0].id = "1";
     tools_[0].type = type;
     tools_[0].diameter = 6;
-    StockShape shape;
-    shape.box = {{0, 0, -20}, {60, 40, 0}};
+    const StockShape shape = testing::box_stock({0, 0, -20}, {60, 40, 0});
     part_ = std::make_unique<PartField>(StockSolid(shape), SweepTable(motions_, tools_));
     blocks_ = std::make_unique<BlockIndex>(*part_, kVoxel, kBand, std::size_t(1) << 30);
     std::vector<int> shapeless;

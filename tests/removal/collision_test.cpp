@@ -5,6 +5,7 @@
 #include "removal/sweep/sweep_table.h"
 #include "support/random.h"
 #include "support/rounds.h"
+#include "support/shapes.h"
 
 #include <algorithm>
 #include <random>
@@ -301,8 +302,7 @@ TEST(Collisions, AgreeWithDenseSampling) {
   const auto pick = [&](double lo, double hi) {
     return lo + (hi - lo) * static_cast<double>(random() % 1000) / 999;
   };
-  StockShape stock;
-  stock.box = {{0, 0, -5}, {20, 20, 0}};
+  const StockShape stock = testing::box_stock({0, 0, -5}, {20, 20, 0});
   for (unsigned scene = 0; scene < testing::rounds(4); ++scene) {
     Tool tool = endmill(scene % 2 == 0 ? 3 : 5, 0, 4);
     tool.type = scene % 3 == 0 ? ToolType::ballmill : ToolType::endmill;

@@ -5,6 +5,7 @@
 #include "core/numbers/units.h"
 #include "removal/part/part_field.h"
 #include "removal/sweep_support.h"
+#include "support/shapes.h"
 #include "support/tools.h"
 
 #include <cmath>
@@ -119,8 +120,7 @@ std::vector<Tool> mills() {
 }
 
 PartField block(const std::vector<Motion>& motions, const Tool& tool) {
-  StockShape shape;
-  shape.box = {{0, 0, 0}, {40, 40, 20}};
+  const StockShape shape = testing::box_stock({0, 0, 0}, {40, 40, 20});
   return PartField(StockSolid(shape), SweepTable(motions, std::span(&tool, 1)));
 }
 
@@ -177,10 +177,7 @@ TEST(FaceRange, FacesOfSlantedLinesAndUprightArcsLieInTheirRange) {
 }
 
 TEST(FaceRange, RangesOfTurnedFacesHoldTheirSamples) {
-  StockShape shape;
-  shape.kind = StockShape::Kind::cylinder;
-  shape.outer_radius = 25;
-  shape.box = {{-25, -25, 0}, {25, 25, 50}};
+  const StockShape shape = testing::round_stock(25, 0, 0, 50);
   Random random(3);
   for (const double nose : {0.0, 0.4, 1.2}) {
     Tool tool;
@@ -214,8 +211,7 @@ TEST(FaceRange, FacesOfTubesAndBoxesLieInTheirRange) {
   tube.axis_point = {3, -2, 0};
   tube.outer_radius = 25, tube.inner_radius = 8;
   tube.box = {{-22, -27, 0}, {28, 23, 50}};
-  StockShape box;
-  box.box = {{0, 0, 0}, {40, 30, 20}};
+  const StockShape box = testing::box_stock({0, 0, 0}, {40, 30, 20});
   Random random(4);
   for (const StockShape& shape : {tube, box}) {
     const PartField field(StockSolid(shape), SweepTable({}, {}));

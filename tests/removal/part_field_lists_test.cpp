@@ -4,6 +4,7 @@
 #include "removal/part/stock.h"
 #include "support/moves.h"
 #include "support/random.h"
+#include "support/shapes.h"
 #include "support/tools.h"
 
 #include <cmath>
@@ -71,8 +72,7 @@ TEST(PartFieldLists, HoldInTheWholeBox) {
     }
   motions.push_back(arc({3, 0, -0.5}, {0, 0, -0.5}, {0, 0, 1}, 5));
   const Tool ball = testing::ballmill(6);
-  StockShape shape;
-  shape.box = {{-8, -8, -5}, {8, 8, 4}};
+  const StockShape shape = testing::box_stock({-8, -8, -5}, {8, 8, 4});
   expect_lists_hold(PartField(StockSolid(shape), SweepTable(motions, {&ball, 1})), {6, 6, 2}, 50,
                     true);
 }
@@ -86,8 +86,7 @@ TEST(PartFieldLists, OfThreadMillsHoldInTheWholeBox) {
                                     line({2, 0, -10.5}, {0, 0, -10.5}),
                                     line({0, 0, -10.5}, {0, 0, 5})};
   const Tool tool = testing::thread_mill(2.1, 2.95);
-  StockShape shape;
-  shape.box = {{-8, -8, -15}, {8, 8, 0}};
+  const StockShape shape = testing::box_stock({-8, -8, -15}, {8, 8, 0});
   // The undersides of undercutting tools narrow lists, which tells nothing of deeper places.
   expect_lists_hold(PartField(StockSolid(shape), SweepTable(motions, {&tool, 1})), {5, 5, 13}, 30,
                     false);

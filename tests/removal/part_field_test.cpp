@@ -5,6 +5,7 @@
 #include "removal/part/stock.h"
 #include "support/moves.h"
 #include "support/random.h"
+#include "support/shapes.h"
 #include "support/tools.h"
 
 #include <random>
@@ -80,8 +81,7 @@ void expect_faces_agree(const PartField& field) {
 }
 
 TEST(PartField, FacesOfMillingSweepsAgreeWithTheDistance) {
-  StockShape shape;
-  shape.box = {{0, 0, 0}, {40, 40, 20}};
+  const StockShape shape = testing::box_stock({0, 0, 0}, {40, 40, 20});
   for (const Tool& tool : {testing::endmill(6), testing::ballmill(6)}) {
     const std::vector<Motion> motions{
         line({-5, 10, 12}, {45, 14, 12}),                            // level
@@ -96,8 +96,7 @@ TEST(PartField, FacesOfMillingSweepsAgreeWithTheDistance) {
 // Beyond the foot of the wall the wall is a cylinder about the path in plan, the floor a surface of
 // its own: both continuations are needed where a mesh looks for their crease.
 TEST(PartField, WallAndFloorOfRampsGoOnByThemselves) {
-  StockShape shape;
-  shape.box = {{0, 0, 0}, {40, 40, 20}};
+  const StockShape shape = testing::box_stock({0, 0, 0}, {40, 40, 20});
   Tool tool;
   tool.diameter = 6;
   const std::vector<Motion> motions{line({5, 10, 18}, {35, 10, 15}),
@@ -126,8 +125,7 @@ TEST(PartField, WallAndFloorOfRampsGoOnByThemselves) {
 // The floor of a slight slope is the lower half of a sheared cylinder some micrometres thick: seen
 // from above and below, over the path and beside it, Newton's method leads to one surface.
 TEST(PartField, FloorsOfSlightSlopesAreFound) {
-  StockShape shape;
-  shape.box = {{0, 0, 0}, {40, 40, 20}};
+  const StockShape shape = testing::box_stock({0, 0, 0}, {40, 40, 20});
   Tool vee = testing::mill(ToolType::chamfer, 6);
   vee.tip_angle = radians(90), vee.tip_diameter = 0.4;
   const std::vector<Motion> motions{line({5, 10, 15.1}, {35, 10, 15}),
@@ -158,10 +156,7 @@ TEST(PartField, FloorsOfSlightSlopesAreFound) {
 }
 
 TEST(PartField, FacesOfTurningSweepsAgreeWithTheDistance) {
-  StockShape shape;
-  shape.kind = StockShape::Kind::cylinder;
-  shape.outer_radius = 25;
-  shape.box = {{-25, -25, 0}, {25, 25, 51}};
+  const StockShape shape = testing::round_stock(25, 0, 0, 51);
   Tool tool;
   tool.type = ToolType::turning;
   tool.insert_angle = radians(35);
@@ -183,10 +178,7 @@ TEST(PartField, KnowsWhichDrilledPartsAreTurned) {
   Tool drill;
   drill.type = ToolType::drill;
   drill.diameter = 6;
-  StockShape shape;
-  shape.kind = StockShape::Kind::cylinder;
-  shape.outer_radius = 25;
-  shape.box = {{-25, -25, 0}, {25, 25, 51}};
+  const StockShape shape = testing::round_stock(25, 0, 0, 51);
   const auto is_turned = [&](Motion m) {
     const PartField field(StockSolid(shape), SweepTable({&m, 1}, std::span(&drill, 1)));
     return field.is_turned(field.all());
@@ -210,10 +202,7 @@ TEST(PartField, NamesTurningSweepsAndKnowsTurnedParts) {
   for (int i = 0; i < 40; ++i)
     motions.push_back(
         line({20 + 0.2 * (i % 2), 0, 50.0 - i}, {20 + 0.2 * (1 - i % 2), 0, 49.0 - i}));
-  StockShape shape;
-  shape.kind = StockShape::Kind::cylinder;
-  shape.outer_radius = 25;
-  shape.box = {{-25, -25, 0}, {25, 25, 51}};
+  const StockShape shape = testing::round_stock(25, 0, 0, 51);
   const PartField field(StockSolid(shape), SweepTable(motions, std::span(&tool, 1)));
   const Candidates all = field.all();
   EXPECT_TRUE(field.is_turned(all));
@@ -237,10 +226,7 @@ TEST(PartField, NamesTurningSweepsAndKnowsTurnedParts) {
 }
 
 TEST(PartField, FacesOfArcsThatBeginAndEndInCorners) {
-  StockShape shape;
-  shape.kind = StockShape::Kind::cylinder;
-  shape.outer_radius = 12;
-  shape.box = {{-12, -12, 0}, {12, 12, 20}};
+  const StockShape shape = testing::round_stock(12, 0, 0, 20);
   Tool tool;
   tool.type = ToolType::turning;
   tool.insert = "D";
@@ -271,8 +257,7 @@ TEST(PartField, KnowsWhatIsOnTheSurface) {
     motions.back().tool = k % 4;
   }
   motions.push_back(arc({3, 0, -0.5}, {0, 0, -0.5}, {0, 0, 1}, 5));
-  StockShape shape;
-  shape.box = {{-8, -8, -5}, {8, 8, 3}};
+  const StockShape shape = testing::box_stock({-8, -8, -5}, {8, 8, 3});
   const PartField field(StockSolid(shape), SweepTable(motions, tools));
   const Candidates all = field.all();
   unsigned on = 0, off = 0;
@@ -311,8 +296,7 @@ TEST(PartField, CubesBesideTheSurfaceAreAirOrMaterial) {
   Tool ball;
   ball.type = ToolType::ballmill;
   ball.diameter = 4;
-  StockShape shape;
-  shape.box = {{-5, -5, -4}, {5, 5, 2}};
+  const StockShape shape = testing::box_stock({-5, -5, -4}, {5, 5, 2});
   const PartField field(StockSolid(shape), SweepTable(motions, {&ball, 1}));
   const Candidates all = field.all();
   Candidates left;
@@ -339,8 +323,7 @@ TEST(PartField, CubesBesideTheSurfaceAreAirOrMaterial) {
 
 // Flutes that end above the stock are as good as endless ones; shorter ones leave what is above.
 TEST(PartField, FlutesThatReachAboveTheStockReachUp) {
-  StockShape block;
-  block.box = {{0, 0, -10}, {30, 20, 0}};
+  const StockShape block = testing::box_stock({0, 0, -10}, {30, 20, 0});
   std::vector<Motion> motions{line({5, 10, -8}, {25, 12, -3}), line({5, 10, -8}, {5, 10, -1})};
   motions.push_back(arc({18, 10, -2}, {15, 10, -2}, {0, 0, 1}, 2 * kTwoPi, -4 / (2 * kTwoPi)));
   for (Motion& m : motions) m.tool = 0;
