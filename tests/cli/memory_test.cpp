@@ -239,7 +239,9 @@ TEST_F(Memory, TheGridInThePlaceOfAMeshKeepsToItOrIsRefused) {
 
 // A list that grows hands back its earlier memory: 122 MB were taken here before it did.
 TEST_F(Memory, LoopsWithoutAnEndAreRefusedWithinIt) {
-  write("loop.nc", "%\nO1\nT1 M6\nG0 X0 Y0 Z5\nWHILE[1EQ1]DO1\nG1 Z-1 F100\nG0 Z5\nEND1\nM30\n%\n");
+  write("loop.nc",
+        "%\nO1\nT1 M6\nG0 X0 Y0 Z5\n#1=0\nWHILE[#1NE0.5]DO1\nG1 Z-1 F100\nG0 "
+        "Z5\n#1=#1+1\nEND1\nM30\n%\n");
   expect_failure(
       "loop.nc --stock box:0,0,-8,20,20,0 --tool ballmill:d=6 -o part.stl --json r.json "
       "--max-memory 100M",

@@ -43,6 +43,88 @@ TEST(Language, EndlessProgramsEnd) {
   EXPECT_EQ(codes(read_text("G1 X1 F1\nLOOP\nENDLOOP\nM30\n", options)), "program-endless");
 }
 
+// Of the programs that never end, as many motions as the first watch takes.
+TEST(Language, LoopsThatNothingCanEndAreToldSoon) {
+  const struct {
+    Dialect dialect;
+    const char* text;
+    const char* asked;
+  } cases[] = {
+      {Dialect::fanuc, "G1 X1 F1\nWHILE[1EQ1]DO1\nX0\nX1\nEND1\nM30\n", "leads out"},
+      {Dialect::fanuc, "#1=0\n#2=0\nWHILE[#1LT9]DO1\nG1 X#2 F1\n#2=#2+.001\nEND1\nM30\n", "(#1)"},
+      {Dialect::fanuc, "#1=0\nN1 G91 G1 X1 F1\nIF[#1LT9]GOTO1\nM30\n", "(#1)"},
+      {Dialect::fanuc,
+       "#1=0\nWHILE[#1EQ0]DO1\n#3=0\nWHILE[#3LT5]DO2\nG1 X#3 F1\n#3=#3+1\nEND2\nEND1\nM30\n",
+       "(#1, #3)"},
+      {Dialect::fanuc,
+       "#1=0\n#2=0\nWHILE[#1EQ0]DO1\nM98 P7\n#2=#2+1\nG65 P8 X#2\nEND1\nM30\n"
+       "O7\n#3=0\nWHILE[#3LT5]DO2\n#3=#3+1\nEND2\nM99\nO8\nG1 X#24 F1\nM99\n",
+       "(#1, #3)"},
+      {Dialect::ngc, "F1\no1 while [1]\nG1 X1\nX2\no1 endwhile\nM2\n", "leads out"},
+      {Dialect::ngc,
+       "F1\n#<a> = 1\no1 do\no2 repeat [3]\nG1 X[#<a>]\no2 endrepeat\no1 while [#<a> GT 0]\nM2\n",
+       "(#<A>)"},
+      {Dialect::sinumerik, "R1=1 R2=0\nG1 F1\nWHILE R1==1\nX=R2\nR2=R2+0.001\nENDWHILE\nM30\n",
+       "(R1)"},
+      {Dialect::sinumerik, "G1 F1\nLOOP\nX1\nX2\nENDLOOP\nM30\n", "leads out"},
+      {Dialect::codesys, "N1 G36 O$a$ D1\nN2 G1 X1 F100\nN3 G1 X0\nN4 G20 L2 K$a$\n", "($A$)"},
+      {Dialect::iso, "G1 F100 X1\n(P1=1)\nN10 X2\nX3\n(IF P1 EQ 1 GOTO N10)\nM30\n", "(P1)"},
+  };
+  for (const auto& one : cases) {
+    SCOPED_TRACE(one.text);
+    const Program p = read_text(one.text, at_origin(one.dialect));
+    EXPECT_EQ(codes(p), "program-endless");
+    ASSERT_FALSE(p.diagnostics.empty());
+    EXPECT_NE(p.diagnostics.back().text.find(one.asked), std::string::npos)
+        << p.diagnostics.back().text;
+    EXPECT_LT(p.motions.size(), 100'000U);
+  }
+}
+
+// What ends these loops is hidden: behind other variables, names, calls and counts of passes.
+TEST(Language, LongLoopsThatEndAreRun) {
+  const struct {
+    Dialect dialect;
+    const char* text;
+    std::size_t motions;
+  } cases[] = {
+      {Dialect::fanuc, "#1=0\nWHILE[#1LT15000]DO1\nG1 X#1 F1\n#1=#1+1\nEND1\nM30\n", 14'999},
+      {Dialect::fanuc,
+       "#1=0\n#2=0\n#3=0\nWHILE[#1LT15000]DO1\nG91 G1 X1 F1\n#3=#3+1\n#2=#3\n#1=#2\nEND1\nM30\n",
+       15'000},
+      {Dialect::fanuc, "#1=0\n#3=1\nWHILE[#1LT15000]DO1\nG91 G1 X1 F1\n#[#3]=#[#3]+1\nEND1\nM30\n",
+       15'000},
+      {Dialect::fanuc,
+       "#100=0\n#101=0\nWHILE[#100LT15000]DO1\nG65 P8 A#101\nEND1\nM30\n"
+       "O8\nG91 G1 X1 F1\n#101=#1+1\n#100=#101\nM99\n",
+       15'000},
+      {Dialect::fanuc, "#100=0\nWHILE[#5041LT15000]DO1\nG91 G1 X1 F1\nEND1\nM30\n", 15'000},
+      {Dialect::fanuc,
+       "M98 P7 L3000\nM30\nO7\n#3=0\nWHILE[#3LT5]DO2\n#3=#3+1\nG91 G1 X1 F1\nEND2\nM99\n", 15'000},
+      {Dialect::fanuc,
+       "G65 P7 L3000\nM30\nO7\n#3=0\nN2 #3=#3+1\nG91 G1 X1 F1\nIF[#3LT5]GOTO2\nM99\n", 15'000},
+      {Dialect::ngc,
+       "F1\no1 repeat [3000]\n#1=0\no2 while [#1 LT 5]\nG91 G1 X1\n#1=[#1+1]\no2 endwhile\n"
+       "o1 endrepeat\nM2\n",
+       15'000},
+      {Dialect::codesys,
+       "N1 G36 D15000\nN2 G91 G1 X1 F100\nN3 G37 D-1\nN4 G20 L2\nN5 G36 O$a$ D15000\n"
+       "N6 G1 X1\nN7 G37 O$a$ D-1\nN8 G20 L6 K$a$\n",
+       30'000},
+      {Dialect::sinumerik, "G1 F1\nFOR R1=1 TO 15000\nX=IC(1)\nENDFOR\nM30\n", 15'000},
+      {Dialect::sinumerik,
+       "G1 F1\nAA: R1=0\nWHILE R1<5\nX=IC(1)\nR1=R1+1\nENDWHILE\nENDLABEL:\n"
+       "REPEAT AA P=2999\nM30\n",
+       15'000},
+  };
+  for (const auto& one : cases) {
+    SCOPED_TRACE(one.text);
+    const Program p = read_text(one.text, at_origin(one.dialect));
+    EXPECT_EQ(codes(p), "");
+    EXPECT_EQ(p.motions.size(), one.motions);
+  }
+}
+
 TEST(Language, SkippedBlocksAreNotEvaluated) {
   InterpOptions options = at_origin(Dialect::fanuc);
   options.block_skip = 1;

@@ -70,6 +70,7 @@ bool BlockReader::next() {
     block_.file = top.file;
     block_.call = top.call;
     reporter_.set_place(top.file, block_.line_number, top.call, top.line);
+    watch_.begin_block();
     if (parser_.next(block_, top.position)) {
       if (block_.statement != Block::kNoStatement) top.started = true;
       return true;
@@ -136,12 +137,15 @@ bool BlockReader::count_steps(std::uint64_t steps) {
 }
 
 bool BlockReader::count_motions(std::size_t motions) {
+  watch_.count_work(motions);
+  moved_ += motions > 0 ? 1U : 0U;
   return steps_ == 0 || motions < 2 || count_steps(motions - 1);
 }
 
 bool BlockReader::jump(const Place& to) {
-  if (!count_steps(1)) return false;
   Activation& top = stack_.back();
+  const bool back = to.offset <= top.line_offset;
+  if (!count_steps(1 + (back ? std::exchange(moved_, 0) : 0))) return false;
   if (to.offset == top.line_offset && top.has_line && !top.replaced) {
     top.position = std::min(to.position, top.line.size());
     return true;
@@ -196,6 +200,7 @@ bool BlockReader::enter(CallRequest request, const Word& word) {
 }
 
 void BlockReader::pop() {
+  watch_.leave(stack_.size());
   reporter_.forget_text();
   Activation& top = stack_.back();
   levels_ -= top.counts_as_call ? 1U : 0U;
@@ -345,6 +350,7 @@ void BlockReader::end_activation(bool loops) {
   }
   if (top.on_end) top.on_end();
   if (top.repeats > 0) {
+    watch_.leave(stack_.size());
     if (!count_steps(1)) return;
     --top.repeats;
     if (top.on_start) top.on_start();

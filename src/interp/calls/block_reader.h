@@ -5,6 +5,7 @@
 #include "interp/calls/macros.h"
 #include "interp/calls/subprogram.h"
 #include "interp/control/control.h"
+#include "interp/language/loop_watch.h"
 #include "interp/language/program_outline.h"
 #include "interp/text/parser.h"
 #include "interp/text/source.h"
@@ -43,6 +44,9 @@ class BlockReader : public ControlPart {
  public:
   explicit BlockReader(Control& control);
   void set_language(LanguageReader* language) { parser_.set_language(language); }
+
+  /// Finds the loops that never end.
+  LoopWatch& watch() { return watch_; }
 
   /// Opens the main program, whose first `leader_lines` lines lie before the tape mark.
   void open(int leader_lines);
@@ -84,7 +88,8 @@ class BlockReader : public ControlPart {
   /// Replaces the line being read by `text`. False: too many steps of loops and calls.
   bool replace_line(std::string_view text);
   /// A block has made `motions` motions. In a program that repeats itself each one beyond the first
-  /// counts as a step, because a cycle may make thousands. False: too many steps.
+  /// counts as a step, because a cycle may make thousands; the first one does where the program
+  /// jumps back behind it. False: too many steps.
   bool count_motions(std::size_t motions);
   /// Drops further runs of what is being read.
   void drop_repeats() { stack_.back().repeats = 0; }
@@ -132,12 +137,14 @@ class BlockReader : public ControlPart {
   void tell_of_others();
 
   Parser parser_;
+  LoopWatch watch_;
   SubprogramIndex subprograms_;
   std::vector<Activation> stack_;
   Macros macros_;            ///< the names of files of definitions
   std::size_t levels_ = 0;   ///< running calls
   std::uint64_t steps_ = 0;  ///< jumps, calls and repeats so far
   std::uint64_t steps_behind_error_ = 0;
+  std::uint64_t moved_ = 0;       ///< blocks with motions since the last jump back
   std::set<std::string> called_;  ///< programs, "O2" or "ONAME"
   std::map<std::string, std::vector<std::unique_ptr<LineSource>>>
       idle_;  ///< open files to be used again

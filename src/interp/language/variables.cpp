@@ -84,6 +84,10 @@ bool Variables::is_system(double number) const {
   return form_ == VariableForm::fanuc && number >= kFanucLast && folded(form_, number) == number;
 }
 
+double Variables::folded_number(double number) const { return folded(form_, number); }
+
+std::string Variables::name_of(double number) const { return shown(form_, number); }
+
 bool Variables::is_local(double number) const { return number <= locals_of(form_); }
 
 bool Variables::is_local_of_call(double number) const {
@@ -139,6 +143,7 @@ void Variables::answer(const Cell& cell, double number, Value& out) const {
 }
 
 bool Variables::numbered(double number, Value& out, std::string& why) {
+  if (is_watched()) watch_read(number);
   if (is_system(number)) {
     if (system_) return system_->read(number, out, why);
     why = fmt::format("the system variable {} is not answered here", shown(form_, number));
@@ -167,6 +172,7 @@ bool Variables::assign(double number, const Value& value, std::string& why) {
   }
   Cell* const at = cell(number, why);
   if (!at) return false;
+  if (is_watched()) watch_write(number);
   if (!unread_.empty()) unread_.note_replaced(number, nullptr, is_local_of_call(number));
   switch (value.kind) {
     case Value::Kind::number:
@@ -205,6 +211,7 @@ Variables::Array* Variables::find(std::string_view name) {
 
 bool Variables::exists(std::string_view name) {
   if (name.empty()) return false;
+  if (is_watched()) watch_read(name);
   const Array* const variable = find(name);
   if (variable) unread_.note_read(-1, variable, false);
   return variable || (system_ && system_->knows(name));
@@ -212,6 +219,7 @@ bool Variables::exists(std::string_view name) {
 
 bool Variables::named(std::string_view name, std::span<const Value> indices, Value& out,
                       std::string& why) {
+  if (is_watched()) watch_read(name);
   if (Array* const variable = find(name)) {
     unread_.note_read(-1, variable, false);
     return variable->read(name, indices, out, why);
@@ -267,6 +275,7 @@ bool Variables::assign(std::string_view name, std::span<const Value> indices, co
                       plc ? ": LET it first" : " (alarm 12550): DEF it first");
     return false;
   }
+  if (is_watched()) watch_write(name);
   unread_.note_replaced(-1, variable, false);
   return variable->write(name, indices, value, form_, why);
 }
@@ -280,6 +289,7 @@ bool Variables::is_common(std::string_view name) {
 bool Variables::define(std::string_view name, VariableType type, std::array<int, 3> dimensions,
                        bool global, std::string& why) {
   Names& names = global ? globals_ : levels_.back()->names;
+  if (watch_) watch_->define(global ? 0 : levels_.size());
   std::size_t count = 1;
   for (const int size : dimensions) {
     if (size < 0 || static_cast<std::size_t>(size) > kMostElements) count = kMostElements + 1;
@@ -312,6 +322,7 @@ const Variables::Array* Variables::array(std::string_view name) {
 
 void Variables::set_array(std::string_view name, const Array& values) {
   if (Array* const found = find(name)) {
+    if (is_watched()) watch_write(name);
     elements_ += values.elements.size() - found->elements.size();
     *found = values;
   }
@@ -326,6 +337,7 @@ bool Variables::fill(std::string_view name, std::span<const Value> indices,
     why = fmt::format("{} is not defined (alarm 12550)", to_utf8(name.substr(0, 60)));
     return false;
   }
+  if (is_watched()) watch_write(name);
   if (!indices.empty() && !variable->place_of(name, indices, at, why)) return false;
   const std::size_t left = variable->elements.size() - at;
   const std::size_t count = repeats > 0 ? std::min(repeats, left) : values.size();

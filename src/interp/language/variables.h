@@ -4,6 +4,7 @@
 #pragma once
 
 #include "interp/language/expression.h"
+#include "interp/language/loop_watch.h"
 #include "interp/language/unread_presets.h"
 #include "interp/language/value.h"
 #include "interp/language/variable_array.h"
@@ -41,6 +42,12 @@ class Variables : public VariableReader {
 
   explicit Variables(VariableForm form);
   void set_system(SystemVariables* system) { system_ = system; }
+  /// Tells `watch` of each variable that is read or set.
+  void set_watch(LoopWatch* watch) { watch_ = watch; }
+  /// What a variable holds, as text. Nothing: it is a large array, or a frame.
+  std::optional<std::string> state_of(const VariableKey& key) const;
+  /// The names of variables, the first ones: "#1, #<depth>".
+  std::string names_of(const std::set<VariableKey>& keys) const;
 
   bool numbered(double number, Value& out, std::string& why) override;
   bool named(std::string_view name, std::span<const Value> indices, Value& out,
@@ -94,7 +101,10 @@ class Variables : public VariableReader {
   /// Local variables of FANUC's macros, which another run of the same command gets back.
   using Locals = std::array<Cell, kLocals>;
   const Locals& locals() const { return levels_.back()->cells; }
-  void set_locals(const Locals& locals) { levels_.back()->cells = locals; }
+  void set_locals(const Locals& locals) {
+    if (watch_) watch_->forget();
+    levels_.back()->cells = locals;
+  }
 
  private:
   using Names = std::map<std::string, Array, std::less<>>;
@@ -110,12 +120,23 @@ class Variables : public VariableReader {
   bool is_system(double number) const;
   bool is_local(double number) const;
   bool is_local_of_call(double number) const;
+  bool is_watched() const { return watch_ && watch_->is_on(); }
+  void watch_read(double number) const;
+  void watch_read(std::string_view name) const;
+  void watch_write(double number) const;
+  void watch_write(std::string_view name) const;
+  void watch_write(const VariableKey& key) const;
+  VariableKey watch_key(double number) const;
+  VariableKey watch_key(std::string_view name) const;
+  double folded_number(double number) const;
+  std::string name_of(double number) const;
   bool preset_number(std::string_view given, double number, const Value& value, std::string& why);
   bool preset_name(std::string_view given, std::string_view name, const Value& value,
                    std::string& why);
 
   VariableForm form_;
   SystemVariables* system_ = nullptr;
+  LoopWatch* watch_ = nullptr;
   std::vector<std::unique_ptr<Level>> levels_;
   std::vector<Cell> common_;
   Names globals_;

@@ -174,7 +174,7 @@ bool CodesysStatements::jump(std::size_t p) {
                 fmt::format("there is no block {}{}", label ? "below with L!" : "N", number), from,
                 p);
   reader_.leave_stretches();
-  return reader_.jump(to);
+  return jump_in_loop(to);
 }
 
 // Finds the first line below that has L!index outside of comments.
@@ -207,6 +207,7 @@ bool CodesysStatements::find_label(long index, Place& out) {
 // G36 O$a$ D5 sets a variable and G37 O$a$ D-1 adds to it. Without O it is the decoder's own
 // variable.
 bool CodesysStatements::write(bool adds, std::size_t p) {
+  const DataReads data(reader_.watch());
   std::size_t from = p, to = 0;  // place of the variable, else of the words
   std::string target;
   Value value;
@@ -240,6 +241,7 @@ bool CodesysStatements::change(std::string_view target, bool adds, const Value& 
                                std::size_t from, std::size_t to) {
   if (target.empty()) {
     if (!value.is_number()) return fail("expression", "a number is needed here", from, to);
+    reader_.watch().forget();
     counter_ = value.number + (adds ? counter_ : 0);
     return true;
   }

@@ -101,6 +101,7 @@ bool FagorStatements::if_statement(std::size_t p) {
 
 // Carries out assignments: P1=2, P2=P1+3.
 bool FagorStatements::assignments(std::size_t p) {
+  const DataReads data(reader_.watch());
   for (;;) {
     const std::size_t from = p = skip_blanks(p);
     std::size_t to = p + 1;
@@ -146,7 +147,7 @@ bool FagorStatements::go_to(std::size_t p) {
   Place to;
   if (!label(p, to) || !end_action(p)) return false;
   reader_.leave_stretches();
-  return reader_.jump(to);
+  return jump_in_loop(to);
 }
 
 // (RPT N10,N20) N3 runs blocks N10 to N20 three times.

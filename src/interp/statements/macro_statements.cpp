@@ -149,7 +149,7 @@ bool MacroStatements::while_statement(std::size_t from, std::size_t p) {
 bool MacroStatements::loop_end(std::size_t from) {
   const FlowEntry* const entry = entry_at(from);
   if (!entry || entry->first < 0) return false;
-  return reader_.jump(places_.outline().entry(entry->first).at);
+  return jump_in_loop(places_.outline().entry(entry->first).at);
 }
 
 // Words behind a GOTO are lost even where it is not taken.

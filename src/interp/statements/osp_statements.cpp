@@ -226,6 +226,7 @@ bool OspStatements::jump(std::size_t p, bool taken) {
 
 // Carries out VC1=2 and DIA=VC1+3. "#1=2" is FANUC's.
 bool OspStatements::assignment(std::string_view line, std::size_t& p) {
+  const DataReads data(reader_.watch());
   if (line[p] == '#') return MacroStatements::assignment(line, p);
   const std::size_t from = p;
   const std::string_view name = name_from(line, p);

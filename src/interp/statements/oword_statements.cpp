@@ -27,6 +27,7 @@ bool OwordStatements::starts_statement(std::string_view line, std::size_t p) {
 
 // #1 = 2 and #<name> = [...] have one operand. The value is kept until the block has been read.
 bool OwordStatements::assignment(std::string_view line, std::size_t& p) {
+  const DataReads data(reader_.watch());
   Pending one;
   one.from = p++;
   while (p < line.size() && (line[p] == ' ' || line[p] == '\t')) ++p;
@@ -162,7 +163,7 @@ bool OwordStatements::oword(const FlowEntry& entry, std::size_t p) {
     case FlowWord::loop_until: {
       bool again = false;
       if (!condition(p, again) || !ends_line(p)) return false;
-      if (again) return jump_past(places_.outline().entry(entry.first));
+      if (again) return jump_in_loop(past(places_.outline().entry(entry.first)));
       reader_.set_position(p);
       return true;
     }
@@ -231,7 +232,8 @@ bool OwordStatements::loop(const FlowEntry& entry, std::size_t p) {
 
 bool OwordStatements::loop_again(const FlowEntry& entry) {
   const FlowEntry& first = places_.outline().entry(entry.first);
-  if (first.word == FlowWord::loop_while) return reader_.jump(first.at);
+  if (first.word == FlowWord::loop_while) return jump_in_loop(first.at);
+  reader_.watch().count_pass(reader_.depth(), first.at, entry.at);
   long& left = passes_left(first.last);
   if (--left <= 0) {
     reader_.set_position(entry.behind);
@@ -241,10 +243,10 @@ bool OwordStatements::loop_again(const FlowEntry& entry) {
 }
 
 // Behind the whole line of a statement.
-bool OwordStatements::jump_past(const FlowEntry& entry) {
+Place OwordStatements::past(const FlowEntry& entry) {
   Place next = entry.at;
   next.position = std::numeric_limits<std::size_t>::max();
-  return reader_.jump(next);
+  return next;
 }
 
 // Reads values in brackets up to the end of the line: "[1] (comment) [#2]".

@@ -39,7 +39,8 @@ class OwordStatements : public Statements {
 
   void commit();
   void message(std::string_view comment);
-  bool jump_past(const FlowEntry& entry);
+  static Place past(const FlowEntry& entry);
+  bool jump_past(const FlowEntry& entry) { return reader_.jump(past(entry)); }
   bool oword(const FlowEntry& entry, std::size_t p);
   bool branch(const FlowEntry& entry, std::size_t p);
   bool loop(const FlowEntry& entry, std::size_t p);

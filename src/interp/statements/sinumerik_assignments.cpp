@@ -61,6 +61,7 @@ bool SinumerikAssignments::indices(std::string_view line, std::size_t& p, std::v
 
 // Carries out R1=..., R[n]=..., NAME=..., NAME[n]=SET(1,2), $P_PFRAME=....
 bool SinumerikAssignments::assignment(std::string_view line, std::size_t& p) {
+  const DataReads data(reader_.watch());
   const std::size_t from = p;
   if (at(p) == '$') ++p;
   while (is_name(at(p))) ++p;

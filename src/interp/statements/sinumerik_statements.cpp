@@ -167,7 +167,7 @@ bool SinumerikStatements::loop_end(const FlowEntry& entry, std::size_t p) {
   if (!end_statement(p)) return false;
   if (done) return true;
   stepping_ = first.word == FlowWord::loop_for;
-  return reader_.jump(first.at);
+  return jump_in_loop(first.at);
 }
 
 // GOTOF jumps forward, GOTOB backward, GOTO in both directions, GOTOC as GOTO but without an alarm.

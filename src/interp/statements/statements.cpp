@@ -51,6 +51,7 @@ Statements::Statements(Control& control, BlockReader& reader, const ExpressionRu
       evaluator_(rules, variables_),
       places_(reader, outline) {
   variables_.set_system(&system_);
+  variables_.set_watch(&reader_.watch());
   for (const auto& [name, text] : options_.variables) {
     const std::optional<double> given = parse_number(text, true);
     std::string why;
@@ -106,6 +107,9 @@ LanguageReader::Answer Statements::value(std::string_view line, std::size_t& p, 
   const bool steps = length && is(Dialect::fanuc) &&
                      !whole;  // ROUND in a word of FANUC's macros rounds to increments
   evaluator_.set_round_step(!steps ? 1 : modal_.least_increment());
+  const bool way = !(word.address < Address::function) ||
+                   std::string_view("GHLMNOPQDT").find(c) != std::string_view::npos;
+  const DataReads data(reader_.watch(), !way);
   Value out;
   const bool ok = whole ? evaluator_.expression(line, p, out) : evaluator_.operand(line, p, out);
   evaluator_.set_round_step(1);
@@ -192,6 +196,7 @@ bool Statements::store(std::string_view name, std::span<const Value> indices, co
 
 // Carries out #target = expression. LinuxCNC's assignments are different, see OwordStatements.
 bool Statements::assignment(std::string_view line, std::size_t& p) {
+  const DataReads data(reader_.watch());
   const std::size_t from = p;
   ++p;
   double index = 0;
@@ -243,8 +248,26 @@ bool Statements::value_of(std::string_view expression, Value& out, const Word& w
          error(evaluator_.fault().code, evaluator_.fault().text, word);
 }
 
+bool Statements::jump_in_loop(const Place& to) {
+  const auto state = [this](const VariableKey& key) { return variables_.state_of(key); };
+  LoopWatch& watch = reader_.watch();
+  if (to.line >= block_.line_number ||
+      !watch.comes_back(reader_.depth(), variables_.levels(), to, state))
+    return reader_.jump(to);
+  const std::string names = variables_.names_of(watch.deciding());
+  const std::string why =
+      names.empty()
+          ? "no condition in it leads out"
+          : fmt::format("what its conditions ask for ({}) is the same in each pass", names);
+  return fail(
+      "program-endless",
+      fmt::format("this loop never ends{}: {}",
+                  reporter_.errors() > 0 ? ", behind an error that may be the cause" : "", why),
+      0, 1);
+}
+
 bool Statements::jump_always(const Place& to) {
-  if (decided_ || reader_.depth() > 1) return reader_.jump(to);
+  if (decided_ || reader_.depth() > 1) return jump_in_loop(to);
   if (to.line + 1 >= block_.line_number) {
     jumped_over_.emplace_back(block_.line_number, to.line);
     return reader_.jump(to);

@@ -88,6 +88,9 @@ class Statements : public ControlPart, public LanguageReader {
   /// Jumps without a condition. A jump back in a main program that has asked for no value is one
   /// that starts the program again for the next part: it ends the program instead.
   bool jump_always(const Place& to);
+  /// Jumps where variables alone decide whether the program comes back here. False: reported, as
+  /// too many steps or a loop that never ends.
+  bool jump_in_loop(const Place& to);
   bool number(std::size_t& p, double& out, bool whole);
   /// Sets a local variable of the macro that a call begins.
   void set_argument(int number, double value);
