@@ -73,6 +73,41 @@ TEST_P(EveryRisingTool, BottomIsWhereTheDistanceIsZero) {
   EXPECT_GT(below, asked / 15);
 }
 
+// Helices narrower and wider than the tool, up and down, of less than a turn and of many.
+TEST_P(EveryRisingTool, BottomsOfHelicesAreWhereTheDistanceIsZero) {
+  const Tool tool = rising_tools()[static_cast<std::size_t>(GetParam())];
+  if (!make_cutter(tool).is_convex()) return;  // these are searched
+  Random r(77);
+  int below = 0;
+  for (unsigned round = 0; round < rounds(60); ++round) {
+    const double radii[] = {r(0.001, 0.1), r(0.1, 1), r(1, 6), r(6, 12)};
+    const double sweeps[] = {kTwoPi, r(0.1, 3), r(3, 9), r(9, 40)};
+    const double sweep = sweeps[r.pick(4)], turn = radii[r.pick(4)];
+    const Motion m = arc({turn, 0, r(-5, 5)}, {0, 0, 0}, {0, 0, 1}, r.pick(2) ? sweep : -sweep,
+                         r(-1, 1) * sweep);
+    const SweepTable s({&m, 1}, {&tool, 1});
+    const SweepUndersides tools(s);
+    SweepHeights heights(s, tools, -60, 60);
+    const std::uint32_t all[] = {0};
+    heights.assign(all);
+    for (int k = 0; k < 12; ++k) {
+      const double angle = r(0, kTwoPi), from = std::max(0.0, turn + r(-5, 5));
+      const double x = from * std::cos(angle), y = from * std::sin(angle);
+      const double z = heights.bottom(0, x, y);
+      SCOPED_TRACE(::testing::Message() << "helix of " << turn << " mm, " << m.sweep << " rad, "
+                                        << m.rise << " mm at " << x << ", " << y);
+      if (std::isinf(z)) {
+        ASSERT_GT(s.distance(0, {x, y, 60}), -1e-6);
+        continue;
+      }
+      ++below;
+      ASSERT_NEAR(s.distance(0, {x, y, z}), 0, 1e-6);
+      ASSERT_GT(s.distance(0, {x, y, z - 1e-3}), 0);
+    }
+  }
+  EXPECT_GT(below, 100);
+}
+
 TEST_P(EveryRisingTool, BoundsHoldOverASquare) {
   const Tool tool = rising_tools()[static_cast<std::size_t>(GetParam())];
   int bounded = 0, asked = 0;

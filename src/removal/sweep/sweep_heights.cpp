@@ -8,6 +8,7 @@
 #include "removal/columns/height_segments.h"
 #include "removal/columns/sweep_columns.h"
 #include "removal/simd/scalar_forms.h"
+#include "removal/sweep/arc_heights.h"
 
 #include <algorithm>
 #include <cmath>
@@ -153,14 +154,19 @@ void SweepHeights::set_slant(Row& row, const Vec3& start, const Vec3& end) const
 
 void SweepHeights::set_arc(Row& row, const ToolPath& arc) {
   if (arc.lowest_turn && row.tool->is_flat())
-    row.form = Form::helix, row.z = arc.center.z + arc.sweep * arc.rise.z;
+    row.form = Form::bored, row.z = arc.center.z + arc.sweep * arc.rise.z;
   else if (row.tool->is_convex())
     set_segments(row, arc);
 }
 
+const ToolPath& SweepHeights::path(const Row& row) const {
+  const SweepColumns& c = sweeps_.columns();
+  return c.paths.arc(c.refs[row.sweep].row);
+}
+
 void SweepHeights::set_segments(Row& row, const ToolPath& path) {
   row.first = segments_.size();
-  if (append_segments(path, segments_)) row.form = Form::segments;
+  if (append_segments(path, segments_)) row.form = path.horizontal ? Form::helix : Form::segments;
   row.count = segments_.size() - row.first;
 }
 
@@ -177,7 +183,7 @@ double SweepHeights::rho(const Row& row, double x, double y) const {
 double SweepHeights::bottom(std::uint32_t index, double x, double y, double below) const {
   const Row& row = rows_[index];
   const bool has_lowest =
-      row.form == Form::horizontal || row.form == Form::slant || row.form == Form::helix;
+      row.form == Form::horizontal || row.form == Form::slant || row.form == Form::bored;
   if (has_lowest && !(row.z < below)) return kInfinity;
   if (row.form == Form::horizontal) return row.z + row.tool->height(rho(row, x, y));
   if (row.form == Form::slant) {
@@ -185,11 +191,12 @@ double SweepHeights::bottom(std::uint32_t index, double x, double y, double belo
     at.length = row.length, at.slope = row.slope;
     return row.z + row.tool->bottom(at, below - row.z);
   }
-  if (row.form == Form::helix) return helix_bottom(row, x, y, row.tool->radius());
+  if (row.form == Form::bored) return bored_bottom(row, x, y, row.tool->radius());
   const Underside::Bounds within = bounds(index, x, y, 0, below);
   if (!(within.lower < below)) return kInfinity;
   if (within.upper - within.lower <= close_) return 0.5 * (within.lower + within.upper);
-  return search(row.sweep, x, y, within);
+  return row.form == Form::helix ? arc_bottom(*row.tool, path(row), x, y)
+                                 : search(row.sweep, x, y, within);
 }
 
 Underside::Bounds SweepHeights::bounds(std::uint32_t index, double x, double y, double r,
@@ -205,12 +212,13 @@ Underside::Bounds SweepHeights::bounds(std::uint32_t index, double x, double y, 
     const Underside::Bounds found = row.tool->bounds(at, r, below - row.z);
     return {row.z + found.lower, row.z + found.upper};
   }
-  if (row.form == Form::helix) {
+  if (row.form == Form::bored) {
     if (!(row.z < below)) return {row.z, kInfinity};
-    return {helix_bottom(row, x, y, row.tool->radius() + r),
-            helix_bottom(row, x, y, row.tool->radius() - r)};
+    return {bored_bottom(row, x, y, row.tool->radius() + r),
+            bored_bottom(row, x, y, row.tool->radius() - r)};
   }
-  if (row.form == Form::segments) return segment_bounds(row, x, y, r, below);
+  if (row.form == Form::segments || row.form == Form::helix)
+    return segment_bounds(row, x, y, r, below);
   const Box3 box = sweeps_.bounds(row.sweep);
   const bool meets =
       x + r >= box.lo.x && x - r <= box.hi.x && y + r >= box.lo.y && y - r <= box.hi.y;
@@ -234,9 +242,8 @@ Underside::Bounds SweepHeights::segment_bounds(const Row& row, double x, double 
 
 // The lowest bottom of a cylinder on a falling helix of at most one turn: that of the last position
 // within `radius` of the place.
-double SweepHeights::helix_bottom(const Row& row, double x, double y, double radius) const {
-  const SweepColumns& c = sweeps_.columns();
-  const ToolPath& path = c.paths.arc(c.refs[row.sweep].row);
+double SweepHeights::bored_bottom(const Row& row, double x, double y, double radius) const {
+  const ToolPath& path = this->path(row);
   const Vec3 off{x - path.center.x, y - path.center.y, 0};
   const double from = std::sqrt(dot(off, off)), turn = path.radius;
   if (radius < 0 || std::fabs(from - turn) > radius) return kInfinity;

@@ -1,7 +1,7 @@
 // Sweeps as heights: an upright cutter that reaches above all places in question and nowhere
 // narrows removes, at each place in plan, all above its bottom. Closed forms for straight and
-// horizontal moves and for helices of flat mills; other arcs lie near their chords and are found
-// between those bounds by their distances.
+// horizontal moves and for helices of flat mills; on other helices the least height is found along
+// the path; other arcs lie near their chords and are found between those bounds by their distances.
 #pragma once
 
 #include "removal/simd/sweep_kernels.h"
@@ -57,11 +57,9 @@ class SweepHeights {
   /// else empty.
   std::span<const LineRecord> balls() const { return balls_; }
 
-  /// bottom() is a closed form or one root; others are searched, which takes 20 to 100 times as
+  /// bottom() is a closed form or one root; others are searched, which takes 10 to 100 times as
   /// long.
-  bool is_quick(std::uint32_t index) const {
-    return rows_[index].form != Form::segments && rows_[index].form != Form::other;
-  }
+  bool is_quick(std::uint32_t index) const { return rows_[index].form < Form::helix; }
   /// The least height at (x, y) with distance(sweep, .) <= 0; infinite where there is none, or none
   /// below `high`, and perhaps where it is not below `below`; any height below `low` where it lies
   /// there. Up to 1e-9 mm; of sweeps that are found by distances, up to their error, or half of
@@ -74,7 +72,7 @@ class SweepHeights {
                            double below = std::numeric_limits<double>::infinity()) const;
 
  private:
-  enum class Form : std::uint8_t { horizontal, slant, helix, segments, other };
+  enum class Form : std::uint8_t { horizontal, slant, bored, helix, segments, other };
   struct Row {
     Form form = Form::other;
     std::uint32_t sweep = 0;
@@ -83,7 +81,7 @@ class SweepHeights {
                                        // a horizontal path, or of a helix's end
     double ux = 1, uy = 0;             // slant: direction in plan
     double length = 0, slope = 0;      // slant: in plan, mm
-    std::size_t first = 0, count = 0;  // segments
+    std::size_t first = 0, count = 0;  // helix, segments
   };
   struct Run {
     std::uint32_t end = 0;    // index behind its last sweep
@@ -99,7 +97,8 @@ class SweepHeights {
   double rho(const Row& row, double x, double y) const;
   Underside::Bounds segment_bounds(const Row& row, double x, double y, double r,
                                    double below) const;
-  double helix_bottom(const Row& row, double x, double y, double radius) const;
+  double bored_bottom(const Row& row, double x, double y, double radius) const;
+  const ToolPath& path(const Row& row) const;
   double search(std::uint32_t sweep, double x, double y, const Underside::Bounds& within) const;
 
   const SweepTable& sweeps_;

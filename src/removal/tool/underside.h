@@ -18,6 +18,8 @@ class Underside {
 
   /// Height above the tip at distance rho >= 0 from the axis, mm; infinite beyond the wall.
   double height(double rho) const;
+  /// What height() gains by rho; infinite where the tool is upright.
+  double slope(double rho) const { return slope_at(rho).slope; }
   double radius() const { return radius_; }
   /// The height is a convex function of the distance: bottom() and bounds() may be called.
   bool is_convex() const { return convex_; }
