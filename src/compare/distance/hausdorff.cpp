@@ -1,6 +1,7 @@
 #include "compare/distance/hausdorff.h"
 
 #include "core/numbers/vec.h"
+#include "core/process/memory_limit.h"
 #include "core/process/parallel.h"
 #include "mesh/solid/half_edges.h"
 
@@ -11,6 +12,7 @@ namespace mrsim {
 namespace {
 
 constexpr std::uint32_t kUnknown = ~0u;
+constexpr std::size_t kMostParts = 3;  // of a piece that is split
 
 struct Piece {
   TrianglePiece corners;
@@ -190,12 +192,13 @@ class Search {
       judge_round(round, pieces);
       drop_decided(pieces);
       if (pieces.empty()) break;
-      const auto chosen = choose(pieces);
-      const auto count = static_cast<std::size_t>(pieces.end() - chosen);
-      if (count > budget) break;
+      double most = 0;
+      for (const Piece& s : pieces) most = std::max(most, s.upper);
+      const auto count = static_cast<std::size_t>(std::count_if(
+          pieces.begin(), pieces.end(), [&](const Piece& s) { return s.upper >= most / 2; }));
+      if (count > budget || !has_memory(count, pieces.size())) break;
       budget -= count;
-      round.assign(chosen, pieces.end());
-      pieces.erase(chosen, pieces.end());
+      take(pieces, most / 2, count, round);
     }
     bound_.upper = std::max(bound_.lower, decided_);
     for (const Piece& s : pieces) bound_.upper = std::max(bound_.upper, s.upper);
@@ -203,12 +206,23 @@ class Search {
   }
 
  private:
-  // Moves the pieces with at least half of the largest bound to the end.
-  static std::vector<Piece>::iterator choose(std::vector<Piece>& pieces) {
-    double most = 0;
-    for (const Piece& s : pieces) most = std::max(most, s.upper);
-    return std::stable_partition(pieces.begin(), pieces.end(),
-                                 [&](const Piece& s) { return s.upper < most / 2; });
+  // Moves the `count` pieces whose bound is at least `bound` to `round`.
+  static void take(std::vector<Piece>& pieces, double bound, std::size_t count,
+                   std::vector<Piece>& round) {
+    round.clear();
+    round.reserve(count);
+    std::erase_if(pieces, [&](const Piece& s) {
+      if (s.upper >= bound) round.push_back(s);
+      return s.upper >= bound;
+    });
+    pieces.reserve(pieces.size() + kMostParts * count);
+  }
+
+  // Whether a round of `count` of `all` pieces, and what it splits them into, fits into the memory.
+  static bool has_memory(std::size_t count, std::size_t all) {
+    const double bytes = double(count) * (sizeof(Piece) + sizeof(Verdict)) +
+                         double(all + kMostParts * count) * sizeof(Piece);
+    return bytes <= memory_left();
   }
 
   void judge_round(const std::vector<Piece>& round, std::vector<Piece>& rest) {

@@ -20,8 +20,8 @@
 namespace mrsim {
 
 /// Directed: the largest distance of a point of `from` from the surface `to`. `known` is a distance
-/// reached at `place` (the largest over the samples). Stops at `error`, or after `budget` pieces
-/// with the bound that stands then.
+/// reached at `place` (the largest over the samples). Stops at `error`, or after `budget` pieces or
+/// where memory ends, with the bound that stands then.
 HausdorffBound directed_hausdorff(const TriMesh& from, const NominalSurface& to,
                                   const FlatPatches& patches, double known, const Vec3& place,
                                   double error, std::size_t budget, int threads);
