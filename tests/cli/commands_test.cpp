@@ -119,6 +119,22 @@ TEST_F(Cli, NothingFromAFileReachesTheTerminalAsControl) {
   const Outcome turned = run("check 'a\u202Ecn.MPF' --machine mill");
   EXPECT_TRUE(contains(turned.err, "a?cn.MPF:2:7: error:")) << turned.err;
   EXPECT_TRUE(contains(turned.err, "G1 X1 YY ; ?\n")) << turned.err;
+}
+
+TEST_F(Cli, NamesOfMeshesAreShownWithoutControls) {
+  const std::string name = "'\x1b[31m\u202Ecn.MPF'", part = "'\x1b[31m\u202Elts.stl'";
+  write("\x1b[31m\u202Ecn.MPF", "G54\nTRANS X0\nT1 M6\nG0 X0 Y0 Z5\nG1 Z-1 F100\nX9\nM30\n");
+  ASSERT_EQ(run("PRIMER_2F.MPF --stock block.stl --voxel 1 -q -o whole.stl").code, 0);
+  write("\x1b[31m\u202Elts.stl", read("whole.stl"));
+  for (const std::string& command :
+       {name +
+            " --machine mill --tool 1=endmill:d=5 --stock block.stl -o x.stl --nominal whole.stl",
+        "compare " + part + " whole.stl", "render " + part + " -o x.png --color line",
+        "rest " + part + " whole.stl"}) {
+    const Outcome outcome = run(command);
+    EXPECT_FALSE(contains(outcome.out + outcome.err, "\x1b")) << outcome.out << outcome.err;
+    EXPECT_FALSE(contains(outcome.out + outcome.err, "\u202E")) << command;
+  }
   // Behind its line end such a name would be a message of its own.
   write("a\nb.MPF", "G54\nG1 X1 YY\nM30\n");
   const Outcome torn = run("check 'a\nb.MPF' --machine mill");

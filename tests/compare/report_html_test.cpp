@@ -36,7 +36,7 @@ TEST(ReportHtml, NothingFromTheProgramBecomesMarkup) {
   const std::vector<std::vector<std::string>> text{
       {"N1 G1 ; </script><script>window.evil = 1</script> <!-- <b>", "\xFF\xFE latin \x80"}};
   Comparison c = compare(part, nominal, options, text);
-  c.part_name = "</script>";
+  c.part_name = "</script>\u202Elts.\u2067";
   ReportFacts facts;
   facts.title = "<img src=x onerror=alert(1)>";
   facts.diagnostics.push_back({Severity::warning, "w", "</script>", {"<i>", 1, 1}, 1, "", {}});
@@ -44,6 +44,7 @@ TEST(ReportHtml, NothingFromTheProgramBecomesMarkup) {
   const std::string empty = report_html({}, {}, {}, {});
   for (const char* tag : {"</script", "<img", "<!--", "<b>", "<i>"})
     EXPECT_EQ(count(html, tag), count(empty, tag)) << tag;
+  for (const char* mark : {"\u202E", "\u2067"}) EXPECT_EQ(count(html, mark), 0u) << "backwards";
   EXPECT_EQ(count(html, "latin "), 1u);  // lines stay text that a search finds
   EXPECT_EQ(html.find("https://"), empty.find("https://"));
   EXPECT_EQ(html, report_html(part, nominal, c, facts, 1));

@@ -134,7 +134,7 @@ void write_last_words(const LastWords& words, const std::vector<NamedPath>& kept
       write_file_atomically(file.path,
                             [&](const ByteSink& sink) { sink(text.data(), text.size()); });
     } catch (const Error& error) {
-      say(fmt::format("mrsim: {} is not written: {}\n", file.role, error.what()));
+      say(fmt::format("mrsim: {} is not written: {}\n", file.role, printable(error.what())));
     }
   };
   if (json.path != junit.path) write(junit, json, words.junit);
@@ -195,11 +195,12 @@ int run_render(const Arguments& arguments) {
     say(fmt::format(
         "{}: this file does not say which line cut which face, so --color shows nothing; "
         ".ply, .obj, .glb, .3mf and .vdb do\n",
-        arguments.input));
+        printable(arguments.input)));
   render(mesh, arguments.outputs[0], arguments.render);
   if (!arguments.quiet)
-    print(fmt::format("{}: {} triangles drawn from {}\n", arguments.outputs[0],
-                      grouped(static_cast<double>(mesh.triangles.size()), 0), arguments.input));
+    print(fmt::format("{}: {} triangles drawn from {}\n", printable(arguments.outputs[0]),
+                      grouped(static_cast<double>(mesh.triangles.size()), 0),
+                      printable(arguments.input)));
   return finish_output(kDone);
 }
 

@@ -57,7 +57,7 @@ TriMesh read_named(const CompareRequest& request, const std::string& path, std::
 }
 
 void warn(const CompareRequest& request, const std::string& text) {
-  if (!request.quiet) say(text + "\n");
+  if (!request.quiet) say(printable(text) + "\n");
 }
 
 // Writes all of the files or none.

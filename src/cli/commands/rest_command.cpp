@@ -52,7 +52,7 @@ int write_rest(const TypedOptions& typed) {
   const auto read = [&](const std::string& path) {
     std::string note;
     TriMesh mesh = read_solid(path, deflection, options.threads, &note);
-    if (!note.empty() && !typed.flag("--quiet")) say(note + "\n");
+    if (!note.empty() && !typed.flag("--quiet")) say(printable(note) + "\n");
     return mesh;
   };
   const TriMesh part = read(typed.inputs()[0]), nominal = read(typed.inputs()[1]);

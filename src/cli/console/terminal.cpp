@@ -61,33 +61,6 @@ std::string styled(std::string_view text, Style style, bool colours) {
   return fmt::format("{}{}\x1b[0m", escape_of(style), text);
 }
 
-namespace {
-
-// Bytes of the control character with which `text` begins; 0: it begins with none.
-std::size_t control_length(std::string_view text) {
-  const auto at = [&](std::size_t i) {
-    return i < text.size() ? static_cast<unsigned char>(text[i]) : 0xFF;
-  };
-  if ((at(0) < 0x20 && at(0) != '\t') || at(0) == 0x7F) return 1;
-  if (at(0) == 0xC2 && at(1) < 0xA0) return 2;  // U+0080 to U+009F
-  // U+202A to U+202E and U+2066 to U+2069, behind which text may be shown backwards.
-  const bool turns = (at(1) == 0x80 && at(2) >= 0xAA && at(2) <= 0xAE) ||
-                     (at(1) == 0x81 && at(2) >= 0xA6 && at(2) <= 0xA9);
-  return at(0) == 0xE2 && turns ? 3 : 0;
-}
-
-}  // namespace
-
-std::string printable(std::string_view text) {
-  std::string out;
-  for (std::size_t i = 0; i < text.size();) {
-    const std::size_t control = control_length(text.substr(i));
-    out += control > 0 ? '?' : text[i];
-    i += std::max<std::size_t>(control, 1);
-  }
-  return out;
-}
-
 ProgressBar::ProgressBar(bool enabled)
     : enabled_(enabled),
       is_terminal_(::isatty(STDERR_FILENO) != 0),

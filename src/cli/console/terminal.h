@@ -1,6 +1,7 @@
 // What the program may do to the terminal it is on: colours, and a bar for long work.
 #pragma once
 
+#include "core/text/printable.h"
 #include <mrsim/options.h>
 
 #include <chrono>
@@ -19,11 +20,6 @@ bool has_colours(std::FILE* stream);
 
 /// `text` in a style, or as it is where `colours` is false.
 std::string styled(std::string_view text, Style style, bool colours);
-
-/// A line of text with control characters, line ends among them, shown as '?': what comes from a
-/// file or its name never reaches the terminal as an escape sequence or as a message of its own,
-/// nor turns the direction of the text round. Tabs stay.
-std::string printable(std::string_view text);
 
 /// What stderr shows of long work: a note, once, as soon as a stage's first seconds show that it
 /// will take more than ten; and on a terminal a bar after one second.

@@ -1,6 +1,7 @@
 // What people and CI dashboards read of a comparison.
 #include "compare/distance/align.h"
 #include "core/numbers/units.h"
+#include "core/text/printable.h"
 #include "core/text/text_io.h"
 #include <mrsim/compare.h>
 
@@ -22,7 +23,7 @@ std::string line_text(const BlamedLine& l) {
   std::string out = l.line > 0 ? fmt::format("{}:{}", l.file, l.line) : l.file;
   if (!l.text.empty()) out += "  " + l.text;
   if (!l.tool.empty()) out += fmt::format("  [tool {}]", l.tool);
-  return out;
+  return printable(out);
 }
 
 std::string figures_text(const char* name, const DeviationFigures& f) {

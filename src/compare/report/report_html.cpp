@@ -12,6 +12,7 @@
 #include "core/numbers/vec.h"
 #include "core/process/error.h"
 #include "core/process/memory_limit.h"
+#include "core/text/printable.h"
 #include "core/text/text_io.h"
 #include "core/words/tool_types.h"
 #include "mesh/solid/half_edges.h"
@@ -199,15 +200,18 @@ Json facts_json(const ReportFacts& facts) {
   return out;
 }
 
-// Nothing between the tags of a script element may look like its end.
+// Nothing between the tags of a script element may look like its end, nor turn the page's text
+// round.
 std::string script_safe(const std::string& json) {
   std::string out;
   out.reserve(json.size() + json.size() / 64);
-  for (const char c : json) {
-    if (c == '<')
+  for (std::size_t i = 0; i < json.size(); ++i) {
+    const bool turns = json[i] == '\xE2' && turns_text(std::string_view(json).substr(i));
+    if (json[i] == '<')
       out += "\\u003c";
     else
-      out += c;
+      out += turns ? '?' : json[i];
+    if (turns) i += 2;
   }
   return out;
 }
