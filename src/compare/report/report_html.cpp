@@ -35,6 +35,7 @@ constexpr int kMostProgramLines = 200000;  // of a program; beyond, only those a
 constexpr double kDeviationStep = 1e-4;    // mm
 // Bytes, measured: what is shown has at most so many triangles, but comes from copies.
 constexpr double kPage = 25e6, kPartTriangle = 30, kNominalTriangle = 200;
+constexpr double kPlayMotion = 250, kPlayVoxel = 8;
 
 // Positions as 24-bit steps over the bounds: 6 nm on 100 mm.
 struct Grid {
@@ -202,18 +203,36 @@ Json facts_json(const ReportFacts& facts) {
 
 // Nothing between the tags of a script element may look like its end, nor turn the page's text
 // round.
-std::string script_safe(const std::string& json) {
-  std::string out;
-  out.reserve(json.size() + json.size() / 64);
+void add_script_safe(std::string_view json, std::string& out) {
   for (std::size_t i = 0; i < json.size(); ++i) {
-    const bool turns = json[i] == '\xE2' && turns_text(std::string_view(json).substr(i));
+    const bool turns = json[i] == '\xE2' && turns_text(json.substr(i));
     if (json[i] == '<')
       out += "\\u003c";
     else
       out += turns ? '?' : json[i];
     if (turns) i += 2;
   }
-  return out;
+}
+
+// The template with the data in it. The data are given up on the way.
+std::string page_with(Json data) {
+  const std::string_view page(report_template());
+  const std::string_view mark = "\"MRSIM-DATA\"";
+  const std::size_t at = page.find(mark);
+  MRSIM_ASSERT(at != page.npos);
+  const std::string json = data.dump(-1, ' ', false, Json::error_handler_t::replace);
+  data = nullptr;
+  std::string out;
+  out.reserve(page.size() + json.size() + json.size() / 64);
+  out += page.substr(0, at);
+  add_script_safe(json, out);
+  return out += page.substr(at + mark.size());
+}
+
+double play_memory(const ReportRun& run) {
+  if (!run.play) return 0;
+  return kPlayMotion * double(run.play->removed.size()) +
+         kPlayVoxel * double(run.play->gone.size());
 }
 
 DisplayMesh shown_part(const TriMesh& part, const TriMesh& nominal, const Comparison& c,
@@ -233,7 +252,7 @@ std::string report_html(const TriMesh& part, const TriMesh& nominal, const Compa
                         const ReportFacts& facts, int threads) {
   const double copies = nominal.triangles.empty() ? 1 : 2;
   require_memory(kPage + copies * kPartTriangle * double(part.triangles.size()) +
-                     kNominalTriangle * double(nominal.triangles.size()),
+                     kNominalTriangle * double(nominal.triangles.size()) + play_memory(facts.run),
                  "a report", "--max-memory allows more, and a coarser mesh takes less");
   const DisplayMesh shown =
       cluster_for_display(shown_part(part, nominal, comparison, threads), kMostShown);
@@ -256,13 +275,7 @@ std::string report_html(const TriMesh& part, const TriMesh& nominal, const Compa
             {"play", play_json(facts.run, comparison.origin.files.size())}};
   if (!overlay.mesh.triangles.empty())
     data["nominal"] = mesh_json({overlay.mesh, {}}, grid, nullptr);
-  const std::string page(report_template());
-  const std::string mark = "\"MRSIM-DATA\"";
-  const std::size_t at = page.find(mark);
-  MRSIM_ASSERT(at != std::string::npos);
-  return page.substr(0, at) +
-         script_safe(data.dump(-1, ' ', false, Json::error_handler_t::replace)) +
-         page.substr(at + mark.size());
+  return page_with(std::move(data));
 }
 
 }  // namespace mrsim
