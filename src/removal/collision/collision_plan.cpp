@@ -19,7 +19,7 @@ constexpr std::size_t kMostLayers = 12;
 constexpr std::ptrdiff_t kPlungesBefore = 16;
 
 // Groups of movers by height: each looks at all cuts.
-constexpr std::size_t kMostGroups = 16;
+constexpr std::size_t kMostGroups = 200;
 
 // The cuts that have a path in plan, and the plunges among them by place.
 struct SeenCuts {
@@ -91,7 +91,7 @@ class LayerMaker {
     std::vector<std::unique_ptr<PlanView>> found;
     const double end = std::min(highest, top_);
     for (double bottom = lowest, top = 0; bottom < end; bottom = top) {
-      top = reach(bottom, end);
+      top = reach(bottom, 2 * (end - lowest) / static_cast<double>(kMostLayers), end);
       if (bottom - lowest + lift < round) top = std::min(top, bottom + lift);
       if (!(top > bottom) || found.size() == kMostLayers) return {};
       PlanPaths narrower = movers;
@@ -113,11 +113,16 @@ class LayerMaker {
         lift = above;
     return lift;
   }
-  double reach(double bottom, double end) const {
-    double top = bottom;
-    for (const PlanPath& cut : cuts_.paths)
-      if (cut.from <= bottom + touch_) top = std::max(top, cut.to);
-    return std::min(top, end);
+  // The end of a layer: where the first of the cuts that begin below it ends, but for those that
+  // reach less far than `least`. A layer that is higher would lose cuts that it needs.
+  double reach(double bottom, double least, double end) const {
+    double farthest = bottom, first = end;
+    for (const PlanPath& cut : cuts_.paths) {
+      if (cut.from > bottom + touch_) continue;
+      farthest = std::max(farthest, cut.to);
+      if (cut.to >= bottom + least) first = std::min(first, cut.to);
+    }
+    return std::min(first, farthest);
   }
   // Those that clear all between two heights, as wide as at the lower one.
   PlanPaths cuts_through(double bottom, double top) const {
