@@ -11,7 +11,6 @@
 #include "support/rounds.h"
 
 #include <algorithm>
-#include <memory>
 #include <optional>
 
 #include <gtest/gtest.h>
@@ -30,13 +29,13 @@ constexpr Box3 kBlock = {{0, 0, -3}, {8, 6, 0}};
 
 StockShape small_block() { return testing::box_stock(kBlock.lo, kBlock.hi); }
 
-Tool mill(double diameter, double corner, double flutes = 0) {
+Tool plan_mill(double diameter, double corner, double flutes = 0) {
   Tool tool = testing::endmill(diameter, corner, flutes);
   tool.id = "1";
   return tool;
 }
 
-// What plan_layers() makes of all rapids and cuts of some moves.
+// What the search in plan makes of all rapids and cuts of some moves.
 class LayerScene {
  public:
   LayerScene(std::vector<Motion> motions, const Tool& tool, ToolPart part = ToolPart::cutter)
@@ -46,14 +45,18 @@ class LayerScene {
         blocks_(part_, kCell, 3 * kCell, std::size_t(1) << 30) {
     std::vector<int> shapeless;
     movers_.emplace(find_movers(part, motions_, tools_, 0, kBlock, kDepth, 1, shapeless));
+    scene_.emplace(CollisionScene{part_, blocks_, *movers_, kDepth, kDepth / 2});
     for (std::uint32_t i = 0; i < part_.sweeps().size(); ++i) cuts_.push_back(i);
     for (std::uint32_t i = 0; i < movers_->motions.size(); ++i) all_.push_back(i);
-    layers_ = plan_layers({part_, blocks_, *movers_, kDepth, kDepth / 2}, cuts_, all_, others_);
+    plan_.emplace(*scene_, cuts_, all_);
   }
   const SweepTable& cuts() const { return part_.sweeps(); }
   const SweepTable& movers() const { return movers_->sweeps; }
-  const std::vector<PlanLayers>& layers() const { return layers_; }
-  std::size_t others() const { return others_.size(); }
+  const std::vector<PlanGroup>& groups() const { return plan_->groups(); }
+  std::size_t others() const { return plan_->others().size(); }
+  PlanView view(std::size_t group) const {
+    return plan_->view(groups()[group], groups()[group].layers[0]);
+  }
 
  private:
   std::vector<Motion> motions_;
@@ -61,9 +64,9 @@ class LayerScene {
   PartField part_;
   BlockIndex blocks_;
   std::optional<Movers> movers_;
+  std::optional<CollisionScene> scene_;
   Candidates cuts_, all_;
-  std::vector<PlanLayers> layers_;
-  Candidates others_;
+  std::optional<PlanSearch> plan_;
 };
 
 // Two passes at z = -1, and a way back between them that is lifted, over a wall.
@@ -83,10 +86,10 @@ TEST(CollisionPlan, DistancesOfFlatEndsAreThoseFarAboveThem) {
   }
   motions.push_back(line({0.3, 5.5, -0.7}, {7.7, 0.4, -0.7}));
   motions.back().kind = MotionKind::rapid;
-  const LayerScene scene(motions, mill(2, 0));
-  ASSERT_EQ(scene.layers().size(), 1u);
-  ASSERT_EQ(scene.layers()[0].views.size(), 1u);
-  const PlanView& view = *scene.layers()[0].views[0];
+  const LayerScene scene(motions, plan_mill(2, 0));
+  ASSERT_EQ(scene.groups().size(), 1u);
+  ASSERT_EQ(scene.groups()[0].layers.size(), 1u);
+  const PlanView view = scene.view(0);
   ASSERT_EQ(view.cuts().size(), 30u);
   int rising = 0;
   for (int k = 0; k < 200; ++k) {
@@ -115,22 +118,22 @@ TEST(CollisionPlan, TheStockIsTheRectangleAboutIt) {
 }
 
 TEST(CollisionPlan, HasALayerForEachLiftThatACornerIsHigh) {
-  const auto views = [](double corner, double lift) {
-    const LayerScene scene(two_passes(lift), mill(2, corner));
+  const auto layers = [](double corner, double lift) {
+    const LayerScene scene(two_passes(lift), plan_mill(2, corner));
     std::size_t most = 0;
-    for (const PlanLayers& layers : scene.layers()) most = std::max(most, layers.views.size());
+    for (const PlanGroup& group : scene.groups()) most = std::max(most, group.layers.size());
     return most;
   };
-  EXPECT_EQ(views(0, 0.3), 1u);
-  EXPECT_EQ(views(0.2, 0.3), 1u);
-  EXPECT_EQ(views(0.8, 0.3), 3u);
-  EXPECT_EQ(views(0.8, 0.01), 0u);
+  EXPECT_EQ(layers(0, 0.3), 1u);
+  EXPECT_EQ(layers(0.2, 0.3), 1u);
+  EXPECT_EQ(layers(0.8, 0.3), 3u);
+  EXPECT_EQ(layers(0.8, 0.01), 0u);
 }
 
 TEST(CollisionPlan, LeavesOutCutsThatEndBelowTheTop) {
-  EXPECT_EQ(LayerScene(two_passes(0.3), mill(2, 0, 2)).layers().size(), 1u);
-  const LayerScene low(two_passes(0.3), mill(2, 0, 0.5));
-  EXPECT_EQ(low.layers().size(), 0u);
+  EXPECT_EQ(LayerScene(two_passes(0.3), plan_mill(2, 0, 2)).groups().size(), 1u);
+  const LayerScene low(two_passes(0.3), plan_mill(2, 0, 0.5));
+  EXPECT_EQ(low.groups().size(), 0u);
   EXPECT_GT(low.others(), 0u);
 }
 
@@ -206,7 +209,7 @@ TEST(CollisionPlan, LiftedRapidsAgreeWithDenseSampling) {
   constexpr double kLifts[] = {0.3, 0.15, 0, 0.3};
   for (unsigned scene = 0; scene < testing::rounds(8); ++scene) {
     const double diameter = r(1, 2.5), corner = scene % 2 ? r(0.2, 0.45) * diameter : 0;
-    const Tool tool = mill(diameter, corner, scene % 4 == 2 ? 3.5 : 0);
+    const Tool tool = plan_mill(diameter, corner, scene % 4 == 2 ? 3.5 : 0);
     expect_agrees(passes(r, diameter, kLifts[scene % 4]), tool, scene);
   }
 }
@@ -230,7 +233,7 @@ std::vector<Motion> pecks(Random& r) {
 TEST(CollisionPlan, PecksAgreeWithDenseSampling) {
   Random r(18);
   for (unsigned scene = 0; scene < testing::rounds(4); ++scene) {
-    Tool tool = mill(r(1, 2), 0, scene % 2 ? 1.6 : 4);
+    Tool tool = plan_mill(r(1, 2), 0, scene % 2 ? 1.6 : 4);
     tool.type = ToolType::drill;
     tool.tip_angle = r(1.6, 2.4);
     expect_agrees(pecks(r), tool, scene);
@@ -242,7 +245,7 @@ TEST(CollisionPlan, HoldsPecksAndHelices) {
   Moves drilled({4, 3, 1});
   for (double z = -0.5; z > -2.9; z -= 0.5)
     drilled.rapid({4, 3, z + 0.7}).cut({4, 3, z}).rapid({4, 3, 1});
-  Tool drill = mill(2, 0, 1.2);
+  Tool drill = plan_mill(2, 0, 1.2);
   drill.type = ToolType::drill;
   drill.tip_angle = 2.06;
   EXPECT_EQ(LayerScene(drilled.motions, drill).others(), 0u);
@@ -250,10 +253,10 @@ TEST(CollisionPlan, HoldsPecksAndHelices) {
   for (int turn = 0; turn < 6; ++turn)
     bored.arc({6, 3, -0.4 * (turn + 1)}, {4, 3, -0.4 * turn}, kTwoPi);
   for (Motion& m : bored.motions) m.rise = m.end.z - m.start.z;
-  Tool boring = mill(2, 0, 1.2);
+  Tool boring = plan_mill(2, 0, 1.2);
   boring.shank = {{1.9, 1.9, 20}};
   const LayerScene helices(bored.motions, boring, ToolPart::shank);
-  EXPECT_GT(helices.layers().size(), 1u);
+  EXPECT_GT(helices.groups().size(), 1u);
   EXPECT_EQ(helices.others(), 0u);
 }
 

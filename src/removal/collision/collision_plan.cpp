@@ -5,9 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
 #include <optional>
-#include <utility>
 
 namespace mrsim {
 namespace {
@@ -21,141 +19,14 @@ constexpr std::ptrdiff_t kPlungesBefore = 16;
 // Groups of movers by height: each looks at all cuts.
 constexpr std::size_t kMostGroups = 200;
 
-// The cuts that have a path in plan, and the plunges among them by place.
-struct SeenCuts {
-  PlanPaths all;
-  std::map<std::pair<double, double>, std::vector<std::size_t>> plunges;  // into all.paths
-};
-
 std::pair<double, double> place_of(const PlanPath& path) {
   return {path.plan[LineSlot::x], path.plan[LineSlot::y]};
-}
-
-SeenCuts seen_cuts(const SweepTable& sweeps, std::span<const std::uint32_t> cuts) {
-  SeenCuts found;
-  for (const std::uint32_t cut : cuts) {
-    const auto path = plan_path(sweeps, cut);
-    if (!path || !(path->from < path->to)) continue;
-    if (path->is_upright()) found.plunges[place_of(*path)].push_back(found.all.paths.size());
-    found.all.sweeps.push_back(cut);
-    found.all.paths.push_back(*path);
-  }
-  return found;
 }
 
 // What an end mill's radius at a height above its tip is less than above its corner.
 double less_at(double height, double round) {
   const double below = round - height;
   return below > 0 ? round - std::sqrt(std::max(0.0, round * round - below * below)) : 0;
-}
-
-struct Lifted {
-  double lowest = 0, highest = 0;  // mm
-  std::uint32_t mover = 0;
-  PlanPath path;
-};
-
-// Movers of one lowest height; where there are many heights, of neighbouring ones.
-std::vector<std::span<Lifted>> groups(std::vector<Lifted>& movers) {
-  std::sort(movers.begin(), movers.end(), [](const Lifted& a, const Lifted& b) {
-    return a.lowest != b.lowest ? a.lowest < b.lowest : a.mover < b.mover;
-  });
-  const std::size_t least = movers.size() / kMostGroups;
-  std::vector<std::span<Lifted>> found;
-  for (std::size_t from = 0, to = 0; to < movers.size(); from = to) {
-    to = std::min(from + std::max<std::size_t>(least, 1), movers.size());
-    while (to < movers.size() && movers[to].lowest == movers[to - 1].lowest) ++to;
-    found.push_back(std::span(movers).subspan(from, to - from));
-  }
-  return found;
-}
-
-// Layers of movers with one lowest height.
-class LayerMaker {
- public:
-  LayerMaker(const CollisionScene& scene, const PlanPaths& cuts)
-      : scene_(scene),
-        cuts_(cuts),
-        touch_(scene.threshold - scene.rounding()),
-        top_(scene.part.solid().bounds().hi.z) {}
-
-  // Up to the stock's top. Layers of a corner are as high as the movers are above the floor, so
-  // that a cut at the bottom of one is as wide as they are at its top; others reach as far as cuts
-  // do that begin below them. None where that takes too many, or no cut is so low.
-  std::vector<std::unique_ptr<PlanView>> views(double lowest, double highest,
-                                               const PlanPaths& movers) const {
-    double round = 0;
-    for (const PlanPath& path : movers.paths) round = std::max(round, path.round);
-    const double lift = lift_of(lowest, round);
-    if (lift < 0) return {};
-    std::vector<std::unique_ptr<PlanView>> found;
-    const double end = std::min(highest, top_);
-    for (double bottom = lowest, top = 0; bottom < end; bottom = top) {
-      top = reach(bottom, 2 * (end - lowest) / static_cast<double>(kMostLayers), end);
-      if (bottom - lowest + lift < round) top = std::min(top, bottom + lift);
-      if (!(top > bottom) || found.size() == kMostLayers) return {};
-      PlanPaths narrower = movers;
-      for (PlanPath& path : narrower.paths) path.radius -= less_at(top - lowest, path.round);
-      found.push_back(std::make_unique<PlanView>(scene_.part.solid().bounds(),
-                                                 cuts_through(bottom, top), std::move(narrower)));
-    }
-    return found;
-  }
-
- private:
-  // How far a height lies above the highest of the cuts that are far enough below it for a corner.
-  double lift_of(double lowest, double round) const {
-    double lift = -1;
-    for (const PlanPath& cut : cuts_.paths)
-      if (const double above = lowest + touch_ - cut.from;
-          above >= round / static_cast<double>(kMostLayers) && above >= 0 &&
-          (lift < 0 || above < lift))
-        lift = above;
-    return lift;
-  }
-  // The end of a layer: where the first of the cuts that begin below it ends, but for those that
-  // reach less far than `least`. A layer that is higher would lose cuts that it needs.
-  double reach(double bottom, double least, double end) const {
-    double farthest = bottom, first = end;
-    for (const PlanPath& cut : cuts_.paths) {
-      if (cut.from > bottom + touch_) continue;
-      farthest = std::max(farthest, cut.to);
-      if (cut.to >= bottom + least) first = std::min(first, cut.to);
-    }
-    return std::min(first, farthest);
-  }
-  // Those that clear all between two heights, as wide as at the lower one.
-  PlanPaths cuts_through(double bottom, double top) const {
-    PlanPaths found;
-    for (std::size_t k = 0; k < cuts_.paths.size(); ++k) {
-      PlanPath path = cuts_.paths[k];
-      const double above = bottom + touch_ - path.from;
-      if (above < 0 || path.to < top) continue;
-      path.radius -= less_at(above, path.round);
-      found.sweeps.push_back(cuts_.sweeps[k]);
-      found.paths.push_back(path);
-    }
-    return found;
-  }
-
-  const CollisionScene& scene_;
-  const PlanPaths& cuts_;
-  double touch_, top_;  // mm; the stock's
-};
-
-// Where a plunge before it has cleared what it has below its widest place, a mover counts from
-// there.
-void lift_nose(const CollisionScene& scene, const SeenCuts& cuts, Lifted& mover) {
-  const auto plunges = cuts.plunges.find(place_of(mover.path));
-  if (!mover.path.is_upright() || plunges == cuts.plunges.end()) return;
-  const std::int32_t time = scene.movers.motions[mover.mover];
-  const auto end = std::partition_point(
-      plunges->second.begin(), plunges->second.end(),
-      [&](std::size_t k) { return scene.part.sweeps().motion(cuts.all.sweeps[k]) <= time; });
-  const auto first = end - std::min<std::ptrdiff_t>(kPlungesBefore, end - plunges->second.begin());
-  if (std::any_of(first, end,
-                  [&](std::size_t k) { return holds_nose(cuts.all.paths[k], mover.path); }))
-    mover.lowest = mover.path.low + mover.path.tool->widest(), mover.path.round = 0;
 }
 
 }  // namespace
@@ -193,45 +64,143 @@ Vec3 PlanView::drawn_onto(std::uint32_t mover, const Vec3& p) const {
   return p - std::max(path.distance(p), 0.0) * path.out(p);
 }
 
-std::vector<PlanLayers> plan_layers(const CollisionScene& scene,
-                                    std::span<const std::uint32_t> cuts,
-                                    std::span<const std::uint32_t> movers,
-                                    std::vector<std::uint32_t>& others) {
-  const SweepTable& sweeps = scene.movers.sweeps;
-  const SeenCuts seen = seen_cuts(scene.part.sweeps(), cuts);
-  const double top = scene.part.solid().bounds().hi.z - scene.threshold;
+PlanSearch::PlanSearch(const CollisionScene& scene, std::span<const std::uint32_t> cuts,
+                       std::span<const std::uint32_t> movers)
+    : scene_(scene),
+      touch_(scene.threshold - scene.rounding()),
+      top_(scene.part.solid().bounds().hi.z) {
+  take_cuts(cuts);
   std::vector<Lifted> lifted;
   for (const std::uint32_t mover : movers) {
-    const Box3 bounds = sweeps.bounds(mover);
-    if (bounds.lo.z >= top) continue;
-    const auto path = seen.all.sweeps.empty() ? std::nullopt : plan_path(sweeps, mover);
+    const Box3 bounds = scene.movers.sweeps.bounds(mover);
+    if (bounds.lo.z >= top_ - scene.threshold) continue;
+    const auto path = bounds_.empty() ? std::nullopt : plan_path(scene.movers.sweeps, mover);
     if (!path) {
-      others.push_back(mover);
+      others_.push_back(mover);
       continue;
     }
-    lifted.push_back({bounds.lo.z, bounds.hi.z, mover, *path});
-    lift_nose(scene, seen, lifted.back());
+    lifted.push_back({bounds.lo.z, bounds, mover, *path});
+    lift_nose(lifted.back());
   }
-  const LayerMaker maker(scene, seen.all);
-  std::vector<PlanLayers> found;
-  for (const std::span<Lifted> group : groups(lifted)) {
-    const double lowest = group.front().lowest;
-    double highest = lowest;
-    std::sort(group.begin(), group.end(),
-              [](const Lifted& a, const Lifted& b) { return a.mover < b.mover; });
-    PlanPaths list;
-    for (const Lifted& one : group) {
-      highest = std::max(highest, one.highest);
-      list.sweeps.push_back(one.mover);
-      list.paths.push_back(one.path);
-    }
-    auto views = maker.views(lowest, highest, list);
-    if (views.empty())
-      others.insert(others.end(), list.sweeps.begin(), list.sweeps.end());
-    else
-      found.push_back({std::move(list.sweeps), std::move(views)});
+  std::sort(lifted.begin(), lifted.end(), [](const Lifted& a, const Lifted& b) {
+    return a.lowest != b.lowest ? a.lowest < b.lowest : a.mover < b.mover;
+  });
+  // Movers of one height; where there are many heights, of neighbouring ones.
+  const std::size_t least = std::max<std::size_t>(lifted.size() / kMostGroups, 1);
+  for (std::size_t from = 0, to = 0; to < lifted.size(); from = to) {
+    to = std::min(from + least, lifted.size());
+    while (to < lifted.size() && lifted[to].lowest == lifted[to - 1].lowest) ++to;
+    add_group(std::span(lifted).subspan(from, to - from));
   }
-  return found;
+  std::sort(others_.begin(), others_.end());
+}
+
+void PlanSearch::take_cuts(std::span<const std::uint32_t> cuts) {
+  const SweepTable& sweeps = scene_.part.sweeps();
+  for (const std::uint32_t cut : cuts) {
+    const auto path = plan_path(sweeps, cut);
+    if (!path || !(path->from < path->to)) continue;
+    if (path->is_upright()) plunges_[place_of(*path)].push_back(bounds_.size());
+    bounds_.push_back(sweeps.bounds(cut));
+    cuts_.sweeps.push_back(cut);
+    cuts_.paths.push_back(*path);
+  }
+}
+
+// Where a plunge before it has cleared what it has below its widest place, a mover counts from
+// there.
+void PlanSearch::lift_nose(Lifted& mover) const {
+  const auto plunges = plunges_.find(place_of(mover.path));
+  if (!mover.path.is_upright() || plunges == plunges_.end()) return;
+  const std::vector<std::size_t>& here = plunges->second;
+  const std::int32_t time = scene_.movers.motions[mover.mover];
+  const auto end = std::partition_point(here.begin(), here.end(), [&](std::size_t k) {
+    return scene_.part.sweeps().motion(cuts_.sweeps[k]) <= time;
+  });
+  const auto first = end - std::min<std::ptrdiff_t>(kPlungesBefore, end - here.begin());
+  if (std::none_of(first, end,
+                   [&](std::size_t k) { return holds_nose(cuts_.paths[k], mover.path); }))
+    return;
+  mover.lowest = mover.path.low + mover.path.tool->widest();
+  mover.path.round = 0;
+}
+
+void PlanSearch::add_group(std::span<Lifted> movers) {
+  PlanGroup group;
+  group.lowest = movers.front().lowest;
+  std::sort(movers.begin(), movers.end(),
+            [](const Lifted& a, const Lifted& b) { return a.mover < b.mover; });
+  for (const Lifted& one : movers) {
+    extend(group.bounds, one.bounds);
+    group.movers.sweeps.push_back(one.mover);
+    group.movers.paths.push_back(one.path);
+  }
+  if (add_layers(group))
+    groups_.push_back(std::move(group));
+  else
+    others_.insert(others_.end(), group.movers.sweeps.begin(), group.movers.sweeps.end());
+}
+
+// Layers of a corner are as high as the movers are above the floor, so that a cut at the bottom of
+// one is as wide as they are at its top; others reach as far as cuts do that begin below them.
+// False where that takes too many, or no cut is so low.
+bool PlanSearch::add_layers(PlanGroup& group) const {
+  double round = 0;
+  for (const PlanPath& path : group.movers.paths) round = std::max(round, path.round);
+  const double lift = lift_of(group, round);
+  if (lift < 0) return false;
+  const double end = std::min(group.bounds.hi.z, top_);
+  const double least = 2 * (end - group.lowest) / static_cast<double>(kMostLayers);
+  for (double bottom = group.lowest, top = 0; bottom < end; bottom = top) {
+    top = reach(group, bottom, least, end);
+    if (bottom - group.lowest + lift < round) top = std::min(top, bottom + lift);
+    if (!(top > bottom) || group.layers.size() == kMostLayers) return false;
+    group.layers.push_back({bottom, top});
+  }
+  return true;
+}
+
+// How far the group lies above the highest of the cuts that are far enough below it for a corner.
+double PlanSearch::lift_of(const PlanGroup& group, double round) const {
+  const double least = round / static_cast<double>(kMostLayers);
+  double lift = -1;
+  for (std::size_t k = 0; k < bounds_.size(); ++k)
+    if (const double above = group.lowest + touch_ - cuts_.paths[k].from;
+        above >= least && (lift < 0 || above < lift) && is_near(group, k))
+      lift = above;
+  return lift;
+}
+
+// The end of a layer: where the first of the cuts that begin below it ends, but for those that
+// reach less far than `least`. A layer that is higher would lose cuts that it needs.
+double PlanSearch::reach(const PlanGroup& group, double bottom, double least, double end) const {
+  double farthest = bottom, first = end;
+  for (std::size_t k = 0; k < bounds_.size(); ++k) {
+    const PlanPath& cut = cuts_.paths[k];
+    if (cut.from > bottom + touch_ || !is_near(group, k)) continue;
+    farthest = std::max(farthest, cut.to);
+    if (cut.to >= bottom + least) first = std::min(first, cut.to);
+  }
+  return std::min(first, farthest);
+}
+
+bool PlanSearch::is_near(const PlanGroup& group, std::size_t cut) const {
+  const Box3 &a = group.bounds, &b = bounds_[cut];
+  return b.lo.x <= a.hi.x && b.hi.x >= a.lo.x && b.lo.y <= a.hi.y && b.hi.y >= a.lo.y;
+}
+
+PlanView PlanSearch::view(const PlanGroup& group, const PlanLayer& layer) const {
+  PlanPaths cuts, movers = group.movers;
+  for (PlanPath& path : movers.paths) path.radius -= less_at(layer.top - group.lowest, path.round);
+  for (std::size_t k = 0; k < bounds_.size(); ++k) {
+    PlanPath path = cuts_.paths[k];
+    const double above = layer.bottom + touch_ - path.from;
+    if (above < 0 || path.to < layer.top || !is_near(group, k)) continue;
+    path.radius -= less_at(above, path.round);
+    cuts.sweeps.push_back(cuts_.sweeps[k]);
+    cuts.paths.push_back(path);
+  }
+  return {scene_.part.solid().bounds(), std::move(cuts), std::move(movers)};
 }
 
 }  // namespace mrsim

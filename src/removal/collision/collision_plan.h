@@ -6,8 +6,9 @@
 #include "removal/sweep/plan_path.h"
 
 #include <cstdint>
-#include <memory>
+#include <map>
 #include <span>
+#include <utility>
 #include <vector>
 
 namespace mrsim {
@@ -47,20 +48,56 @@ class PlanView final : public CollisionView {
   PlanPaths cuts_, movers_;
 };
 
-/// Movers of one lowest height, or nearly so, by layers of their height: a mover that is clear in
-/// each view is clear. In the view of a layer cuts are as wide as at its bottom, and movers as at
-/// its top.
-struct PlanLayers {
-  std::vector<std::uint32_t> movers;  ///< ascending
-  std::vector<std::unique_ptr<PlanView>> views;
+/// From one height to another, mm.
+struct PlanLayer {
+  double bottom = 0, top = 0;
 };
 
-/// The layers of all movers that can be searched in plan; the others are appended to `others`, but
-/// for those that only touch the stock's top.
-/// `cuts` and `movers` ascend. Cost: cuts x layers.
-std::vector<PlanLayers> plan_layers(const CollisionScene& scene,
-                                    std::span<const std::uint32_t> cuts,
-                                    std::span<const std::uint32_t> movers,
-                                    std::vector<std::uint32_t>& others);
+/// Movers of one lowest height, or nearly so, and layers from there up to the stock's top: a mover
+/// that is clear in each layer is clear.
+struct PlanGroup {
+  double lowest = 0;  ///< mm
+  Box3 bounds;        ///< of the movers
+  PlanPaths movers;
+  std::vector<PlanLayer> layers;
+};
+
+/// The movers that can be searched in plan.
+class PlanSearch {
+ public:
+  /// `cuts` and `movers` ascend. Cost: cuts x groups, of which there are some hundreds at most.
+  PlanSearch(const CollisionScene& scene, std::span<const std::uint32_t> cuts,
+             std::span<const std::uint32_t> movers);
+
+  const std::vector<PlanGroup>& groups() const { return groups_; }
+  /// The movers that are in no group, but for those that only touch the stock's top.
+  const std::vector<std::uint32_t>& others() const { return others_; }
+  /// Cuts near the group, as wide as at the bottom of a layer, and its movers as wide as at the
+  /// top.
+  PlanView view(const PlanGroup& group, const PlanLayer& layer) const;
+
+ private:
+  struct Lifted {
+    double lowest = 0;  // mm
+    Box3 bounds;
+    std::uint32_t mover = 0;
+    PlanPath path;
+  };
+  void take_cuts(std::span<const std::uint32_t> cuts);
+  void lift_nose(Lifted& mover) const;
+  void add_group(std::span<Lifted> movers);
+  bool add_layers(PlanGroup& group) const;
+  double lift_of(const PlanGroup& group, double round) const;
+  double reach(const PlanGroup& group, double bottom, double least, double end) const;
+  bool is_near(const PlanGroup& group, std::size_t cut) const;
+
+  const CollisionScene& scene_;
+  double touch_, top_;  // mm; the stock's
+  PlanPaths cuts_;
+  std::vector<Box3> bounds_;                                               // of the cuts
+  std::map<std::pair<double, double>, std::vector<std::size_t>> plunges_;  // by place, into cuts_
+  std::vector<PlanGroup> groups_;
+  std::vector<std::uint32_t> others_;
+};
 
 }  // namespace mrsim

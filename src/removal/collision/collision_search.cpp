@@ -65,20 +65,24 @@ std::vector<CollisionHit> CollisionDetector::detect(const Box3& box,
 Candidates CollisionDetector::left_in_plan(const Box3& box, std::span<const std::uint32_t> cuts,
                                            std::span<const std::uint32_t> movers,
                                            std::vector<CollisionHit>& hits) {
-  Candidates left;
+  const PlanSearch plan(scene_, cuts, movers);
+  Candidates left = plan.others();
   Box3 flat = box;
   flat.lo.z = flat.hi.z = 0;
-  for (PlanLayers& layers : plan_layers(scene_, cuts, movers, left))
-    for (const auto& view : layers.views) {
-      search(*view, flat, view->cuts(), layers.movers);
+  for (const PlanGroup& group : plan.groups()) {
+    Candidates clear = group.movers.sweeps;
+    for (const PlanLayer& layer : group.layers) {
+      const PlanView view = plan.view(group, layer);
+      search(view, flat, view.cuts(), clear);
       for (const CollisionHit& hit : hits_) {
-        std::erase(layers.movers, hit.mover);
+        std::erase(clear, hit.mover);
         if (const auto found = hit_in_space(hit, box, cuts))
           hits.push_back(*found);
         else
           left.push_back(hit.mover);
       }
     }
+  }
   std::sort(left.begin(), left.end());
   return left;
 }
