@@ -260,5 +260,29 @@ TEST(CollisionPlan, HoldsPecksAndHelices) {
   EXPECT_EQ(helices.others(), 0u);
 }
 
+// Below a counterbore a form with a neck cuts a tenth, and rises through what its neck left: a
+// bulge below the widest place is no nose that a plunge has cleared for.
+TEST(CollisionPlan, FindsTheBulgeBelowANeck) {
+  Moves m({4, 3, 1});
+  m.cut({4, 3, -0.6}).rapid({4, 3, 1}).rapid({4, 3, -2.0}).cut({4, 3, -2.1}).rapid({4, 3, 1});
+  Tool form;
+  form.id = "2";
+  form.type = ToolType::form;
+  form.profile = {{0, 0, 0},     {1, 0, 0},   {1, 0.5, 0}, {0.5, 0.6, 0},
+                  {0.5, 1.5, 0}, {2, 1.6, 0}, {2, 8, 0},   {0, 8, 0}};
+  for (std::size_t k = 2; k < m.motions.size(); ++k) m.motions[k].tool = 1;
+  const std::vector<Tool> tools{plan_mill(4.2, 0), form};
+  const PartField part(StockSolid(small_block()), SweepTable(m.motions, tools));
+  std::vector<int> shapeless;
+  const Movers movers =
+      find_movers(ToolPart::cutter, m.motions, tools, 0, kBlock, kDepth, 1, shapeless);
+  ASSERT_EQ(movers.motions.back(), 4);
+  const std::uint32_t up = static_cast<std::uint32_t>(movers.motions.size()) - 1;
+  const auto rise = plan_path(movers.sweeps, up);
+  const auto plunge = plan_path(part.sweeps(), part.sweeps().size() - 1);
+  ASSERT_TRUE(rise && plunge);
+  EXPECT_FALSE(holds_nose(*plunge, *rise));
+}
+
 }  // namespace
 }  // namespace mrsim

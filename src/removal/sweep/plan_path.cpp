@@ -106,7 +106,7 @@ bool PlanPath::is_upright() const {
 }
 
 bool holds_nose(const PlanPath& cut, const PlanPath& mover) {
-  return cut.is_upright() && mover.is_upright() &&
+  return cut.is_upright() && mover.is_upright() && mover.tool->is_unimodal() &&
          cut.plan[LineSlot::x] == mover.plan[LineSlot::x] &&
          cut.plan[LineSlot::y] == mover.plan[LineSlot::y] && cut.low <= mover.low &&
          mover.low + mover.tool->widest() <= cut.to && have_one_nose(*cut.tool, *mover.tool);

@@ -33,7 +33,7 @@ struct PlanPath {
 std::optional<PlanPath> plan_path(const SweepTable& sweeps, std::uint32_t i);
 
 /// Whether the cut is a plunge that has cleared what the mover, another upright move at its place,
-/// has below its widest place: by the same nose, and no less deep.
+/// has below its widest place: by the same nose, which never narrows upwards, and no less deep.
 bool holds_nose(const PlanPath& cut, const PlanPath& mover);
 
 }  // namespace mrsim
