@@ -116,6 +116,41 @@ TEST(Language, LongLoopsThatEndAreRun) {
        "G1 F1\nAA: R1=0\nWHILE R1<5\nX=IC(1)\nR1=R1+1\nENDWHILE\nENDLABEL:\n"
        "REPEAT AA P=2999\nM30\n",
        15'000},
+      // the number of the variable that is set
+      {Dialect::sinumerik,
+       "R1=30000 R2=0\nWHILE R2==0\nR[R1]=1\nR1=R1-1\nENDWHILE\nG1 F1 X1\nM30\n", 1},
+      {Dialect::fanuc,
+       "#100=0\n#1=999\nWHILE[#100EQ0]DO1\nIF[#1EQ399]THEN #1=199\n#3=0\nWHILE[#3LT30]DO2\n"
+       "#3=#3+1\nEND2\n#[#1]=1\n#1=#1-1\nEND1\nG1 X1 F1\nM30\n",
+       1},
+      {Dialect::ngc,
+       "#4000=0\n#1=31\no1 while [#4000 EQ 0]\n#[#1]=1\n#1=[#1+1]\n#2=0\no2 while [#2 LT 20]\n"
+       "#2=[#2+1]\no2 endwhile\no1 endwhile\nG1 X1 F1\nM2\n",
+       1},
+      // the arguments of G66, an argument that is vacant, and a vacant word under G66
+      {Dialect::fanuc,
+       "#100=0\n#1=0\nWHILE[#100LT1]DO1\n#1=#1+1\nG66 P8 A#1\nG0 X1\nG67\nEND1\nG1 X0 F1\nM30\n"
+       "O8\n#100=FIX[#1/20000]\nM99\n",
+       2},
+      {Dialect::fanuc,
+       "#100=0\n#500=#0\n#501=1\n#1=0\nWHILE[#100LT1]DO1\n#1=#1+1\n"
+       "G65 P8 A#[500+FIX[#1/20000]]\nEND1\nG1 X1 F1\nM30\n"
+       "O8\nIF[#1EQ#0]GOTO20\n#100=1\nN20 M99\n",
+       1},
+      {Dialect::fanuc,
+       "#100=0\n#500=#0\n#501=1\n#1=0\nG66 P8\nWHILE[#100LT1]DO1\n#1=#1+1\n"
+       "G0 X#[500+FIX[#1/20000]]\nEND1\nG67\nG1 X0 F1\nM30\nO8\n#100=1\nM99\n",
+       2},
+      // arrays that PROC gives back
+      {Dialect::sinumerik,
+       "%_N_MAIN_MPF\nDEF REAL ARR[5]\nR5=0\nWHILE R5==0\nSUBA(ARR)\nENDWHILE\nG1 X1 F1\nM30\n"
+       "%_N_SUBA_SPF\nPROC SUBA(VAR REAL TT[])\nTT[1]=TT[1]+1\nIF TT[1]>50000\nR5=1\nENDIF\nRET\n",
+       1},
+      {Dialect::sinumerik,
+       "%_N_MAIN_MPF\nDEF REAL ARR[5]\nR1=0\nWHILE ARR[0]==0\nR1=R1+1\nSUBA(ARR)\nENDWHILE\n"
+       "G1 X1 F1\nM30\n"
+       "%_N_SUBA_SPF\nPROC SUBA(VAR REAL TT[])\nTT[0]=TRUNC(R1/50000)\nRET\n",
+       1},
   };
   for (const auto& one : cases) {
     SCOPED_TRACE(one.text);

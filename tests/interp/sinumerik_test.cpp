@@ -71,6 +71,9 @@ TEST(Sinumerik, WordsThatPostsWriteAroundProgramsAreRead) {
       << "one cause, one error";
   EXPECT_EQ(run("TRACYL(50)\nF100 G1 X1 C20\nTRAFOOF\nG1 X2\n"), "2,0,0 not-supported");
   EXPECT_EQ(run("TRAORI(1)\nF100 G1 X1 A20\nTRAFOOF\nG1 X2\n"), "2,0,0 not-supported");
+  EXPECT_EQ(run("TRAORI\nG1 F100 X1\nPOS[B]=30\nX2\n"), "1,0,0 not-supported");
+  EXPECT_EQ(run("G1 F100 X1\nPOS[A]=0 POSA[C]=0\nX2\n"), "1,0,0 2,0,0 ");
+  EXPECT_EQ(run("G1 F100 X1\nPOSA[ c ]=DC(90)\nX2\n"), "1,0,0 2,0,0 not-supported");
   EXPECT_EQ(run("SETMS(2)\nF100 G1 X1\nSETMS\nX2\n"), "1,0,0 2,0,0 ");
 }
 

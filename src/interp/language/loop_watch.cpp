@@ -25,6 +25,11 @@ void LoopWatch::read(const VariableKey& variable) { (data_ ? block_ : deciding_)
 
 void LoopWatch::read_state() { (data_ ? block_reads_state_ : state_decides_) = true; }
 
+void LoopWatch::decide() {
+  deciding_.insert(block_.begin(), block_.end());
+  state_decides_ = state_decides_ || block_reads_state_;
+}
+
 void LoopWatch::write(const VariableKey& variable, const std::optional<std::string>& before) {
   if (!before || before_.size() > kMostVariables) return forget();
   before_.try_emplace(variable, *before);

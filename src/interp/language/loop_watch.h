@@ -51,6 +51,8 @@ class LoopWatch {
     if (level <= level_) forget();
   }
 
+  /// What the block has read so far decides about the way too, and not only as data.
+  void decide();
   /// The next reads are the data of words or assignments until this returns to false.
   bool set_data(bool data);
   /// Something changes that may decide about the way and is not a variable.

@@ -317,6 +317,7 @@ bool Variables::define(std::string_view name, VariableType type, std::array<int,
 
 const Variables::Array* Variables::array(std::string_view name) {
   const Array* const found = find(name);
+  if (found && is_watched()) watch_read(name);
   return found && found->dimensions[0] > 0 ? found : nullptr;
 }
 

@@ -185,6 +185,7 @@ double MacroStatements::argument_value(const Word& word) const {
 // Collects the words behind G65 as local variables. If I J K stand more than once, it is argument
 // list II. `code`: G65 or G66; null in a block under G66.1.
 bool MacroStatements::collect(const Word* code, Arguments& out) {
+  if (!code || code->value != 65) reader_.watch().decide();  // the macro of G66 runs later
   int triples = 0;
   char last = 'Z';
   for (const Word& word : block_.words) {
@@ -383,6 +384,7 @@ void MacroStatements::end_block(bool moved) {
   }
   const ModalCall* const call = modal_call(false);
   if (!call) return;
+  reader_.watch().decide();  // a vacant word is no word, and the block does not move
   if (moved) {
     run_modal(*call, call->arguments);
   } else if (modal_.drill.number != 0 && (peek('X') || peek('Y') || peek('Z'))) {

@@ -262,6 +262,7 @@ bool OspStatements::set(std::string_view name, const Value& value, std::size_t f
 // The program of MODIN runs behind every block that moves. No manual at hand says whether it also
 // does in programs of CALL.
 void OspStatements::end_block(bool moved) {
+  if (modal_) reader_.watch().decide();  // an empty word is no word, and the block does not move
   if (!moved || !modal_ || runs_modal_) return MacroStatements::end_block(moved);
   if (calls_ == 0) {
     enter(*modal_, true);

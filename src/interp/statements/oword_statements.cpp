@@ -33,7 +33,7 @@ bool OwordStatements::assignment(std::string_view line, std::size_t& p) {
   while (p < line.size() && (line[p] == ' ' || line[p] == '\t')) ++p;
   one.named = p < line.size() && line[p] == '<';
   if (one.named ? !evaluator_.bracketed_name(line, p, one.name)
-                : !evaluator_.variable_number(line, p, one.number))
+                : !target_number(line, p, one.number))
     return report(evaluator_.fault());
   one.to = p;
   p = skip_blanks(p);

@@ -46,6 +46,7 @@ bool SinumerikAssignments::end_statement(std::size_t p) {
 }
 
 bool SinumerikAssignments::indices(std::string_view line, std::size_t& p, std::vector<Value>& out) {
+  const DataReads way(reader_.watch(), false);  // they decide which variable changes
   const std::size_t from = p;
   do {
     ++p;

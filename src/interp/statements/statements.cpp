@@ -123,6 +123,7 @@ LanguageReader::Answer Statements::value(std::string_view line, std::size_t& p, 
   }
   switch (out.kind) {
     case Value::Kind::vacant:
+      reader_.watch().decide();  // it gives no argument
       return Answer::vacant;
     case Value::Kind::text:
       if (texts_.size() > kMostTexts) texts_.pop_front();
@@ -194,13 +195,19 @@ bool Statements::store(std::string_view name, std::span<const Value> indices, co
   return true;
 }
 
+// Reads the number of the variable that is set. What it is computed from decides which one changes.
+bool Statements::target_number(std::string_view line, std::size_t& p, double& out) {
+  const DataReads way(reader_.watch(), false);
+  return evaluator_.variable_number(line, p, out);
+}
+
 // Carries out #target = expression. LinuxCNC's assignments are different, see OwordStatements.
 bool Statements::assignment(std::string_view line, std::size_t& p) {
   const DataReads data(reader_.watch());
   const std::size_t from = p;
   ++p;
   double index = 0;
-  if (!evaluator_.variable_number(line, p, index)) return report(evaluator_.fault());
+  if (!target_number(line, p, index)) return report(evaluator_.fault());
   const std::size_t to = p;
   p = skip_blanks(p);
   if (at(p) != '=')
@@ -210,10 +217,9 @@ bool Statements::assignment(std::string_view line, std::size_t& p) {
   Value value;
   if (!evaluator_.expression(line, p, value)) {
     report(evaluator_.fault());
-    Value faulty;
-    faulty.kind = Value::Kind::faulty;
+    value.kind = Value::Kind::faulty;
     std::string ignored;
-    variables_.assign(index, faulty, ignored);
+    variables_.assign(index, value, ignored);
     return false;
   }
   return store(index, value, from, to);

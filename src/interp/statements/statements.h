@@ -92,6 +92,7 @@ class Statements : public ControlPart, public LanguageReader {
   /// too many steps or a loop that never ends.
   bool jump_in_loop(const Place& to);
   bool number(std::size_t& p, double& out, bool whole);
+  bool target_number(std::string_view line, std::size_t& p, double& out);
   /// Sets a local variable of the macro that a call begins.
   void set_argument(int number, double value);
   bool store(double number, const Value& value, std::size_t from, std::size_t to);

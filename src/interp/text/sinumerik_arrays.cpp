@@ -40,21 +40,23 @@ double code_of_group(double group, double index) {
 
 }  // namespace
 
-// POS[Z3]=-200, POSA[Q1]=0: a sub-spindle, a tailstock or a loader.
-bool SinumerikArrays::of_other_axis(std::size_t close) const {
+// The axis of POS[B], whose bracket is closed at `close`.
+std::string SinumerikArrays::axis_of(std::size_t close) const {
   std::string axis = upper_case(line_.substr(p_ + 1, close - p_ - 1));
   std::erase(axis, ' ');
-  return axis.size() > 1 || axis < "X" || axis > "Z";
+  return axis;
 }
 
 void SinumerikArrays::read(Block& block, std::size_t from, const std::string& name) {
   const std::string_view token = line_.substr(from, name.size());
   const bool read = language_ && (name == "AX" || name == "G");
   std::size_t close = line_.find(']', p_);
-  const bool harmless =
-      std::find(std::begin(kHarmlessArrays), std::end(kHarmlessArrays), name) !=
-          std::end(kHarmlessArrays) ||
-      (name.starts_with("POS") && close != std::string_view::npos && of_other_axis(close));
+  // POS[Z3]=-200, POSA[Q1]=0: a sub-spindle, a tailstock or a loader.
+  const bool moves = name.starts_with("POS") && close != std::string_view::npos;
+  const std::string moved = moves ? axis_of(close) : "";
+  const bool harmless = std::find(std::begin(kHarmlessArrays), std::end(kHarmlessArrays), name) !=
+                            std::end(kHarmlessArrays) ||
+                        (moves && (moved.size() > 1 || moved < "X" || moved > "Z"));
   Word index;
   if (read) {
     ++p_;
@@ -78,6 +80,7 @@ void SinumerikArrays::read(Block& block, std::size_t from, const std::string& na
   Word word;
   word.address = Address::data;
   if (!value(block, word)) return;
+  if (moved.size() == 1) word.code = static_cast<Code>(moved[0]);  // ABC may turn the tool
   if (name == "AX") {
     const char axis = index.string && index.text.size() == 1 ? upper(index.text[0]) : '\0';
     if (axis < 'X' || axis > 'Z')

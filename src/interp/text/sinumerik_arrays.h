@@ -18,7 +18,7 @@ class SinumerikArrays : public SinumerikValues {
   void read(Block& block, std::size_t from, const std::string& name);
 
  private:
-  bool of_other_axis(std::size_t close) const;
+  std::string axis_of(std::size_t close) const;
 };
 
 }  // namespace mrsim

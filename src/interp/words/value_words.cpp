@@ -1,6 +1,7 @@
 #include "interp/words/value_words.h"
 
 #include "core/text/text_io.h"
+#include "interp/text/characters.h"
 #include "interp/words/unread_modes.h"
 
 #include <algorithm>
@@ -48,6 +49,17 @@ bool ValueWords::switches_channel() {
   return m && (m->value == 11 || m->value == 12) && take('C');
 }
 
+// Reports that a rotary axis leaves 0. True: in a mode that is not read any more from here on.
+bool ValueWords::turns_in_mode(char c, const Word& word) {
+  UnreadModes(control_).turn();
+  reporter_.once(Severity::error, "not-supported",
+                 unread_axis(c) +
+                     ", which is not supported yet; --until LINE simulates what "
+                     "stands before it",
+                 word, std::string("turned ") + c);
+  return control_.unread_end != 0;
+}
+
 bool ValueWords::rotary_axes() {
   const bool turns = block_.frame_code && block_.frame_op == Code::rotation_on;
   for (const char c : {'A', 'B', 'C'}) {
@@ -59,13 +71,7 @@ bool ValueWords::rotary_axes() {
     axis_c_ = axis_c_ || c == 'C';
     if (control_.unread_end != 0) continue;
     if (word->value != 0) {
-      UnreadModes(control_).turn();
-      reporter_.once(Severity::error, "not-supported",
-                     unread_axis(c) +
-                         ", which is not supported yet; --until LINE simulates what "
-                         "stands before it",
-                     *word, std::string("turned ") + c);
-      if (control_.unread_end == 0) return false;
+      if (!turns_in_mode(c, *word)) return false;
       continue;
     }
     note_once("rotary-axis", fmt::format("rotary axis {} stays at 0", c), *word, std::string(1, c));
@@ -106,8 +112,13 @@ bool ValueWords::sinumerik() {
                                                block_.oneshot_code == Code::fixed_point);
   for (const Word& word : block_.words) {
     const auto c = static_cast<char>(word.code);
-    if (word.address == Address::data && c >= 'A' && c <= 'C' && control_.unread_end == 0 &&
-        UnreadModes(control_).tilts(word)) {
+    const bool turns = word.address == Address::data && c >= 'A' && c <= 'C';
+    if (turns && upper(text_of(word).front()) == 'P') {  // POS[B]=30, but not a loader of a lathe
+      if (word.value != 0 && !lathe() && control_.unread_end == 0 && !turns_in_mode(c, word))
+        return false;
+      continue;
+    }
+    if (turns && control_.unread_end == 0 && UnreadModes(control_).tilts(word)) {
       reporter_.once(Severity::error, "not-supported",
                      "A3= B3= C3= and their kin lead the tool's axis (TRAORI, five axes), which is "
                      "not supported",

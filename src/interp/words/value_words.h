@@ -15,6 +15,7 @@ class ValueWords : public ControlPart {
   bool turned_line(char c);
   std::string unread_axis(char c) const;
   bool switches_channel();
+  bool turns_in_mode(char c, const Word& word);
   bool rotary_axes();
   bool feed();
   bool feed_per_tooth(const Word& word);
