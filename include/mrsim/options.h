@@ -54,7 +54,7 @@ struct InterpOptions {
   /// Blocks run in all, repeated subprograms included; more is the error "program-endless".
   std::uint64_t max_blocks = 4'000'000'000;
   /// Jumps, passes of loops, calls and repeats in all; more is the error "program-endless".
-  std::uint64_t max_steps = 5'000'000;
+  std::uint64_t max_steps = 10'000'000;
   /// Variables that have a value before the program starts: "R1", "#100", "#<_name>", and a number
   /// or, for SINUMERIK, a text.
   std::vector<std::pair<std::string, std::string>> variables;

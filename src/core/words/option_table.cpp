@@ -171,10 +171,10 @@ constexpr OptionRow kRows[] = {
      "most blocks to run; default: 4000000000", "max_blocks", "",
      "Most blocks to run; more is an error. Default: 4000000000."},
     {"--max-steps", "", kPrograms, program, V::number, "N",
-     "most jumps, calls, and passes of loops with motions; default: 5000000", "max_steps", "",
+     "most jumps, calls, and passes of loops with motions; default: 10000000", "max_steps", "",
      "Most jumps, calls, passes of loops with their motions, and motions of cycles in programs "
      "that "
-     "have them; more is an error. Default: 5000000."},
+     "have them; more is an error. Default: 10000000."},
     {"--path", "", kPrograms, program, V::folders, "DIR",
      "also look for subprograms here, or a .DEF file of SINUMERIK; may be repeated", "path"},
     {"--max-memory", "", kUseTrace | kUseCheck, program, V::text, "SIZE", kRefuseMore},
