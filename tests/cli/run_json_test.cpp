@@ -244,7 +244,7 @@ TEST_F(RunJson, OptionsThatDoNothingSaySo) {
           .err;
   for (const char* said :
        {"--color does nothing", "--colors does nothing", "--deflection does nothing",
-        "--tool 9: the program calls no tool", "[least-increments]"})
+        "--tool 9: the program moves no tool", "[least-increments]"})
     EXPECT_TRUE(contains(idle, said)) << said << idle;
   EXPECT_TRUE(contains(run("PRIMER_2F.MPF --voxel 5 --stock-repair wrap=0.1").err,
                        "--stock-repair does nothing"));
