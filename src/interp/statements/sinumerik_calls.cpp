@@ -20,7 +20,8 @@ void SinumerikCalls::end_block(bool moved) {
   call(modal_call_.name, modal_call_.arguments, 1, block_.words.front(), [] {});
 }
 
-bool SinumerikCalls::call_modal(std::size_t places, std::function<void(std::size_t)> approach,
+bool SinumerikCalls::call_modal(std::size_t places,
+                                const std::function<void(std::size_t)>& approach,
                                 const Word& word) {
   if (in_modal_call_)
     return error("not-supported",
@@ -28,7 +29,7 @@ bool SinumerikCalls::call_modal(std::size_t places, std::function<void(std::size
                  "as blocks",
                  word);
   return call(modal_call_.name, modal_call_.arguments, static_cast<long>(places), word,
-              [approach = std::move(approach), i = std::size_t(0)]() mutable { approach(i++); });
+              [approach, i = std::size_t(0)]() mutable { approach(i++); });
 }
 
 bool SinumerikCalls::modal_call(std::size_t p) {

@@ -42,7 +42,7 @@ class Statements : public ControlPart, public LanguageReader {
   virtual bool has_modal_call() const { return false; }
   /// Runs the program of MCALL at so many places; `approach` goes to the place of its number.
   /// False: reported.
-  virtual bool call_modal(std::size_t places, std::function<void(std::size_t)> approach,
+  virtual bool call_modal(std::size_t places, const std::function<void(std::size_t)>& approach,
                           const Word& word);
   /// Called after a block of words. `moved`: it had a motion.
   virtual void end_block(bool moved) { (void)moved; }

@@ -11,9 +11,9 @@
 namespace mrsim {
 namespace {
 
-constexpr double kSampled = 0.1;  // radians between places that are asked
-constexpr double kFound = 1e-7;   // radians: the height changes by the square
-constexpr int kMostSteps = 60;
+constexpr double kSampled = 0.1;      // radians between places that are asked
+constexpr double kAngleFound = 1e-7;  // radians: the height changes by the square
+constexpr int kMostAngles = 60;
 
 // The tool on the path, seen from a place: `t` radians downhill from where the path is nearest.
 struct View {
@@ -36,7 +36,7 @@ struct View {
   // Requires: downhill at `low`, uphill at `high`.
   double least_between(At low, At high) const {
     double below = low.slope, above = high.slope;
-    for (int k = 0; k < kMostSteps && high.t - low.t > kFound; ++k) {
+    for (int k = 0; k < kMostAngles && high.t - low.t > kAngleFound; ++k) {
       double t = low.t + (high.t - low.t) * below / (below - above);
       if (k % 3 == 2 || !(t > low.t && t < high.t)) t = 0.5 * (low.t + high.t);
       const At middle = at(t);
