@@ -20,9 +20,7 @@ void SinumerikCalls::end_block(bool moved) {
   call(modal_call_.name, modal_call_.arguments, 1, block_.words.front(), [] {});
 }
 
-bool SinumerikCalls::call_modal(std::size_t places,
-                                const std::function<void(std::size_t)>& approach,
-                                const Word& word) {
+bool SinumerikCalls::call_modal(std::size_t places, const Approach& approach, const Word& word) {
   if (in_modal_call_)
     return error("not-supported",
                  "a pattern of holes in the program of MCALL is not supported: write the places "

@@ -13,8 +13,7 @@ namespace mrsim {
 class SinumerikCalls : public SinumerikAssignments {
  public:
   bool has_modal_call() const override { return modal_call_.active; }
-  bool call_modal(std::size_t places, const std::function<void(std::size_t)>& approach,
-                  const Word& word) override;
+  bool call_modal(std::size_t places, const Approach& approach, const Word& word) override;
   void end_block(bool moved) override;
   bool call_program(const SubprogramName& name, long repeats, const Word& word) override;
 

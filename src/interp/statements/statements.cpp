@@ -319,8 +319,7 @@ bool Statements::saved_modes(int m, const Word& word) {
   return error("not-supported", fmt::format("M{} is not a word of this control", m), word);
 }
 
-bool Statements::call_modal(std::size_t, const std::function<void(std::size_t)>&,
-                            const Word& word) {
+bool Statements::call_modal(std::size_t, const Approach&, const Word& word) {
   return error("not-supported", "a modal call at a pattern of places is not supported", word);
 }
 

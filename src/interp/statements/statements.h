@@ -40,10 +40,10 @@ class Statements : public ControlPart, public LanguageReader {
   virtual void end_of_main() {}
   /// Whether MCALL of a program is in force.
   virtual bool has_modal_call() const { return false; }
+  using Approach = std::function<void(std::size_t)>;  ///< goes to a place, by its number
   /// Runs the program of MCALL at so many places; `approach` goes to the place of its number.
   /// False: reported.
-  virtual bool call_modal(std::size_t places, const std::function<void(std::size_t)>& approach,
-                          const Word& word);
+  virtual bool call_modal(std::size_t places, const Approach& approach, const Word& word);
   /// Called after a block of words. `moved`: it had a motion.
   virtual void end_block(bool moved) { (void)moved; }
   /// Calls a program by number or name without arguments. False: reported.
