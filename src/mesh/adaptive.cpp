@@ -76,17 +76,17 @@ class AdaptiveMesher {
  private:
   // Bytes so far, an estimate.
   double taken() const {
-    const double of_node = report_.passes > 0 ? detail::kTriedMemory : detail::kNodeMemory;
-    return of_node * static_cast<double>(tree_.size());
+    return most_loops_ > 0 ? detail::memory_of_mesh(tree_, surface_->mesh().triangles.size())
+                           : detail::memory_of_loops(tree_, surface_->loops().size());
   }
 
   TriMesh mesh() {
-    report_.memory = detail::expected_memory(field_, tree_, tolerance_, options_.threads);
-    detail::require_mesh_memory(report_.memory, options_.max_memory, tolerance_);
-    timer_.expect(kSecondsPerByte * report_.memory / resolve_threads(options_.threads));
+    const double memory = detail::expected_memory(field_, tree_, tolerance_, options_.threads);
+    detail::require_mesh_memory(memory, options_.max_memory, tolerance_);
+    timer_.expect(kSecondsPerByte * memory / resolve_threads(options_.threads));
     timer_.step("tree");
     tree_.mark_drawn();  // their surface is part of the expected memory
-    detail::require_cells(detail::expected_nodes(report_.memory), budget_.most());
+    detail::require_cells(detail::expected_nodes(memory), budget_.most());
     budget_.begin(tree_.size());
     find_topology();
     detail::require_cells(budget_.nodes_after_first(0, tree_.size()), budget_.most());
@@ -109,6 +109,7 @@ class AdaptiveMesher {
     mesh = detail::cut_owner_borders(field_, tree_, mesh, border_room(), options_.threads);
     timer_.step("borders");
     report_.triangles_before = mesh.triangles.size();
+    report_.memory = detail::memory_of_mesh(tree_, report_.triangles_before);
     mesh = simplified(mesh);
     const detail::MeshCertifier::Total total = certifier().total(mesh);
     report_.tolerance = tolerance_;
@@ -226,7 +227,6 @@ class AdaptiveMesher {
         throw Error("mesh-unresolved", detail::too_many_cells(budget_.most()));
       budget_.raise(tree_.size());
       tolerance_ *= 2;
-      report_.memory = 0;  // what was expected for the former one
       tree_.raise_tolerance(tolerance_);
       found = find_failures();
     }
@@ -249,9 +249,6 @@ class AdaptiveMesher {
       report_.unresolved += !can;
     }
     timer_.step("certify");
-    const double more = detail::kNodesAFailure * static_cast<double>(cells.size());
-    const double bytes = detail::memory_of_nodes(static_cast<double>(tree_.size()) + more);
-    report_.memory = std::max(report_.memory, bytes);
     const std::size_t count = split(std::move(cells));
     timer_.step("tree");
     return count + refined > 0;

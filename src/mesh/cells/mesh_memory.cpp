@@ -26,6 +26,12 @@ constexpr double kCandidate = 6;
 // Bytes of all memory that is expected, for each node that there is in the end; measured.
 constexpr double kNodeOfAll = 1500;
 
+// Bytes at the peak of a mesh that was made, by what there is in the end; fitted to the peaks of
+// runs (docs/removal.md, Memory).
+constexpr double kMesher = 6e6, kFinalNode = 900, kFinalCandidate = 27, kFinalTriangle = 215;
+// Bytes of a loop, with its crossings, before there are triangles.
+constexpr double kLoop = 650;
+
 // How far the surface leaves a plane in a cell of `size` mm, if it turns evenly between the points.
 double sagitta(const CellSurface& surface, double size) {
   double turn = 0;
@@ -59,15 +65,20 @@ double expected_of(const ExactField& field, const CellOctree& tree, std::int32_t
   return bytes;
 }
 
+double candidates_in(const CellOctree& tree) {
+  std::size_t candidates = 0;
+  for (std::size_t n = 0; n < tree.size(); ++n)
+    candidates += tree.candidates(static_cast<std::int32_t>(n)).size();
+  return static_cast<double>(candidates);
+}
+
 }  // namespace
 
 double expected_memory(const ExactField& field, const CellOctree& tree, double tolerance,
                        int threads) {
   std::vector<std::int32_t> cells;
-  std::size_t candidates = 0;
   for (std::size_t n = 0; n < tree.size(); ++n) {
     const auto cell = static_cast<std::int32_t>(n);
-    candidates += tree.candidates(cell).size();
     if (tree.node(cell).child < 0 && tree.node(cell).signs_differ) cells.push_back(cell);
   }
   const std::size_t some = std::min(cells.size(), kMostCells);
@@ -80,8 +91,7 @@ double expected_memory(const ExactField& field, const CellOctree& tree, double t
       64);
   double sum = 0;
   for (const double b : bytes) sum += b;
-  return kNodeMemory * static_cast<double>(tree.size()) +
-         kCandidate * static_cast<double>(candidates) +
+  return kNodeMemory * static_cast<double>(tree.size()) + kCandidate * candidates_in(tree) +
          sum * static_cast<double>(cells.size()) /
              static_cast<double>(std::max<std::size_t>(some, 1));
 }
@@ -96,7 +106,16 @@ void require_mesh_memory(double needed, std::size_t available, double tolerance)
 }
 
 double expected_nodes(double memory) { return memory / kNodeOfAll; }
-double memory_of_nodes(double nodes) { return nodes * kNodeOfAll; }
+
+double memory_of_mesh(const CellOctree& tree, std::size_t triangles) {
+  return kMesher + kFinalNode * static_cast<double>(tree.size()) +
+         kFinalCandidate * candidates_in(tree) + kFinalTriangle * static_cast<double>(triangles);
+}
+
+double memory_of_loops(const CellOctree& tree, std::size_t loops) {
+  return kNodeMemory * static_cast<double>(tree.size()) + kFinalCandidate * candidates_in(tree) +
+         kLoop * static_cast<double>(loops);
+}
 
 void require_cells(double nodes, double most) {
   if (most > 0 && nodes > most) throw Error("mesh-unresolved", too_many_cells(most));

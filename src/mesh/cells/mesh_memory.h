@@ -18,13 +18,6 @@ inline constexpr double kNodeMemory = 320;
 /// made of the surface in it.
 inline constexpr double kSplitMemory = 450, kSurfaceMemory = 500;
 
-/// Bytes of a node at the peak of a mesh that is given up.
-inline constexpr double kTriedMemory = 1200;
-
-/// Nodes that a cell adds whose triangles fail when they are certified for the first time: those of
-/// its split, less those that its neighbours add, too.
-inline constexpr double kNodesAFailure = 2.5;
-
 /// Bytes of a loop when its vertex and triangles are made: 600 on walls and floors, more where they
 /// are thin.
 inline constexpr double kLoopMemory = 900;
@@ -40,10 +33,15 @@ double expected_memory(const ExactField& field, const CellOctree& tree, double t
 /// Throws Error "memory" where the mesher needs more than `available` bytes; 0 = any amount.
 void require_mesh_memory(double needed, std::size_t available, double tolerance);
 
-/// Nodes of the octree in the end, once its cells are split, by what expected_memory() says; and
-/// the bytes of so many.
+/// Nodes of the octree in the end, once its cells are split, by what expected_memory() says.
 double expected_nodes(double memory);
-double memory_of_nodes(double nodes);
+
+/// Bytes at the mesher's peak, an estimate by what there is in the end: the octree, and its
+/// triangles before any is merged. Within a factor of 1.3 where it was measured.
+double memory_of_mesh(const CellOctree& tree, std::size_t triangles);
+
+/// The same before there are triangles: the octree, and the loops of surface in its cells.
+double memory_of_loops(const CellOctree& tree, std::size_t loops);
 
 /// Throws Error "mesh-unresolved" where the octree has more nodes, or will have, than `most`; 0 =
 /// any number.

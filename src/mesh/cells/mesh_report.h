@@ -27,11 +27,11 @@ struct MeshReport {
   std::size_t sampled = 0;  ///< triangles whose distance from their face is not proven, but sampled
   double volume_excess = 0;  ///< mm^3 that the mesh holds more than the exact part, by quadrature
                              ///< (docs/mesh.md, Volume); 0 without tolerance
-  double memory = 0;         ///< bytes that the mesher was expected to take by its cells, or, given
-                             ///< up, has taken; 0 without tolerance
-  std::string given_up;      ///< why there is no mesh within the tolerance; empty: there is
-  std::size_t cells = 0;     ///< cells that the surface passes
-  std::size_t passes = 0;    ///< rounds of splitting
+  double memory = 0;       ///< bytes at the mesher's peak, estimated by its cells and triangles; 0
+                           ///< without tolerance
+  std::string given_up;    ///< why there is no mesh within the tolerance; empty: there is
+  std::size_t cells = 0;   ///< cells that the surface passes
+  std::size_t passes = 0;  ///< rounds of splitting
   std::size_t triangles_before = 0;  ///< triangles before simplification
   std::size_t kept = 0;           ///< vertices that simplification left, as the surface would have
                                   ///< met itself without them

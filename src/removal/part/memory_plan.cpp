@@ -35,22 +35,24 @@ constexpr double kOpenVdb = 30e6, kRecipe = 1300;
 constexpr double kGridColumn = 130;
 // A .vdb: each voxel of the stock's volume in the grid "cut", should all of the stock be removed.
 constexpr double kCutVoxel = 10;
-// A mesh without slabs: each voxel on the stock's surface. The flat sides of a box have few
-// triangles.
-constexpr double kMeshColumn = 70, kBoxMeshColumn = 3;
+// A mesh without slabs: each voxel on the stock's surface.
+constexpr double kMeshColumn = 70;
 // Bytes that meshing takes. Measured are the sums; how they divide among the members is a guess.
 struct MeshCosts {
   double always;      ///< what it takes beside the rest
   double thread;      ///< each thread that makes tiles, whatever the tiles hold
   double tile_cell;   ///< each cell on the surface in the tiles that a thread makes and joins
   double cell_sweep;  ///< each sweep in the list of such a cell: two nodes hold lists for four
-  double front_tile;  ///< each tile that is done and waits for its neighbours
+  double front_tile;  ///< each tile that is done and waits for its neighbours, at most
+  double front_cell;  ///< each cell in such a tile, beside kFlatTile
   double mesh_cell;   ///< without slabs: each voxel that the cuts' surface passes (two triangles)
+  double box_column;  ///< without slabs: each voxel on a box, whose flat sides have few triangles
 };
-constexpr MeshCosts kExpected{3.5e6, 6e6, 580, 10, 0.7e6, 46};
+constexpr MeshCosts kExpected{3.5e6, 6e6, 580, 10, 0.7e6, 700, 46, 1.2};
 // What a run takes at most, for limits: less of it by its size, more by its threads, as limits are
 // tight where there is little to mesh.
-constexpr MeshCosts kMost{0, 13e6, 600, 16, 0.45e6, 48};
+constexpr MeshCosts kMost{0, 13e6, 600, 16, 0.45e6, 5000, 48, 3};
+constexpr double kFlatTile = 0.1e6;
 constexpr double kTilesAThread = 2;
 // Each cell in which faces of a stock's mesh meet: it is split and remembered.
 constexpr double kBentCell = 900;
@@ -163,8 +165,9 @@ struct Need {
         threads * (kTilesAThread * costs.tile_cell + costs.cell_sweep * options.block_sweeps) *
             tile_cells +
         (is_most ? threads : std::min<double>(threads, std::ceil(tiles))) * costs.thread +
-        section_tiles(stock, voxel) * costs.front_tile + tiles * kTile +
-        kBentCell * bent_cells(voxel);
+        section_tiles(stock, voxel) *
+            std::min(costs.front_tile, kFlatTile + costs.front_cell * tile_cells) +
+        tiles * kTile + kBentCell * bent_cells(voxel);
     return in_slabs ? working : working + whole_mesh(voxel);
   }
   /// All tiles of the mesh, if they are kept.
@@ -174,8 +177,9 @@ struct Need {
   }
   double whole_mesh(double voxel) const {
     const double finer = options.voxel / voxel, cells = options.cut_cells * finer * finer;
-    return (is_most ? kMost : kExpected).mesh_cell * cells +
-           stock.area() / (voxel * voxel) * (stock.is_box() ? kBoxMeshColumn : kMeshColumn);
+    const MeshCosts& costs = is_most ? kMost : kExpected;
+    return costs.mesh_cell * cells +
+           stock.area() / (voxel * voxel) * (stock.is_box() ? costs.box_column : kMeshColumn);
   }
 };
 
