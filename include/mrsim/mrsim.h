@@ -248,7 +248,7 @@ struct JobResult {
       0;  ///< triangles of the mesh for which samples stand for a proof of it
   std::size_t mesh_kept =
       0;  ///< vertices that stay because the mesh would meet itself without them
-  /// What mesh_bound does not hold for, in an order that depends on nothing but the part.
+  /// What mesh_bound does not hold for, the thickest first.
   std::vector<ThinPlace> thin;
   std::size_t rapid_motions = 0, line_motions = 0, arc_motions = 0;
   CycleTime cycle;                  ///< how long the machine takes

@@ -37,8 +37,8 @@ void warn_of_thin(JobResult& result) {
   report(result, Severity::warning, "thin-feature",
          count == 1
              ? fmt::format("{} may be missing in the mesh; {}", describe(result.thin[0]), advice)
-             : fmt::format("{} walls or gaps may be missing in the mesh, the first {}; {}", count,
-                           describe(result.thin[0]), advice));
+             : fmt::format("{} walls or gaps may be missing in the mesh, the thickest {}; {}",
+                           count, describe(result.thin[0]), advice));
 }
 
 // Whether a milling tool cuts at or above the stock's top only, as a face mill at the zero does.
@@ -168,6 +168,9 @@ void report_mesh(JobResult& result, const MeshReport& found) {
            fmt::format("{} places stay above the tolerance of {:.6g} mm; a smaller --voxel helps",
                        found.unresolved, result.tolerance));
   for (const ThinFeature& f : found.thin) result.thin.push_back({f.place, f.wall, f.thickness});
+  std::stable_sort(
+      result.thin.begin(), result.thin.end(),
+      [](const ThinPlace& a, const ThinPlace& b) { return a.thickness > b.thickness; });
   if (!found.thin.empty()) warn_of_thin(result);
 }
 
