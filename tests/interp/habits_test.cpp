@@ -122,6 +122,30 @@ TEST(Habits, AMainProgramBehindItsSubprogramsIsFound) {
   EXPECT_EQ(path_text(run(sub)), "l5,0,0") << "a subprogram alone is run";
   EXPECT_EQ(path_text(run(main + sub + "%_N_NEXT_MPF\nX9\nM30\n")), "l1,0,0 l5,0,0");
   EXPECT_EQ(codes(run(main + sub + "%_N_NEXT_MPF\nX9\nM30\n"), Severity::note), "program-not-run");
+  EXPECT_EQ(path_text(run("; ORDER 4711\n;\n" + sub + main)), "l1,0,0 l5,0,0")
+      << "comments may stand before the first header";
+}
+
+TEST(Habits, AMainProgramThatAnotherOneCallsIsASubprogram) {
+  const auto run = [](const std::string& text) {
+    return read_text(text, at_origin(Dialect::sinumerik));
+  };
+  const std::string hole = "%_N_HOLE_MPF\nT1 M6\nG1 X5 F9\nM17\n";
+  const std::string between = "%_N_AIR_SPF\nHOLE\nM30\n";
+  for (const char* call : {"HOLE", "N20 HOLE P1", "CALL \"HOLE\"", "n20 hole ; once"}) {
+    const std::string text =
+        hole + between + "%_N_PART_MPF\nG1 X1 F9\n" + std::string(call) + "\nM30\n";
+    EXPECT_EQ(path_text(run(text)), "l1,0,0 l5,0,0") << call;
+    EXPECT_EQ(codes(run(text), Severity::note), "program-start tool-inferred") << call;
+  }
+  for (const char* other : {"HOLE=1", "HOLES", "MSG(\"HOLE\")", "HOLE:"})
+    EXPECT_EQ(path_text(run(hole + "%_N_PART_MPF\nDEF INT HOLE\nG1 X1 F9\n" + std::string(other) +
+                            "\nM30\n")),
+              "l5,0,0")
+        << other;
+  EXPECT_EQ(path_text(run("%_N_ONE_MPF\nG1 X5 F9\nM30\n%_N_TWO_MPF\nG1 X1 F9\nONE\nM30\n")),
+            "l5,0,0")
+      << "the first one is a main program by its M30";
 }
 
 // Only a zero in [machine] ties places of the machine to the stock.
@@ -373,6 +397,13 @@ TEST(Habits, AxesWithoutANumberBehindG53AndG28GoHome) {
   EXPECT_EQ(codes(read_text("G4 X4. Y2\n", at_origin(Dialect::ngc))), "value-missing");
   EXPECT_EQ(codes(read_text("G1 X F1\n", at_origin(Dialect::ngc))), "address-without-number");
   EXPECT_EQ(codes(read_text("G28 X\n", kFanuc)), "address-without-number");
+}
+
+// Mitsubishi's lathes with several paths.
+TEST(Habits, MarksWherePathsWaitAreReadOver) {
+  EXPECT_EQ(notes("G1 X1. F9\n!L10\n!1!2 L11\nX2.\n"), "path-wait");
+  EXPECT_EQ(path_text(read_text("G1 X1. F9\n!2L10 X2.\n", kFanuc)), "l1,0,0 l2,0,0");
+  EXPECT_EQ(codes(read_text("G1 X1. F9\n!X2.\n", kFanuc)), "character");
 }
 
 // "//" begins a comment; a single one skips.

@@ -27,8 +27,30 @@ bool calls_number(std::string_view code, std::string_view name) {
   return called == number || (called > 9999 && called % 10000 == number);
 }
 
+/// Whether the block calls the program of SINUMERIK: "N10 NAME", "NAME P2", "CALL \"NAME\"".
+bool calls_name(std::string_view code, std::string_view name) {
+  const auto skip = [&](std::string_view any) {
+    code.remove_prefix(std::min(code.find_first_not_of(any), code.size()));
+  };
+  skip(" \t");
+  if (code.size() > 1 && code[0] == 'N' && is_digit(code[1])) {
+    code.remove_prefix(1);
+    skip("0123456789");
+    skip(" \t");
+  }
+  for (const std::string_view word : {"MCALL ", "EXTCALL ", "CALL "})
+    if (code.starts_with(word)) code.remove_prefix(word.size());
+  skip(" \t\"");
+  if (!code.starts_with(name)) return false;
+  code.remove_prefix(name.size());
+  if (!code.empty() && is_name(code[0])) return false;
+  skip(" \t");
+  return !code.starts_with('=') && !code.starts_with(':');
+}
+
 /// Whether the line calls the program: by its number, as "M98 <NAME>" or as "CALL ONAME" of Okuma.
-bool calls(std::string_view code, std::string_view name) {
+bool calls(std::string_view code, std::string_view name, Dialect dialect) {
+  if (dialect == Dialect::sinumerik) return calls_name(code, name);
   if (has_word(code, "M98") || has_word(code, "G65"))
     return calls_number(code, name) || bracketed_name(code, code.find('<')) == name;
   for (const std::string_view word : {"CALL", "MODIN"}) {
@@ -42,19 +64,31 @@ bool calls(std::string_view code, std::string_view name) {
   return false;
 }
 
+bool ends_program(std::string_view code) {
+  return has_word(code, "M30") || has_word(code, "M2") || has_word(code, "M02");
+}
+
 /// Whether the block ends a subprogram.
-bool ends_subprogram(std::string_view code) {
+bool ends_subprogram(std::string_view code, Dialect dialect) {
+  if (dialect == Dialect::sinumerik) return has_word(code, "M17") || has_whole_word(code, "RET");
   return has_word(code, "M99") || has_whole_word(code, "RTS");
 }
 
-std::optional<MainProgram> program_that_calls_the_first(LineSource& source) {
+/// Whether the block shows that its program, the first of the file, is no subprogram. A tool change
+/// shows it on FANUC alone, where a main program may end with M99, to run again.
+bool shows_main_program(std::string_view code, Dialect dialect) {
+  const bool changes_tool = has_word(code, "M6") || has_word(code, "M06");
+  return ends_program(code) || (changes_tool && dialect == Dialect::fanuc);
+}
+
+std::optional<MainProgram> program_that_calls_the_first(LineSource& source, Dialect dialect) {
   std::string_view line;
   LineScan scan;
   std::string first;
-  bool returns = false, calling = false;
+  bool returns = false, calling = false, main = false;
   MainProgram current;
   for (std::uint64_t offset = 0; source.next(line); offset = source.next_offset()) {
-    const std::string name = section_name(line, Dialect::fanuc);
+    const std::string name = section_name(line, dialect);
     if (!name.empty()) {
       if (first.empty())
         first = name;
@@ -63,33 +97,32 @@ std::optional<MainProgram> program_that_calls_the_first(LineSource& source) {
       current = {name, "it calls " + first + ", which stands before it and returns", offset,
                  source.line_number() - 1};
       calling = false;
+      main = dialect == Dialect::fanuc || names_main_program(line);
     }
     if (line.size() > kLongest) continue;
     scan_line(line, scan);
     if (first.empty() && scan.code.find_first_not_of("% \t\r") != scan.code.npos) return {};
     if (first.empty() || scan.code.starts_with('/')) continue;
-    const bool ends =
-        has_word(scan.code, "M30") || has_word(scan.code, "M2") || has_word(scan.code, "M02");
     if (!returns) {
-      const bool changes_tool = has_word(scan.code, "M6") || has_word(scan.code, "M06");
-      if (ends || changes_tool || source.line_number() > kLines) return {};
-      returns = ends_subprogram(scan.code);
-    } else if (current.name != first) {
-      calling = calling || calls(scan.code, first);
-      if (calling && ends) return current;
+      if (shows_main_program(scan.code, dialect) || source.line_number() > kLines) return {};
+      returns = ends_subprogram(scan.code, dialect);
+    } else if (main && current.name != first) {
+      calling = calling || calls(scan.code, first, dialect);
+      if (calling && ends_program(scan.code)) return current;
     }
   }
   return {};
 }
 
-/// The first "%_N_PART_MPF", if another header or block does not stand before it.
+/// The first "%_N_PART_MPF" of a file that begins with another header. Comments and blank lines may
+/// stand before that.
 std::optional<MainProgram> first_of_archive(LineSource& source) {
   std::string_view line;
   bool inside = false;
   for (std::uint64_t offset = 0; source.next(line); offset = source.next_offset()) {
     const std::string name = section_name(line, Dialect::sinumerik);
-    const bool blank = line.find_first_not_of(" \t\r") == line.npos;
-    if (name.empty() && !inside && !blank) return {};
+    const std::size_t text = line.find_first_not_of(" \t\r");
+    if (name.empty() && !inside && text != line.npos && line[text] != ';') return {};
     if (name.empty()) continue;
     if (names_main_program(line)) {
       if (!inside) return {};
@@ -104,10 +137,13 @@ std::optional<MainProgram> first_of_archive(LineSource& source) {
 }  // namespace
 
 std::optional<MainProgram> main_program_behind(const std::string& file, Dialect dialect) {
+  if (dialect != Dialect::fanuc && dialect != Dialect::sinumerik) return {};
+  if (dialect == Dialect::sinumerik) {
+    LineSource archive(file);
+    if (auto main = first_of_archive(archive)) return main;
+  }
   LineSource source(file);
-  if (dialect == Dialect::fanuc) return program_that_calls_the_first(source);
-  if (dialect == Dialect::sinumerik) return first_of_archive(source);
-  return {};
+  return program_that_calls_the_first(source, dialect);
 }
 
 }  // namespace mrsim

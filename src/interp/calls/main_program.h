@@ -17,9 +17,10 @@ struct MainProgram {
   int line = 0;              ///< number of the line before `offset`
 };
 
-/// FANUC: the program that calls the first one and ends with M30 or M2, if the first one ends with
-/// M99 (Okuma: RTS). SINUMERIK: the first _MPF of a file that begins with another kind of file.
-/// Nothing: the file begins with its main program.
+/// The program that calls the first one and ends with M30 or M2, if the first one ends with M99
+/// (Okuma: RTS; SINUMERIK: M17 or RET, and the caller is an _MPF). SINUMERIK, before that: the
+/// first _MPF of a file that begins with another kind of file. Nothing: the file begins with its
+/// main program.
 std::optional<MainProgram> main_program_behind(const std::string& file, Dialect dialect);
 
 }  // namespace mrsim

@@ -139,6 +139,16 @@ bool WordReader::is_directive() const {
          head == "STEP";
 }
 
+// The place behind "!L10" or "!2L10" of Mitsubishi's lathes with several paths, or 0.
+std::size_t WordReader::end_of_wait() const {
+  if (dialect_ != Dialect::fanuc || at(p_) != '!') return 0;
+  std::size_t end = p_ + 1;
+  while (at(end) == '!' || is_digit(at(end)) || (blank(at(end)) && end < line_.size())) ++end;
+  if (upper(at(end)) != 'L' || !is_digit(at(end + 1))) return 0;
+  for (++end; is_digit(at(end));) ++end;
+  return end;
+}
+
 // Reads what may only stand before the words: "%", "/2", ":1234".
 bool WordReader::head_of_block(Block& block) {
   const std::size_t from = p_;
@@ -165,6 +175,14 @@ bool WordReader::head_of_block(Block& block) {
     ++p_;
     block.skip_level = is_digit(at(p_)) ? at(p_++) - '0' : 0;
     if (skips_level(skip_, block.skip_level)) p_ = line_.size();
+  } else if (const std::size_t end = end_of_wait(); end > 0) {
+    word.column = static_cast<int>(from);
+    word.length = static_cast<int>(end - from);
+    p_ = end;
+    reporter_.once(Severity::note, "path-wait",
+                   "! and L are where two paths of a lathe wait for one another: left out, as the "
+                   "other path is not read",
+                   word, "path-wait");
   } else if (c == ':' && is_digit(at(p_ + 1))) {
     const bool program = dialect_ != Dialect::sinumerik && names_program(line_, p_);
     ++p_;

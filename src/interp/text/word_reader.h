@@ -24,6 +24,7 @@ class WordReader : public LineParser {
   void plain_words(Block& block);
   Step step(Block& block);
   bool head_of_block(Block& block);
+  std::size_t end_of_wait() const;
   bool skip_rest(Block& block);
   void warn_of_division(const Block& block, std::size_t end);
   void letter_word(Block& block);
