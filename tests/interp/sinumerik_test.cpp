@@ -23,6 +23,8 @@ std::string run(const std::string& text) {
 TEST(Sinumerik, RadiusOfTheToolIsKnownBeforeItCuts) {
   EXPECT_EQ(run("T1 D1 M6\nF100 G1 X=20-$P_TOOLR Y0\n"), "15,0,0 ");
   EXPECT_EQ(run("T1 D0 M6\nF100 G1 X=20-$P_TOOLR Y0\n"), "20,0,0 ") << "D0: no edge";
+  EXPECT_EQ(run("T1 D1 M6\nF100 G1 X=20-$P_AD[6] Y0\n"), "15,0,0 ");
+  EXPECT_EQ(run("$TC_DP6[1,1]=4\nT1 D1 M6\nF100 G1 X=20-$P_AD[6] Y0\n"), "16,0,0 ");
 }
 
 TEST(Sinumerik, NamesMayStandBehindASign) {
@@ -63,7 +65,8 @@ TEST(Sinumerik, WordsThatMoveNothingAreReadOver) {
 TEST(Sinumerik, WordsThatPostsWriteAroundProgramsAreRead) {
   EXPECT_EQ(run("G17 G90\nORIWKS\nORIAXES\nCOMPCAD\nDYNFINISH\nGROUP_BEGIN(0,\"FACE\",0,0)\n"
                 "SPOS[2]=90\nPOLF[Z]=100\nLFPOS\nWALIMON\nFA[X]=200\nSPOS=DC(90)\n"
-                "CP\nPTPG0\nDRFOF\nGEOAX()\nWAITMC(1)\nNPROT(1,0)\nATOL=0.1\nLEAD=0 TILT=0\n"
+                "CP\nPTPG0\nDRFOF\nGEOAX()\nWAITMC(1)\nNPROT(1,0)\nMMC(\"A\",\"N\")\n"
+                "WAITE(2)\nDISABLE(1)\nENABLE(1)\nATOL=0.1\nLEAD=0 TILT=0\n"
                 "BRISKA(X)\nSOFTA(X,Y)\nDRIVEA(X)\nTCARR=0\nTCOABS\nTOFFL=0\nTOFFR=0.0\n"
                 "F100 G1 X1\nGROUP_END(0,0)\nM30\n"),
             "1,0,0 ");

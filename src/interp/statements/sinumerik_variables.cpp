@@ -19,7 +19,8 @@ namespace mrsim {
 // mm of a length of 1 in settable frames and tool data: G700 makes them inches, G70 does not.
 double SinumerikVariables::data_scale() const { return feed_scale(); }
 
-// Reads $P_TOOLNO, $P_TOOL, $P_TOOLR, $TC_DP3[t,d], $TC_DP6[t,d], $TC_DP15[t,d].
+// Reads $P_TOOLNO, $P_TOOL, $P_TOOLR, $TC_DP3[t,d], $TC_DP6[t,d], $TC_DP15[t,d], and $P_AD[6] of
+// the edge in force, which are all kinds of $TC_DP.
 bool SinumerikVariables::tool_value(std::string_view name, std::span<const Value> indices,
                                     double& out) const {
   if (name == "$P_TOOLNO") {
@@ -34,6 +35,13 @@ bool SinumerikVariables::tool_value(std::string_view name, std::span<const Value
   if (name == "$P_TOOLR") {
     out = tool_radius() / data_scale();
     return true;
+  }
+  if (name == "$P_AD" && indices.size() == 1) {
+    const Value edge[] = {Value::of(parse_number(control_.tool.current).value_or(0)),
+                          Value::of(modal_.edge)};
+    if (tool_value(fmt::format("$TC_DP{:g}", indices[0].number), edge, out)) return true;
+    out = tool_radius() / data_scale();  // of a tool with a name
+    return indices[0].number == 6 && out > 0;
   }
   if (indices.size() != 2) return false;
   const double kind = name.starts_with("$TC_DP") ? parse_number(name.substr(6)).value_or(0) : 0;
@@ -307,7 +315,7 @@ bool SinumerikVariables::read(std::string_view name, std::span<const Value> indi
   } else if (key == "$P_F" || key == "$P_S") {
     value = key == "$P_F" ? modal_.feed / feed_scale() : modal_.speed;
     known = true;
-  } else if (key == "$P_SEARCH" || key == "$P_ISTEST" || key == "$P_SIM") {
+  } else if (key == "$P_SEARCH" || key == "$P_ISTEST" || key == "$P_SIM" || key == "$P_DRYRUN") {
     known = true;
   } else if (indices.size() == 1 && axis_named(indices[0].text) >= 0) {
     known = axis_value_of(key, axis_named(indices[0].text), value);

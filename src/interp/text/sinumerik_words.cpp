@@ -37,7 +37,8 @@ constexpr std::string_view kHarmlessCalls[] = {
     "GROUP_END", "BRISKA", "SOFTA",   "DRIVEA",   "JERKA",   "CALLPATH", "GWPSON",
     "GWPSOF",    "CANCEL", "FPRAON",  "FPRAOF",   "FPR",     "CORROF",   "GROUP_ADDEND",
     "CLEARM",    "SETM",   "RELEASE", "GET",      "GETD",    "WRITE",    "DELETE",
-    "SETPIECE",  "WAITMC", "NPROT",   "CPROT"};
+    "SETPIECE",  "WAITMC", "NPROT",   "CPROT",    "MMC",     "WAITE",    "DISABLE",
+    "ENABLE"};
 
 // Names of the tool carrier, of tool offsets and tilts: read only where they are switched off by 0.
 constexpr std::string_view kOffWithZero[] = {"TCARR",  "TOFF",   "TOFFL", "TOFFR",
