@@ -16,8 +16,9 @@ TEST(OperatorStops, CommentsTellThatThePartIsTurnedOver) {
   for (const char* yes :
        {"FLIP PART", "STOP - FLIP OVER AND CLAMP", "Turn part over", "ROTATE STOCK 180 DEG",
         "REVERSE PART IN VISE", "BAUTEIL WENDEN", "UMSPANNEN", "RETOURNER LA PIECE",
-        "VOLTEAR LA PIEZA", "GIRARE IL PEZZO", "OBRNI KOS", "PART UPSIDE DOWN", "TEIL DREHEN",
-        "WERKSTUECK UM 180 GRAD DREHEN", "BAUTEIL GEDREHT", "DREHE DAS TEIL"})
+        "VOLTEAR LA PIEZA", "GIRARE IL PEZZO", "OBRNI KOS", "PREPNI KOS", "OKRENI KOMAD",
+        "PART UPSIDE DOWN", "TEIL DREHEN", "WERKSTUECK UM 180 GRAD DREHEN", "BAUTEIL GEDREHT",
+        "DREHE DAS TEIL"})
     EXPECT_EQ(said(yes), PartTurned::yes) << yes;
   for (const char* perhaps :
        {"OTHER SIDE", "2ND SIDE", "SIDE 2", "BACK SIDE", "RÜCKSEITE", "ZWEITE SEITE", "2. SEITE",

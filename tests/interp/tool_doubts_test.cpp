@@ -48,7 +48,7 @@ TEST(ToolCommentDoubts, SizesOfTheWorkAreNoDiameters) {
       {mm, "COUNTERBORE 4X 11MM", "? can be read as diameter 4 or as 4 places"},
       {mm, "8.5 X 117 DRILL", "drill 8.5"},
       {mm, "4 X 75 DRILL", "drill 4"},
-      {mm, "CENTER DRILL 2.5X6.3", "? can be read as diameter 2.5 or 6.3"},
+      {mm, "CENTER DRILL 2.5X6.3", "form 6.3"},
       {mm, "CENTER DRILL 3 X 50", "drill 3, point 60"},
       {mm, "DEBURR MILL 6MM 90 DEG", "chamfer 6, point 90"},
       {mm, "DEBURR MILL 6MM", "? gives no angle"},
@@ -100,7 +100,8 @@ TEST(ToolCommentDoubts, ALengthBesideADiameterWithoutAUnitIsDoubted) {
   expect_readings({
       {mm, "ENDMILL 10 40MM LONG", "? can be read as diameter 40 mm or 10"},
       {mm, "DRILL 8.5 117MM", "? can be read as diameter 117 mm or 8.5"},
-      {mm, "DRILL 8 60MM OUT", "? can be read as diameter 60 mm or 8"},
+      {mm, "DRILL 8 60MM OUT", "drill 8"},
+      {mm, "10MM ENDMILL 30MM OUT OF HOLDER, 22MM FLUTE", "endmill 10"},
       {mm, "ENDMILL 3 - 10MM", "? can be read as diameter 3 or 10 mm"},
       {mm, "3 ENDMILL 10", "? can be read as diameter 3 or 10"},
       {mm, "SLOT 12 ENDMILL 8", "? can be read as diameter 12 or 8"},
@@ -110,11 +111,9 @@ TEST(ToolCommentDoubts, ALengthBesideADiameterWithoutAUnitIsDoubted) {
   });
 }
 
-// Numbers of centre drills and screws were those of number drills.
-TEST(ToolCommentDoubts, NumbersOfCentreDrillsAndScrewsAreNoGauge) {
+// Numbers of screws were those of number drills.
+TEST(ToolCommentDoubts, NumbersOfScrewsAreNoGauge) {
   expect_readings({
-      {inch, "CTR DRL #3", "? gives no diameter"},
-      {inch, "CNTR DRILL #2", "? gives no diameter"},
       {inch, "CENT DRL .125", "drill 3.175, point 60"},
       {inch, "SPT DRL .5", "drill 12.7, point 90"},
       {inch, "SPOT DRL 1/2", "drill 12.7, point 90"},

@@ -266,6 +266,9 @@ TEST(ToolLines, LinesAboutAnotherToolAreNotThisOnes) {
     EXPECT_EQ(first_tool("T1 M6 (10MM ENDMILL)\n" + other + cut), mill) << line;
   }
   EXPECT_EQ(first_tool("(LAST TOOL WAS 6MM DRILL)\nT1 M6 (10MM ENDMILL)\n" + cut), mill);
+  for (const char* end : {"END OF 6MM DRILL", "DONE WITH 6MM DRILL", "FINISHED WITH 6MM DRILL",
+                          "ENDE BOHRER 6MM", "FIN DU FORET 6MM"})
+    EXPECT_EQ(first_tool("(" + std::string(end) + ")\n(10MM ENDMILL)\nT1 M6\n" + cut), mill) << end;
   EXPECT_EQ(first_tool("(NEXT TOOL IS A 10MM ENDMILL)\nT1 M6\n" + cut), mill);
 }
 

@@ -133,6 +133,36 @@ TEST(ToolShapes, DovetailsHaveAngleAndHeight) {
   EXPECT_NEAR(tool.profile[2].z, 2, 1e-12);
 }
 
+// Pilot and body of ANSI B94.11M; BS 328 has others for 2, 3, 6 and 7.
+TEST(ToolShapes, CentreDrillsHaveAPilotAndABody) {
+  expect_readings({
+      {inch, "CTR DRL #3", "form 6.35"},
+      {inch, "CNTR DRILL #2", "form 4.7625"},
+      {inch, "T4 NO. 4 CENTER DRILL", "form 7.9375"},
+      {mm, "CENTRE DRILL #4", "form 7.9375"},
+      {mm, "CENTRE DRILL #3", "? can be read as size 3 of ANSI or of BS 328, which differ"},
+      {mm, "BS3 CENTRE DRILL", "form 6.35"},
+      {lathe_mm, "CENTRE DRILL BS6", "form 15.875"},
+      {inch, "CENTER DRILL #9", "? gives no diameter"},
+      {inch, "HOLE #4 CENTER DRILL", "? gives no diameter"},
+      {mm, "CENTER DRILL 3.15 X 8", "form 8"},
+      {mm, "CENTER DRILL 3.15", "drill 3.15, point 60"},
+      {mm, "CENTER DRILL 3.15 X 4", "? can be read as diameter 3.15 or 4"},
+      {mm, "T1 CENTER D3", "? names a shape, and no kind of tool"},
+      {mm, "T1 D3 CENTRE", "? names a shape, and no kind of tool"},
+      {mm, "T1 D10 CENTER CUTTING", "endmill 10"},
+  });
+  Tool tool;
+  std::string why;
+  ASSERT_TRUE(fill_tool(read_tool_comment("#4 CENTER DRILL"), kMmPerInch, false, tool, why));
+  ASSERT_EQ(tool.profile.size(), 4U);
+  EXPECT_NEAR(tool.profile[1].r, 25.4 / 16, 1e-12);
+  EXPECT_NEAR(tool.profile[1].z, 25.4 / 16 / 1.6642794823505183, 1e-9) << "half of 118 degrees";
+  EXPECT_NEAR(tool.profile[2].z, 25.4 / 8, 1e-12) << "the pilot is as long as it is wide";
+  EXPECT_NEAR(tool.profile[3].r, 25.4 * 5 / 32, 1e-12);
+  EXPECT_NEAR(tool.profile[3].z, 25.4 / 8 + 25.4 * 3 / 32 * 1.7320508075688772, 1e-9);
+}
+
 TEST(ToolShapes, ErrorsOfFormMillsShowAnOutline) {
   const auto example = [](const std::string& comment) {
     return outline_example(read_tool_comment(comment), 1);
@@ -232,6 +262,62 @@ TEST(ToolShapes, HeadsAndBladesHaveTheirWidth) {
       {mm, "SAEGEBLATT D63 B2", "tslot 63, width 2"},
       {mm, "T-SLOT 6 X 20", "? gives no width of the head"},
   });
+}
+
+// "10MM CRB 2FL" named no tool: a size and a count of flutes are those of an end mill.
+TEST(ToolShapes, FlutesBesideASizeAreThoseOfAnEndMill) {
+  expect_readings({
+      {mm, "10MM CRB 2FL", "endmill 10"},
+      {mm, "16MM HSS 2 FLUTE", "endmill 16"},
+      {inch, "1/2 CRB 4FL", "endmill 12.7"},
+      {inch, ".500 4FL CARB", "endmill 12.7"},
+      {mm, "D10 4FL", "endmill 10"},
+      {mm, "D10 R1 4 FLUTE", "bullmill 10, corner 1"},
+      {mm, "D10 4F", "endmill 10"},
+      {mm, "10MM BN 2FL", "? names a shape, and no kind of tool"},
+      {lathe_mm, "10MM CRB 2FL", "? names no kind of tool"},
+      {mm, "CLEARANCE 10MM Z5", "-"},
+      {mm, "RAPID F5 10MM", "-"},
+      {mm, "4 FLUTE", "-"},
+      {mm, "6MM BALL 2FL", "ballmill 6"},
+      {mm, "6MM DRILL 2FL", "drill 6"},
+  });
+}
+
+// The corner behind its number was lost without a word.
+TEST(ToolShapes, ACornerMayStandBehindItsRadius) {
+  expect_readings({
+      {inch, "3/8 EM .015 CRN RAD", "bullmill 9.525, corner 0.381"},
+      {inch, "1/2 EM .03 CNR", "bullmill 12.7, corner 0.762"},
+      {inch, "0.5000 DIA ENDMILL 0.030 CORNER", "bullmill 12.7, corner 0.762"},
+      {mm, "10MM ENDMILL 0.5 CORNER BREAK", "endmill 10"},
+      {mm, "10MM ENDMILL 4 CORNER", "endmill 10"},
+  });
+}
+
+TEST(ToolShapes, NamesOfListsTellTheKind) {
+  expect_readings({
+      {mm, "FACINGTOOL 80", "endmill 80"},
+      {mm, "STIRNFRAESER 50", "endmill 50"},
+      {mm, "PREDRILL 30", "drill 30"},
+      {mm, "KERNBOHRER 6.8", "drill 6.8"},
+      {mm, "GEW.BOHRER M6", "endmill 6"},
+      {mm, "T1 KF D6", "? names a shape, and no kind of tool"},
+  });
+  for (const char* list : {"STATION 12 - 10MM EM", "POT #12 10MM EM", "TL12 10MM EM"})
+    EXPECT_EQ(read_tool_comment(list).id, "12") << list;
+  EXPECT_EQ(read_tool_comment("T3 STATION 12 10MM EM").id, "3");
+}
+
+TEST(ToolShapes, AHyphenMayPartTheToolsNumberFromItsSize) {
+  expect_readings({
+      {inch, "T1-3/4 EM", "endmill 19.05"},
+      {inch, "T01-1/2EM", "endmill 12.7"},
+      {inch, "T1-.75 EM", "endmill 19.05"},
+      {inch, "1-1/2 FACE MILL", "endmill 38.1"},
+      {inch, "TOOL 1-1/2 EM", "endmill 38.1"},
+  });
+  EXPECT_EQ(read_tool_comment("T01-1/2EM").id, "1");
 }
 
 }  // namespace

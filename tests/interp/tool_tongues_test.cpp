@@ -63,6 +63,73 @@ TEST(ToolCommentReadings, EachTongueHasItsWords) {
   });
 }
 
+// A knife for parting was a turning insert, as only NOZ was known.
+TEST(ToolCommentReadings, SouthSlavicTonguesHaveTheirWords) {
+  expect_readings({
+      {lathe_mm, "NOZ ZA ODREZOVANJE 3MM", "grooving, width 3"},
+      {lathe_mm, "ODREZOVALNI NO\xC5\xBD 3MM", "grooving, width 3"},
+      {lathe_mm, "ZAREZOVALNI NOZ 3MM", "grooving, width 3"},
+      {lathe_mm, "UTORNI NOZ 2MM", "grooving, width 2"},
+      {lathe_mm, "ODREZNI 3", "grooving, width 3"},
+      {lathe_mm, "NOZ ZA UTORE 3MM", "grooving, width 3"},
+      {lathe_mm, "VRTALNI DROG R0.4", "boring, insert 35, nose 0.4"},
+      {lathe_mm, "NOZ 3MM", "? tells a width as blades have, and no insert"},
+      {lathe_mm, "CUCHILLA NEGRA 3MM", "? tells a width as blades have, and no insert"},
+      {lathe_mm, "NOZ 3MM R0.4", "turning, insert 35, nose 0.4"},
+      {lathe_mm, "STRUZNI NOZ 16MM", "turning, insert 35"},
+      {lathe_mm, "STRUZNI NOZ R0.8", "turning, insert 35, nose 0.8"},
+      {mm, "REZKALO 10", "endmill 10"},
+      {mm, "T FREZALO D25 B6", "tslot 25, width 6"},
+      {mm,
+       "\xC4\x8C"
+       "ELNO GREZILO 15",
+       "endmill 15"},
+      {mm, "POSNEMALNO FREZALO D12 90 ST", "chamfer 12, point 90"},
+      {mm, "FREZALNA GLAVA 63", "endmill 63"},
+      {mm, "T1 VRTANJE D8.5", "? names no kind of tool that is known"},
+      {mm, "GLODALO D10", "endmill 10"},
+      {mm, "KUGLASTO GLODALO 6", "ballmill 6"},
+      {mm,
+       "\xC4\x8C"
+       "EONO GLODALO 63",
+       "endmill 63"},
+      {mm,
+       "\xC4\x8C"
+       "ELNA GLAVA 63",
+       "endmill 63"},
+      {mm, "BURGIJA 8.5", "drill 8.5"},
+      {mm, "SVRDLO 8,5", "drill 8.5"},
+      {mm, "ZABU\xC5\xA0IVA\xC4\x8C 3.15", "drill 3.15, point 60"},
+      {mm, "UREZNIK M8", "endmill 8"},
+      {mm, "RAZVRTA\xC4\x8C 8H7", "endmill 8"},
+      {mm, "UPU\xC5\xA0TA\xC4\x8C D16 90", "chamfer 16, point 90"},
+  });
+}
+
+TEST(ToolCommentReadings, LeftHandIsReadInEachTongue) {
+  for (const char* left : {"LEVI NOZ R0.8", "LINKER DREHSTAHL R0.8", "OUTIL A GAUCHE CNMG 120408",
+                           "CNMG 120408 IZQUIERDA", "CNMG 120408 SINISTRO"})
+    EXPECT_TRUE(read_tool_comment(left).left_hand) << left;
+  for (const char* other : {"DESNI NOZ R0.8", "CNMG 120408 COTE GAUCHE", "CNMG 120408 LEVA STRAN"})
+    EXPECT_FALSE(read_tool_comment(other).left_hand) << other;
+  EXPECT_EQ(read_tool_comment("NAREBRICENJE").trade, ToolTrade::no_cutter);
+}
+
+TEST(ToolCommentReadings, OtherTonguesHaveTheirWords) {
+  expect_readings({
+      {mm, "FREZA DEGET 10", "endmill 10"},
+      {mm, "FRESA DE TOPO 10", "endmill 10"},
+      {mm, "PINNFR\xC3\x84S 10", "endmill 10"},
+      {mm, "BORR 8.5", "drill 8.5"},
+      {mm, "TAPPIJYRSIN 10", "endmill 10"},
+      {mm, "KIERRETAPPI M8", "endmill 8"},
+      {mm, "UJJMAR\xC3\x93 10", "endmill 10"},
+      {mm, "V\xC3\x9DSTRU\xC5\xBDN\xC3\x8DK 8H7", "endmill 8"},
+      {mm, "RAYBA 8H7", "endmill 8"},
+      {lathe_mm, "UBERACI NUZ R0.8", "turning, insert 35, nose 0.8"},
+  });
+}
+
 // Controls without Cyrillic letters: Russian in Latin ones.
 TEST(ToolCommentReadings, RussianMayStandInLatinLetters) {
   expect_readings({

@@ -54,13 +54,16 @@ std::optional<BladeCode> read_iscar(const Tokens& tokens, std::size_t i) {
   return code;
 }
 
-// Reads "NG3125L" of Kennametal: the size of the insert, then the width in thousandths of an inch.
+// Reads "NG3125L", "NG-3125R" of Kennametal: the size of the insert, then the width in thousandths
+// of an inch.
 std::optional<BladeCode> read_top_notch(const Tokens& tokens, std::size_t i) {
-  if (!tokens[i].is("NG") || !is_whole(tokens, i + 1, 4) || !is_glued(tokens, i + 1))
+  const bool hyphen = i + 1 < tokens.size() && tokens[i + 1].is("-") && tokens[i + 1].glued;
+  const std::size_t size = hyphen ? i + 2 : i + 1;
+  if (!tokens[i].is("NG") || !is_whole(tokens, size, 4) || !is_glued(tokens, size))
     return std::nullopt;
   BladeCode code;
-  code.width = static_cast<int>(tokens[i + 1].value) % 1000 * 0.0254;
-  code.end = i + 2;
+  code.width = static_cast<int>(tokens[size].value) % 1000 * 0.0254;
+  code.end = size + 1;
   return code;
 }
 
@@ -98,15 +101,27 @@ std::optional<BladeCode> read_sized_blade(const Tokens& tokens, std::size_t i) {
   return code;
 }
 
+// Whether "AG60", "A55" or "1.5 ISO" begins at token i, the profile of a thread.
+bool names_profile(const Tokens& tokens, std::size_t i) {
+  if (i + 1 >= tokens.size()) return false;
+  if (one_of(tokens[i].text, {"A", "G", "AG"}))
+    return tokens[i + 1].text == "60" || tokens[i + 1].text == "55";
+  return tokens[i].is_number() && one_of(tokens[i + 1].text, {"ISO", "UN", "W"});
+}
+
 // Reads threading inserts: "16ER AG60", "11IR 1.5 ISO", "16ERAG55", "16NR 14 W"; "16 ER 1.5" has
-// the lead of the thread at its end.
+// the lead of the thread at its end. "ER16 AG60" has its size behind, and "ER16" alone is a collet.
 std::optional<BladeCode> read_thread(const Tokens& tokens, std::size_t i) {
-  if (!tokens[i].is_number() || !one_of(tokens[i].text, {"06", "08", "11", "16", "22", "27"}) ||
-      i + 1 >= tokens.size() || tokens[i + 1].text.size() < 2)
+  if (i + 1 >= tokens.size()) return std::nullopt;
+  const bool turned = tokens[i + 1].is_number() && tokens[i + 1].glued;
+  const CommentToken &size = tokens[turned ? i + 1 : i], &letters = tokens[turned ? i : i + 1];
+  if (!size.is_number() || !one_of(size.text, {"06", "08", "11", "16", "22", "27"}) ||
+      letters.text.size() < 2)
     return std::nullopt;
   const bool has_lead = i + 2 < tokens.size() && tokens[i + 2].decimals;
-  if (!tokens[i + 1].glued && !has_lead) return std::nullopt;
-  const std::string_view word = tokens[i + 1].text, hand = word.substr(0, 2);
+  if (turned ? !names_profile(tokens, i + 2) : !tokens[i + 1].glued && !has_lead)
+    return std::nullopt;
+  const std::string_view word = letters.text, hand = word.substr(0, 2);
   const std::string_view profile = word.substr(2);
   if (!one_of(hand, {"ER", "EL", "IR", "IL", "NR", "NL"}) || !one_of(profile, {"", "A", "G", "AG"}))
     return std::nullopt;

@@ -101,6 +101,21 @@ bool is_inch_part(double denominator) {
   return false;
 }
 
+// Parts the tool's number from a size behind its hyphen: "T1-3/4 EM", "T01-.75 EM".
+void part_tool_number(Tokens& tokens) {
+  for (std::size_t i = 0; i + 3 < tokens.size(); ++i) {
+    const Token &number = tokens[i + 1], &size = tokens[i + 3];
+    const bool hyphen = tokens[i + 2].is("-") && tokens[i + 2].glued && size.glued;
+    const bool named = tokens[i].is("T") && !tokens[i].glued && number.is_number() && number.glued;
+    const bool fraction = i + 4 < tokens.size() && tokens[i + 4].is("/");
+    if (!hyphen || !named || number.decimals || !size.is_number()) continue;
+    if (!size.decimals && !fraction) continue;
+    tokens.erase(tokens.begin() + static_cast<std::ptrdiff_t>(i) + 2);
+    tokens[i + 2].glued = false;
+    return;
+  }
+}
+
 // Makes one number of the pieces of "1/4", "1-1/2", "1 1/2".
 void join_fractions(Tokens& tokens) {
   const auto whole = [&](std::size_t i) {
@@ -364,6 +379,7 @@ std::string fold_comment(std::string_view written) {
 
 std::vector<CommentToken> comment_tokens(std::string_view folded) {
   Tokens tokens = raw_tokens(folded);
+  part_tool_number(tokens);
   join_fractions(tokens);
   join_units(tokens);
   return tokens;

@@ -19,6 +19,16 @@ constexpr double kLetters[] = {.234, .238, .242, .246, .250, .257, .261, .266, .
                                .277, .281, .290, .295, .302, .316, .323, .332, .339,
                                .348, .358, .368, .377, .386, .397, .404, .413};
 
+struct CentreSizes {
+  double pilot, body;  // inches
+};
+constexpr CentreSizes kCentreDrills[] = {{3. / 64, 1. / 8}, {5. / 64, 3. / 16}, {7. / 64, 1. / 4},
+                                         {1. / 8, 5. / 16}, {3. / 16, 7. / 16}, {7. / 32, 1. / 2},
+                                         {1. / 4, 5. / 8},  {5. / 16, 3. / 4}};
+constexpr CentreSizes kBritishCentreDrills[] = {
+    {3. / 64, 1. / 8},  {1. / 16, 3. / 16}, {3. / 32, 1. / 4}, {1. / 8, 5. / 16},
+    {3. / 16, 7. / 16}, {1. / 4, 5. / 8},   {5. / 16, 3. / 4}, {0, 0}};
+
 bool is_letter_word(const CommentView& view, std::size_t i) {
   return view.word(i) && view[i].text.size() == 1 && view[i].text[0] >= 'A' &&
          view[i].text[0] <= 'Z';
@@ -91,6 +101,28 @@ std::optional<DrillGauge> find_drill_gauge(const CommentView& view, std::size_t 
     if (before || behind) return gauge;
   }
   return read_bare_letter(view, kind_first);
+}
+
+std::optional<CentreGauge> find_centre_gauge(const CommentView& view, std::size_t kind_first,
+                                             std::size_t kind_end) {
+  for (std::size_t i = 0; i + 1 < view.size(); ++i) {
+    const bool british = view.is(i, "BS");
+    if (!(british || view.is_one(i, {"#", "NO", "NUMBER", "NUM", "SIZE"})) || !view.whole(i + 1))
+      continue;
+    if (view.numbers_work(i)) continue;
+    const double number = view[i + 1].value;
+    const auto at = static_cast<std::size_t>(number) - 1;
+    const bool known = number >= 1 && number <= double(std::size(kCentreDrills));
+    if (!known || (british && kBritishCentreDrills[at].body == 0)) continue;
+    const bool before = i + 2 <= kind_first && joined_by_signs(view, i + 2, kind_first);
+    const bool behind = i >= kind_end && joined_by_signs(view, kind_end, i);
+    if (!before && !behind) continue;
+    const CentreSizes &ansi = kCentreDrills[at], &bs = kBritishCentreDrills[at];
+    const CentreSizes& sizes = british ? bs : ansi;
+    const bool disputed = !british && (ansi.pilot != bs.pilot || ansi.body != bs.body);
+    return CentreGauge{std::string(view[i + 1].text), sizes.pilot, sizes.body, disputed, i, i + 2};
+  }
+  return std::nullopt;
 }
 
 std::optional<KeyNumber> find_key_number(const CommentView& view, std::size_t kind_first,

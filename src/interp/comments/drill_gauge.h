@@ -20,6 +20,18 @@ struct DrillGauge {
 std::optional<DrillGauge> find_drill_gauge(const CommentView& view, std::size_t kind_first,
                                            std::size_t kind_end);
 
+/// A centre drill by its number: "#3", or "BS3" of BS 328. Its sizes are in inches.
+struct CentreGauge {
+  std::string name;                ///< "3"
+  double pilot = 0, body = 0;      ///< diameters
+  bool disputed = false;           ///< ANSI B94.11M, which is given, and BS 328 differ
+  std::size_t first = 0, end = 0;  ///< tokens [first, end)
+};
+
+/// The number beside the tokens [kind_first, kind_end), which name a centre drill.
+std::optional<CentreGauge> find_centre_gauge(const CommentView& view, std::size_t kind_first,
+                                             std::size_t kind_end);
+
 /// "#404": the last two digits are eighths of an inch of the diameter, those before them 32nds of
 /// the width.
 struct KeyNumber {

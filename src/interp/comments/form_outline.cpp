@@ -46,6 +46,18 @@ std::vector<ProfilePoint> dovetail_outline(double diameter, double angle, double
   return {{0, 0, 0}, {diameter / 2, 0, 0}, {top, height, 0}};
 }
 
+std::vector<ProfilePoint> centre_drill_outline(double pilot, double body, double length,
+                                               double angle) {
+  const auto rise = [](double width, double point) {
+    const SinCos half = sincos(point / 2);
+    return width / 2 * half.cos / half.sin;
+  };
+  return {{0, 0, 0},
+          {pilot / 2, rise(pilot, radians(118)), 0},
+          {pilot / 2, length, 0},
+          {body / 2, length + rise(body - pilot, angle), 0}};
+}
+
 std::string outline_example(const ToolHint& hint, double unit) {
   const double diameter = hint.diameters.empty() ? 0 : hint.diameters.front().mm(unit);
   if (hint.trade == ToolTrade::dovetail)

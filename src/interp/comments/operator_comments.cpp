@@ -100,8 +100,9 @@ bool turns_at(const CommentView& view, std::size_t i, bool lathe) {
   if (view.is(i, "UPSIDE")) return view.is(i + 1, "DOWN");
   if (view.is(i, "DAR")) return is_near(view, i, {"VUELTA"});
   return view.word(i) &&
-         starts_with_one(view[i].text, {"UMSPANN", "WENDEN", "UMDREH", "RETOURN", "VOLTEA",
-                                        "CAPOVOLG", "GIRARE", "OBRNI", "OBROC", "OTOCIT"});
+         starts_with_one(view[i].text,
+                         {"UMSPANN", "WENDEN", "UMDREH", "RETOURN", "VOLTEA", "CAPOVOLG", "GIRARE",
+                          "OBRNI", "OBROC", "OTOCIT", "PREPN", "PREVPN", "OKREN", "PREVRN"});
 }
 
 // Whether the word at i moves the part: "SHIFT PART IN VISE", "STAND UP PART ON END".
@@ -131,12 +132,13 @@ bool is_order(const CommentView& view, std::size_t i) {
                          "WECHSELN",   "EINSETZEN", "EINLEGEN", "EINSPANNEN", "WERKZEUGWECHSEL",
                          "TOOLCHANGE", "CHANGER",   "MONTER",   "CAMBIAR",    "COLOCAR",
                          "CAMBIO",     "CAMBIARE",  "ZAMENJAJ", "VSTAVI",     "WYMIEN",
-                         "ZMIEN"});
+                         "ZMIEN",      "MENJAJ",    "MENJAVA",  "ZAMENI",     "PROMIJENI"});
 }
 
 bool is_tool(const CommentView& view, std::size_t i) {
-  return view.is_one(i, {"TOOL", "TOOLS", "BIT", "CUTTER", "WERKZEUG", "OUTIL", "HERRAMIENTA",
-                         "UTENSILE", "ORODJE", "NARZEDZIE", "WERKZEUGWECHSEL", "TOOLCHANGE"});
+  return view.is_one(
+      i, {"TOOL", "TOOLS", "BIT", "CUTTER", "WERKZEUG", "OUTIL", "HERRAMIENTA", "UTENSILE",
+          "ORODJE", "ORODJA", "ALAT", "NARZEDZIE", "WERKZEUGWECHSEL", "TOOLCHANGE"});
 }
 
 // Whether the word at i says that the tool stays: "CHANGE DRILL IF WORN", "CHANGE TOOL OFFSET"; in

@@ -47,11 +47,13 @@ struct PlainFacts {
   std::size_t id_digits = 0;  ///< in how many digits the number was written
   bool names_tool = false;    ///< "TOOL", "TC:", a number: the comment is about a tool
   ToolLength corner, nose, width;
-  ToolLength tip;            ///< diameter of a V tool's tip
-  ToolLength flute_length;   ///< "LOC 1.0"
-  bool inside = false;       ///< "ID", "INTERNAL", "BORE", and nothing of the outside
-  bool bores = false;        ///< "BORE", "BORING" alone
-  bool face_groove = false;  ///< "FACE GROOVE": the blade stands along Z
+  ToolLength tip;               ///< diameter of a V tool's tip
+  ToolLength flute_length;      ///< "LOC 1.0"
+  ToolLength pilot;             ///< diameter of a centre drill's pilot
+  bool disputed_gauge = false;  ///< two standards give a centre drill of this number other sizes
+  bool inside = false;          ///< "ID", "INTERNAL", "BORE", and nothing of the outside
+  bool bores = false;           ///< "BORE", "BORING" alone
+  bool face_groove = false;     ///< "FACE GROOVE": the blade stands along Z
   BladePoint blade_point = BladePoint::untold;
   int orientation = 0;  ///< of a lathe's tool: "TIP 3", "TIP DIRECTION 2"; 0: not given
 

@@ -2,9 +2,9 @@
 
 #include "interp/comments/comment_view.h"
 #include "interp/comments/comment_words.h"
-#include "interp/comments/drill_gauge.h"
 #include "interp/comments/hyphenated_name.h"
 #include "interp/comments/thread_name.h"
+#include "interp/comments/tool_gauges.h"
 #include "interp/comments/tool_id.h"
 #include "interp/comments/tool_labels.h"
 #include "interp/comments/tool_sides.h"
@@ -32,7 +32,7 @@ class FactReader {
     take_kinds();
     read_inch_word();
     read_thread();
-    read_gauge();
+    read_gauges(view_, facts_);
     read_tool_labels(view_, facts_);
     read_side_words(view_, facts_);
     read_groups();
@@ -55,10 +55,8 @@ class FactReader {
   void drop_purpose();
   void read_inch_word();
   void read_thread();
-  void read_gauge();
   bool may_be_point(std::size_t i) const;
   bool splits_size(std::size_t i) const;
-  void read_key_number(const ToolKind& kind);
   void read_short_kind();
   bool numbers_it(std::size_t i) const;
   void read_groups();
@@ -134,28 +132,6 @@ void FactReader::read_thread() {
   facts_.thread = thread->diameter;
   facts_.enlarged_thread = thread->enlarged;
   view_.take(thread->first, thread->end);
-}
-
-void FactReader::read_gauge() {
-  using enum ToolTrade;
-  const ToolKind* k = kind();
-  if (k && k->trade == disc) return read_key_number(*k);
-  if (!k || !(k->trade == twist_drill || (k->trade == hole && k->firm))) return;
-  const auto gauge = find_drill_gauge(view_, k->first, k->end);
-  if (!gauge) return;
-  facts_.gauge = ToolLength{gauge->inches, kMmPerInch, false};
-  facts_.gauge_name = gauge->name;
-  view_.take(gauge->first, gauge->end);
-}
-
-void FactReader::read_key_number(const ToolKind& kind) {
-  const std::string_view name = view_[kind.first].text;
-  if (!name.starts_with("KEY") && !name.starts_with("WOODRUFF")) return;
-  const auto key = find_key_number(view_, kind.first, kind.end);
-  if (!key) return;
-  facts_.named.push_back({key->inches, kMmPerInch, false});
-  facts_.width = ToolLength{key->width, kMmPerInch, false};
-  view_.take(key->first, key->end);
 }
 
 // Reads kinds in one letter or word: "end 1/4" of Kiri:Moto; "V90 D12", "60V", which are V-bits
@@ -299,13 +275,13 @@ void FactReader::read_behind(const ToolKind& kind) {
 }
 
 // Takes sizes that stand elsewhere: those with a unit anywhere, a plain ".375" only in the words
-// before the kind, ".375 GARR EM".
+// before the kind, ".375 GARR EM", and beside a count of flutes, ".500 4FL".
 void FactReader::read_loose() {
   for (Group& group : groups_) {
     if (group.used) continue;
     const CommentToken size = sizes(group).sizes.front();
-    if (size.unit > 0 || size.fraction || (size.decimals && in_field_of_kind(group)))
-      use(group, facts_.loose);
+    const bool beside_tool = facts_.counts_flutes || in_field_of_kind(group);
+    if (size.unit > 0 || size.fraction || (size.decimals && beside_tool)) use(group, facts_.loose);
   }
 }
 

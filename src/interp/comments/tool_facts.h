@@ -68,7 +68,8 @@ struct ToolFacts : PlainFacts {
   bool size_of_work = false;     ///< names a hollow: "BORE D30", "D30 POCKET"
   bool round_work = false;       ///< "CIRCLE MILL 30 DIA": the diameter may be that of the work
   bool round_insert = false;     ///< "BUTTON TOOL", "ROUND INSERT"
-  std::vector<ToolLength> bare;  ///< numbers with a point that nothing names: "CNMG .8"
+  std::vector<ToolLength> bare;  ///< numbers that nothing names: "CNMG .8", "CNMG 1/32"
+  bool counts_flutes = false;    ///< "4FL" without a kind
   bool holes = false;            ///< "4 DRILL HOLES": the number before the kind may count holes
 
   const ToolKind* kind() const { return kinds.empty() ? nullptr : &kinds.front(); }

@@ -97,7 +97,11 @@ double agreed_diameter(const ToolHint& hint, double unit, std::string& why) {
       return 0;
     }
   }
-  if (!hint.gauge.empty() && unit == 1 && !confirmed) {
+  if (hint.disputed_gauge && unit == 1) {
+    why = fmt::format("can be read as size {} of ANSI or of BS 328, which differ", hint.gauge);
+    return 0;
+  }
+  if (!hint.gauge.empty() && !hint.pilot && unit == 1 && !confirmed) {
     why = fmt::format("can be read as the drill {} of {}, in a program in mm", hint.gauge,
                       as_written(first));
     return 0;
@@ -155,6 +159,17 @@ void fill_cone(const ToolHint& hint, double unit, Tool& out, std::string& why) {
     why = "gives no taper angle";
   else if (ball && !(out.corner_radius > 0))
     why = "gives no radius of the tip";
+}
+
+// A centre drill by its number, or by its pilot and body: "#3", "3.15 X 8". Its pilot is as long as
+// the standards say: ANSI B94.11M for numbers, ISO 866 for sizes in mm.
+bool fill_centre_drill(const ToolHint& hint, double unit, Tool& out) {
+  const double pilot = beside(hint.pilot, hint, unit);
+  const double length = pilot * (hint.gauge.empty() ? 1.25 : 1);
+  out.type = ToolType::form;
+  out.profile = centre_drill_outline(pilot, out.diameter, length, hint.tip_angle);
+  out.origin += fmt::format(", its pilot {:.4g} mm wide and {:.4g} mm long", pilot, length);
+  return true;
 }
 
 void fill_dovetail(const ToolHint& hint, double unit, Tool& out, std::string& why) {
@@ -240,6 +255,7 @@ bool fill_mill(const ToolHint& hint, double unit, Tool& out, std::string& why) {
   if (!open_cone) out.diameter = agreed_diameter(hint, unit, why);
   if (!open_cone && !(out.diameter > 0)) return false;
   if (may_be_depth(hint, out.diameter, why)) return false;
+  if (hint.pilot) return fill_centre_drill(hint, unit, out);
   out.taper_angle = hint.taper_angle;
   out.tip_angle = hint.tip_angle;
   if (hint.assumed_angle)

@@ -325,6 +325,8 @@ void merge_hint(ToolHint& into, const ToolHint& more) {
   add_insert(into, more);
   add_work(into, more);
   if (into.gauge.empty()) into.gauge = more.gauge;
+  if (!into.pilot) into.pilot = more.pilot;
+  into.disputed_gauge |= more.disputed_gauge;
   if (into.doubt.empty()) into.doubt = more.doubt;
   if (more.only_angle() && !into.only_angle()) merge_angle(into, more);
   if (into.text.size() < 400) into.text += "\", \"" + more.text;

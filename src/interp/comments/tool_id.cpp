@@ -37,12 +37,12 @@ bool begins_id(const CommentView& view, const ToolFacts& facts, std::size_t i) {
 }  // namespace
 
 bool is_word_for_tool(const CommentView& view, std::size_t i) {
-  return view.is_one(
-      i, {"TOOL", "WERKZEUG", "WKZ", "HERRAMIENTA", "ORODJE", "OUTIL", "UTENSILE", "NARZEDZIE"});
+  return view.is_one(i, {"TOOL", "WERKZEUG", "WKZ", "HERRAMIENTA", "ORODJE", "OUTIL", "UTENSILE",
+                         "NARZEDZIE", "ALAT"});
 }
 
-// Reads "T12", "TOOL 12", "TOOL NO. 12", "TOOL -5-", "TOOL #1", "NO. 1:", and "1 = End Mill {6 mm}"
-// of Vectric.
+// Reads "T12", "TOOL 12", "TOOL NO. 12", "TOOL -5-", "TOOL #1", "NO. 1:", "STATION 1" at the head,
+// and "1 = End Mill {6 mm}" of Vectric.
 void read_tool_id(CommentView& view, ToolFacts& facts) {
   if (facts.kind() && view.number(0) && view.is(1, "=")) set_id(view, facts, 0);
   if (facts.kind() && view.is(0, "TYPE") && view.is_one(1, {":", "="})) facts.names_tool = true;
@@ -67,6 +67,10 @@ void read_tool_id(CommentView& view, ToolFacts& facts) {
     else if (view.is_one(at, {"CHANGE", "PATH", "STEEL", "OFFSET", "COMP", "STICK", "MUST"}))
       facts.names_tool = false;
   }
+  if (!facts.id.empty() || !view.is_one(0, {"STATION", "STA", "POT", "TL"})) return;
+  std::size_t at = 1;  // "STATION 1 - 10MM EM", "TL2 8.5 DRILL"
+  while (view.is_one(at, {"NO", "#", "-", ":", "="})) ++at;
+  if (view.number(at)) set_id(view, facts, at);
 }
 
 }  // namespace mrsim

@@ -57,6 +57,7 @@ class LabelReader {
   WordRole role(std::size_t i) const { return named(i).role; }
   Label label_at(std::size_t i) const;
   void read_flutes();
+  bool counts_flutes(std::size_t i) const;
   bool claimed(std::size_t number) const;
   bool begins_nose(std::size_t i) const;
   bool is_of_kind(std::size_t number) const;
@@ -89,6 +90,8 @@ CommentWord LabelReader::named(std::size_t i) const {
   const bool least = view_.is(i, "MIN") && view_.is_one(i + 1, {"DIA", "DIAM", "DIAMETER"});
   if ((least || view_.is(i, "FLAT")) && facts_.has_flat_tip())
     return {WordRole::tip, NumberSide::either};
+  const bool letter_behind = view_.is(i, "W") && ends_size(i) && !view_.number(i + 1);
+  if (letter_behind) return {WordRole::width, NumberSide::before};  // ".125W GROOVE"
   return comment_word(view_[i].text);
 }
 
@@ -119,11 +122,22 @@ void LabelReader::read_flutes() {
     const bool glued_before = i > 0 && before > 0 && view_.glued(before) && view_.word(before - 1);
     const std::size_t behind = view_.behind(i);
     const bool names_it = behind > i + 1 ? !view_.is(i + 1, "-") : view_.glued(i + 1);
-    if (names_it && view_.number(behind) && view_.whole(behind))
+    if (names_it && view_.number(behind) && view_.whole(behind)) {
       view_.take(i, behind + 1);
-    else if (i > 0 && view_.number(before) && view_.whole(before) && !glued_before)
+    } else if (i > 0 && view_.number(before) && view_.whole(before) && !glued_before) {
+      facts_.counts_flutes |= facts_.kinds.empty() && counts_flutes(i);
+      facts_.names_tool |= facts_.counts_flutes;
       view_.take(before, i + 1);
+    }
   }
+}
+
+// Whether the word behind a number counts flutes and nothing else, so that the comment is about a
+// tool: "10MM CRB 2FL", "1/2 HSS 2 FLUTE", "D10 4F". F and Z elsewhere are a feed and a height.
+bool LabelReader::counts_flutes(std::size_t i) const {
+  if (view_.is(i, "F")) return view_.glued(i) && !view_.glued(i + 1);
+  return view_.is_one(i, {"FL", "FLT", "FLUTE", "FLUTES", "FLUTED", "SCHNEIDER", "SCHNEIDEN",
+                          "DENTS", "TAILLES", "LABIOS", "TAGLIENTI", "DENTI", "OSTRZY", "OSTRZA"});
 }
 
 // Whether the number belongs to the word behind it, which has no other: the 3.0 in "1.0 LOC 3.0
@@ -217,9 +231,12 @@ void LabelReader::read_register(const Label& label) {
     view_.take(label.first - 1);
 }
 
-// Reads a corner radius: "D10 ENDMILL CORNER 0.5", "CORNER=1". "CORNER 1" is a place on the part.
+// Reads a corner radius: "D10 ENDMILL CORNER 0.5", "CORNER=1", ".03 CORNER" at the end. "CORNER 1"
+// is a place on the part.
 void LabelReader::read_corner(const Label& label) {
-  const std::size_t number = number_behind(label);
+  std::size_t number = number_behind(label);
+  const bool ends = !view_.word(label.end) || view_.taken(label.end);
+  if (number == kNone && ends) number = number_before(label);
   const bool corner = has_corner() || (facts_.kinds.empty() && facts_.names_tool);
   if (number == kNone || !corner) return;
   const bool signed_size = view_.is(label.end, "=") || view_.is(label.end, ":");

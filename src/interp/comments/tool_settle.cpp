@@ -47,6 +47,7 @@ class Settler {
   void settle_work(const ToolKind& kind);
   void settle_rivals();
   void settle_turning();
+  bool may_be_blade() const;
   void take_lead_angle();
   void settle_nose();
   void settle_thread();
@@ -229,9 +230,22 @@ void Settler::settle_turning() {
   if (hint_.type == ToolType::grooving && !hint_.width && !hint_.diameters.empty())
     hint_.width = hint_.diameters.front();
   settle_nose();
+  if (hint_.type == ToolType::turning && may_be_blade())
+    doubt("tells a width as blades have, and no insert");
   if (hint_.type == ToolType::turning && facts_.inside) hint_.type = ToolType::boring;
   hint_.left_hand = facts_.left_hand || (facts_.blade && facts_.blade->left_hand);
   if (hint_.type != ToolType::boring) hint_.diameters.clear();  // on a mill it is the bore's
+}
+
+// Whether the only size is one of a few mm, as blades are wide, "CUCHILLA 3MM", and nothing tells
+// of an insert.
+bool Settler::may_be_blade() const {
+  constexpr double kThinnest = 1, kWidest = 6;  // mm
+  if (!kind() || !kind()->firm || facts_.insert || hint_.insert_angle > 0 || hint_.nose ||
+      hint_.diameters.size() != 1)
+    return false;
+  const ToolLength& size = hint_.diameters.front();
+  return size.unit == 1 && size.value >= kThinnest && size.value <= kWidest;
 }
 
 // Settles the profile of a thread: a point of 60 degrees, unless the comment says otherwise.

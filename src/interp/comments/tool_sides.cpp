@@ -62,6 +62,10 @@ bool is_turkish(const CommentView& view, std::size_t i,
 }
 
 constexpr std::string_view kLeft = "LEFT LT LINKE* LINKS GAUCHE IZQUIERDA SINISTRA SINISTRO";
+constexpr std::string_view kLeftHand =
+    "LINKER LINKES GAUCHE IZQUIERDA IZQUIERDO SINISTRA SINISTRO LEVI LEVA LEVO LIJEVI LIJEVA LEWY "
+    "LEVY "
+    "LEV~ LAVY LAV~";
 constexpr std::string_view kRight = "RIGHT RT RECHTE* RECHTS DROITE DROIT DERECHA DESTRA DESTRO";
 constexpr std::string_view kMiddle = "CENTER CENTRE MIDDLE MITTE MITTIG MILIEU MEDIO CENTRO";
 constexpr std::string_view kCorner =
@@ -127,7 +131,10 @@ bool names_back_turning(const CommentView& view, std::size_t i) {
 
 // "VNMG LEFT HAND" and "CNMG LH" say it; "LEFT CORNER" is said of a blade, "LEFT END" of the part.
 bool is_left_hand(const CommentView& view, std::size_t i) {
-  if (!view.is_one(i, {"LEFT", "LH", "LINKS"})) return false;
+  constexpr std::string_view kSides = "COTE LADO LATO CARA PARTE STRAN STRANA STRONA STR~NA";
+  if (!view.is_one(i, {"LEFT", "LH", "LINKS"})) {
+    if (!is_word_of(view, i, kLeftHand) || is_beside(view, i, kSides)) return false;
+  }
   return !is_beside(view, i, kCorner) && !is_word_of(view, i + 1, kPlaces);
 }
 

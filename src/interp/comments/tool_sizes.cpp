@@ -164,8 +164,13 @@ void SizeSettler::add_further(const ToolLength& first, const ToolLength& next) {
   }
   const bool ignored =
       trade_is(face_mill) || trade_is(tap) || is_turning(kind() ? kind()->type : ToolType::endmill);
-  constexpr double kWidestBody = 3.2;  // of its pilot, DIN 333
-  if (trade_is(center_drill) && other > size && other < kWidestBody * size) return add(next);
+  constexpr double kLeastBody = 2, kWidestBody = 3.2;  // pilots, ISO 866
+  if (trade_is(center_drill) && other > size && other < kWidestBody * size) {
+    if (other < kLeastBody * size || hint_.diameters.size() > 1) return add(next);
+    hint_.pilot = first;  // "3.15 X 8"
+    hint_.diameters.front() = next;
+    return;
+  }
   if (ignored || other >= size) return;  // lengths
   if (kind() && kind()->type == ToolType::bullmill && other <= size / 2 && !hint_.corner)
     hint_.corner = next;

@@ -27,7 +27,10 @@ constexpr std::string_view kOtherWork[] = {
     "OTWOR",      "OTW~R",       "OTWORY",    "WIERCENIE",  "GWINTOWANIE", "ROZWIERCANIE",
     "FAZOWANIE",  "VRTANI",      "VRT~NI",    "SVERLENIE",  "OTVERSTIE",   "RASTOCHKA",
     "POCKET",     "SLOT",        "TASCHE",    "NUT",        "POCHE",       "RAINURE",
-    "BOSS",       "BOLT",        "PCD",       "BCD",        "LOCHKREIS",   "TEILKREIS"};
+    "BOSS",       "BOLT",        "PCD",       "BCD",        "LOCHKREIS",   "TEILKREIS",
+    "VRTANJE",    "POVRTAVANJE", "GREZENJE",  "POSNEMANJE", "IZVRTINA",    "IZVRTINE",
+    "LUKNJA",     "LUKNJE",      "BUSENJE",   "BU~ENJE",    "RUPA",        "RUPE",
+    "ZEP",        "~EP",         "UTOR"};
 
 bool is_round_work(const CommentView& view, std::size_t i) {
   return view.word(i) && !view.taken(i) &&
@@ -82,6 +85,11 @@ bool names_next_tool(const CommentView& view) {
 }
 
 bool names_last_tool(const CommentView& view) {
+  const bool ends = (view.is(0, "END") && view.is(1, "OF")) ||
+                    (view.is_one(0, {"DONE", "FINISHED"}) && view.is(1, "WITH")) ||
+                    (view.is(0, "ENDE") && view.word(1)) ||
+                    (view.is(0, "FIN") && view.is_one(1, {"DE", "DU"}));
+  if (ends) return true;  // "END OF 10MM ENDMILL"
   for (std::size_t i = 0; i < view.size(); ++i)
     if (leads(view, i) &&
         view.is_one(i, {"LAST", "PREVIOUS", "PREV", "LETZTES", "VORIGES", "PRECEDENT"}) &&
