@@ -106,6 +106,32 @@ TEST(ToolCommentReadings, SouthSlavicTonguesHaveTheirWords) {
   });
 }
 
+// Each of these was a plain end mill.
+TEST(ToolCommentReadings, CuttersOfOtherShapesAreNoEndMills) {
+  expect_readings({
+      {mm, "FRESA SIERRA D63 B2", "tslot 63, width 2"},
+      {mm, "FRESA DISCO D63", "? gives no width of the head"},
+      {mm, "FREZ PILKOWY D63 B2", "tslot 63, width 2"},
+      {mm, "FREZA KOTOUCOVA D63 B4", "tslot 63, width 4"},
+      {mm, "FREZALO ZA POSNETJE D12 90 ST", "chamfer 12, point 90"},
+      {mm, "FREZALO V 90 D12", "chamfer 12, point 90"},
+      {mm, "KONUSNO FREZALO D6", "? gives no taper angle"},
+      {mm, "KOTNO FREZALO D20", "? names a kind of tool that needs more data"},
+      {mm, "RADIUSNO FREZALO D10 R2", "? names a kind of tool that needs more data"},
+      {mm, "FRESA QUARTO DI CERCHIO D10 R3", "? names a kind of tool that needs more data"},
+      {mm, "FREZA NA ZAVITY D8", "endmill 8"},
+      {mm, "STEP MILL D10", "? names a kind of tool that needs more data"},
+      {mm, "GROOVE MILL D20 W3", "tslot 20, width 3"},
+      {mm, "GROOVE MILL D20", "endmill 20"},
+  });
+  for (const char* unsure : {"FREZA XYZOVA D20", "FREZALO POSEBNO D20"})
+    EXPECT_TRUE(read_tool_comment(unsure).may_be_another()) << unsure;
+  for (const char* sure : {"DVOPERO FREZALO D10", "FRESA CILINDRICA FRONTALE D10", "FREZA D10 XYZW",
+                           "FRAISE CARBURE D10", "FRAISE RAYONNEE D10 R1", "FRAISE DEUX LEVRES D10",
+                           "POSEBNO STEBLASTO FREZALO D10"})
+    EXPECT_FALSE(read_tool_comment(sure).may_be_another()) << sure;
+}
+
 TEST(ToolCommentReadings, LeftHandIsReadInEachTongue) {
   for (const char* left : {"LEVI NOZ R0.8", "LINKER DREHSTAHL R0.8", "OUTIL A GAUCHE CNMG 120408",
                            "CNMG 120408 IZQUIERDA", "CNMG 120408 SINISTRO"})

@@ -67,10 +67,11 @@ struct PlainFacts {
   bool plain_radius = false;   ///< a size_line that may be a radius of the work: "R5"
   bool tool_radius = false;    ///< a size_line that may be half the diameter: "TOOL RADIUS 5"
 
-  bool other_work = false;    ///< "KREISTASCHE D30", "BOHREN D8": work that another tool may do
-  bool unknown_word = false;  ///< no table has one of its words, "D8 XYZW": perhaps a kind of tool
-  bool next_tool = false;     ///< "NEXT TOOL - 6MM DRILL"
-  bool last_tool = false;     ///< "LAST TOOL WAS 6MM DRILL"
+  bool other_work = false;     ///< "KREISTASCHE D30", "BOHREN D8": work that another tool may do
+  bool unknown_word = false;   ///< no table has one of its words, "D8 XYZW": perhaps a kind of tool
+  bool unknown_shape = false;  ///< such a word stands beside "FREZALO", "FRESA": perhaps a shape
+  bool next_tool = false;      ///< "NEXT TOOL - 6MM DRILL"
+  bool last_tool = false;      ///< "LAST TOOL WAS 6MM DRILL"
 };
 
 struct ToolHint : PlainFacts {
@@ -105,7 +106,7 @@ struct ToolHint : PlainFacts {
   /// A thread mill, of which nothing but a cylinder is known.
   bool plain_teeth() const { return trade == ToolTrade::thread_mill; }
   /// Whether the tool may be another than the end mill for which it is taken.
-  bool may_be_another() const { return !type && unknown_word; }
+  bool may_be_another() const { return unknown_shape || (!type && unknown_word); }
   /// Whether the comment only adds a corner radius to what others say of the tool.
   bool only_corner() const { return !type && diameter == 0 && id.empty() && corner; }
   /// Whether it only adds a diameter.

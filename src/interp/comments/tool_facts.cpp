@@ -362,6 +362,8 @@ void FactReader::read_rest() {
       kind() && view_.is(kind()->first, "SLOT") && view_.is(kind()->first + 1, "MILL");
   facts_.fusion_slot = facts_.fusion && slot;
   facts_.slot_mill |= slot || (kind() && view_.is(kind()->first, "SLOTMILL"));
+  if (kind() && kind()->first > 0 && view_.is(kind()->first, "MILL"))
+    facts_.slot_mill |= view_.is_one(kind()->first - 1, {"GROOVE", "GROOVING"});
 }
 
 }  // namespace

@@ -187,8 +187,7 @@ void fill_dovetail(const ToolHint& hint, double unit, Tool& out, std::string& wh
   }
 }
 
-// Sets what only some kinds of mill have: the flank of a taper, the head of a T-slot cutter, the
-// tip of a point.
+// Sets what only some kinds of mill have: the flank of a taper, the head of a T-slot cutter.
 bool fill_shape(const ToolHint& hint, double unit, Tool& out, std::string& why) {
   if (out.type == ToolType::taper) {
     fill_cone(hint, unit, out, why);
@@ -371,7 +370,8 @@ bool fill_tool(const ToolHint& hint, double unit, bool lathe, Tool& out, std::st
   if (out.type == ToolType::boring && !lathe) out.type = ToolType::endmill;  // it turns in a bore
   if (hint.plain_teeth() || hint.trade == ToolTrade::tap)
     out.origin += ", its thread as a plain cylinder";
-  if (!hint.type) out.origin += hint.corner ? ", taken to be a mill" : ", taken to be an end mill";
+  if (!hint.type || hint.unknown_shape)
+    out.origin += hint.corner ? ", taken to be a mill" : ", taken to be an end mill";
   if (is_turning(out.type) && !lathe) {
     why = fmt::format("names a {} tool of a lathe", out.type == ToolType::threading  ? "threading"
                                                     : out.type == ToolType::grooving ? "grooving"

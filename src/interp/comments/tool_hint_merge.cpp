@@ -299,6 +299,7 @@ void add_work(ToolHint& into, const ToolHint& more) {
   into.face_groove |= more.face_groove;
   into.other_work |= more.other_work;
   into.unknown_word |= more.unknown_word;
+  into.unknown_shape |= more.unknown_shape;
   if (!into.trade) into.trade = more.trade;
 }
 

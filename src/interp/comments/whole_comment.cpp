@@ -159,6 +159,17 @@ bool tells_other_size(const CommentView& view, std::size_t i) {
          (number(behind) || (i > 0 && number(i - 1)));
 }
 
+// Whether a word that no table has stands beside a noun for all mills, which it may give another
+// shape: "FREZA XYZOVA D20".
+bool has_unknown_shape(const CommentView& view, const ToolKind& kind) {
+  if (kind.type != ToolType::endmill || kind.trade != ToolTrade::mill ||
+      !view.is_one(kind.first, {"FREZALO", "REZKALO", "GLODALO", "FREZA", "FREZE", "FRESA",
+                                "FRAISE", "FREZ", "FREES", "FRAESER", "FR~SER"}))
+    return false;
+  return is_unknown_word(view, kind.end) ||
+         (kind.first > 0 && is_unknown_word(view, kind.first - 1));
+}
+
 }  // namespace
 
 void read_whole_comment(const CommentView& view, ToolFacts& facts) {
@@ -175,6 +186,7 @@ void read_whole_comment(const CommentView& view, ToolFacts& facts) {
   facts.last_tool = names_last_tool(view);
   facts.upkeep = tells_upkeep(view);
   facts.size_of_work = names_hollow(view);
+  facts.unknown_shape = facts.kind() && has_unknown_shape(view, *facts.kind());
   facts.round_work = facts.kind() && mills_round_work(view, *facts.kind());
   for (std::size_t i = 0; i < view.size(); ++i) {
     const bool word = view.word(i);
