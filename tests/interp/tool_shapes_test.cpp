@@ -152,6 +152,8 @@ TEST(ToolShapes, CentreDrillsHaveAPilotAndABody) {
       {mm, "T1 D3 CENTRE", "? names a shape, and no kind of tool"},
       {mm, "T1 D10 CENTER CUTTING", "endmill 10"},
   });
+  EXPECT_FALSE(sized_in_inches(read_tool_comment("#4 CENTER DRILL"))) << "no sign of inches";
+  EXPECT_TRUE(sized_in_inches(read_tool_comment("#7 DRILL")));
   Tool tool;
   std::string why;
   ASSERT_TRUE(fill_tool(read_tool_comment("#4 CENTER DRILL"), kMmPerInch, false, tool, why));

@@ -30,7 +30,8 @@ ToolHint read_tool_comment(std::string_view bytes) {
 // The edges of inserts by the metric code are whole millimetres.
 bool sized_in_inches(const ToolHint& hint) {
   if (hint.edge_length != std::floor(hint.edge_length)) return true;
-  if (hint.diameters.empty()) return false;
+  // Centre drills have such numbers in shops of either unit.
+  if (hint.diameters.empty() || (hint.pilot && !hint.gauge.empty())) return false;
   const ToolLength& size = hint.diameters.front();
   return (size.fraction && size.unit != 1) || size.unit == kMmPerInch;
 }
