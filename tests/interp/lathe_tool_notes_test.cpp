@@ -316,5 +316,26 @@ TEST(ToolNotes, InsertAloneInABoreIsUnknown) {
     EXPECT_EQ(codes(turned("(T0606 CNMG 432 OD TURN)\n", cut), Severity::error), "") << cut;
 }
 
+// The tool came to the face with the feed, which was taken for a cut that a bar leaves.
+TEST(ToolNotes, FacesWithoutDataAreNotBored) {
+  const auto errors = [](const std::string& cut) {
+    InterpOptions options = at_origin(Dialect::fanuc, MachineKind::lathe);
+    options.table.tools.clear();
+    return codes(
+        read_text("T0101\nG97 S500 M3\nG0 X42. Z2.\nG1 F.2\n" + cut + "G0 X100. Z150.\nM30\n",
+                  options),
+        Severity::error);
+  };
+  for (const char* const face :
+       {"Z0\nX-1.\nG0 X38. Z2.\n", "Z0\nX-1.\nG0 X38.\nZ2.\n", "Z0\nX18.\nG0 Z2.\n",
+        "Z0.5\nX18.\nG0 X38. Z2.\nG1 Z0\nX18.\nG0 Z2.\n"})
+    EXPECT_EQ(errors(face), "") << face;
+  const std::string from_chuck = "G0 Z82.\nG1 Z80.\nX-1.\nG0 X38. Z82.\nG1 Z30.\nX42.\n";
+  EXPECT_EQ(errors(from_chuck), "");
+  for (const char* const bore : {"Z-30.\nX40.\nG0 Z2.\n", "Z0\nX36. Z-3.\nZ-30.\nG0 X34.\nZ2.\n",
+                                 "G0 Z82.\nG1 Z60.\nX40.\nG0 Z82.\n"})
+    EXPECT_EQ(errors(bore), "tool-unknown") << bore;
+}
+
 }  // namespace
 }  // namespace mrsim

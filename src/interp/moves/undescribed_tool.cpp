@@ -11,13 +11,14 @@ namespace {
 constexpr double kAtAxis = 0.05;  // mm: a drill that runs out by less still drills on the axis
 constexpr double kFreed = 0.02;   // mm: bars leave the wall of their bore by more
 constexpr double kPlunge = 1;     // mm: faces are cut above this depth, grooves below it
+constexpr double kLinks = 10;     // mm: the longest way to a face that tools go with the feed
 constexpr double kSamePlace = 1e-6;
 
 }  // namespace
 
 UndescribedTool::Kind UndescribedTool::told_by(const Motion& motion, double face) {
   const bool feeds = is_cut(motion);
-  const bool drill = drills(motion, feeds), bar = bores(motion, feeds);
+  const bool drill = drills(motion, feeds), bar = bores(motion, feeds, face);
   const bool blade = plunges(motion, feeds, face);
   rapid_ = motion.kind == MotionKind::rapid;
   if (drill) return {"goes in and out along the axis, as a drill does", "drill:d=10", "BAR STOP"};
@@ -38,13 +39,17 @@ bool UndescribedTool::drills(const Motion& motion, bool feeds) {
   return told;
 }
 
-// The tool leaves a cut along -Z by a rapid that is nearer to the axis.
-bool UndescribedTool::bores(const Motion& motion, bool feeds) {
+// The tool leaves a cut along -Z by a rapid that is nearer to the axis. A way down to the face is
+// no such cut, and what feeds to the axis faces the bar: no bar that bores comes there.
+bool UndescribedTool::bores(const Motion& motion, bool feeds, double face) {
   const double away = motion.end.z - motion.start.z;
   const bool told = !feeds && away > kAtAxis && inmost_cut_ < kNothingCut &&
                     motion.start.x < inmost_cut_ + kFreed && motion.end.x > kAtAxis &&
                     motion.end.x < inmost_cut_ - kFreed;
-  if (feeds && away < -kAtAxis)
+  const bool to_face = motion.start.z < face + kLinks && motion.end.z > face - kSamePlace;
+  if (feeds && motion.end.x < kAtAxis)
+    inmost_cut_ = kNothingCut;
+  else if (feeds && away < -kAtAxis && !to_face)
     inmost_cut_ = std::min({inmost_cut_, motion.start.x, motion.end.x});
   else if (!feeds && (away > 0 || motion.end.x > inmost_cut_))
     inmost_cut_ = kNothingCut;

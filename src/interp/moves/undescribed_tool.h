@@ -24,7 +24,7 @@ class UndescribedTool {
 
  private:
   bool drills(const Motion& motion, bool feeds);
-  bool bores(const Motion& motion, bool feeds);
+  bool bores(const Motion& motion, bool feeds, double face);
   bool plunges(const Motion& motion, bool feeds, double face);
 
   static constexpr double kNothingCut = 1e99;
