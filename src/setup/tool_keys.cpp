@@ -51,8 +51,8 @@ const std::vector<ToolKey> kKeys = {
 
 bool has(const ToolKey& key, ToolType type) { return (key.types & bits(type)) != 0; }
 
-// The diameter of a taper without a tip diameter is that in the plane of its tip, which cuts a ball
-// below its equator; it comes rounded to the last digit of a library.
+// The diameter of a tapered mill without a tip diameter is that in the plane of its tip, which cuts
+// a ball below its equator; it comes rounded to the last digit of a library.
 double largest_corner(const Tool& tool) {
   const double radius = tool.diameter / 2;
   if (tool.type != ToolType::taper || tool.tip_diameter > 0) return radius;
@@ -66,7 +66,8 @@ double largest_corner(const Tool& tool) {
 const std::vector<ToolKey>& tool_keys() { return kKeys; }
 
 const ToolKey* find_tool_key(std::string_view name, ToolType type) {
-  // A chamfer mill has two angles: "a" is the first that fits, the one per side being a taper's.
+  // A chamfer mill has two angles: "a" is the first that fits, the one per side being a tapered
+  // mill's.
   for (const ToolKey& key : kKeys)
     if (has(key, type) && name == key.short_name && !name.empty() &&
         !(type == chamfer && key.name == "taper_angle"))

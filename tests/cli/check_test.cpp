@@ -75,7 +75,7 @@ TEST_F(CheckCli, DiametersOfTablesConfirmTheirRemarks) {
   const Outcome tools = run("tools t.tbl");
   EXPECT_EQ(tools.code, 0) << tools.err;
   for (const char* tool : {"T1      T-slot mill Ø20", "T2      chamfer mill Ø6.35",
-                           "T3      drill Ø5.105", "T4      taper mill Ø3.175"})
+                           "T3      drill Ø5.105", "T4      tapered mill Ø3.175"})
     EXPECT_TRUE(contains(tools.out, tool)) << tool << "\n" << tools.out;
   // Without a size of its own a remark is about a tool of the table's; one that names a kind whose
   // shape it does not tell is no end mill.
@@ -125,7 +125,7 @@ TEST_F(CheckCli, ToolsTellAnglesNecksShanksAndHolders) {
   for (const char* tool :
        {"T1      chamfer mill Ø6, point 90°, flutes 9 mm, shank Ø6, holder Ø25  (",
         "T2      drill Ø8, point 118°, cuts up to the stock's top  (",
-        "T3      lollipop mill Ø8, neck Ø4  (", "T4      turning insert RCMT Ø10  (",
+        "T3      lollipop mill Ø8, neck Ø4  (", "T4      turning tool RCMT Ø10  (",
         "T5      form mill  ("})
     EXPECT_TRUE(contains(text.out, tool)) << tool << "\n" << text.out;
   const Outcome json = run("tools --json t.toml");

@@ -39,14 +39,6 @@ class Sheet {
   std::string out_;
 };
 
-const char* tool_name(ToolType type) {
-  constexpr const char* kNames[] = {
-      "end mill",       "ball mill",      "bull-nose mill", "chamfer mill",    "taper mill",
-      "drill",          "T-slot mill",    "lollipop mill",  "barrel mill",     "form mill",
-      "turning insert", "grooving blade", "boring bar",     "threading insert"};
-  return kNames[static_cast<std::size_t>(type)];
-}
-
 std::string plural(std::size_t n, const char* word) {
   return fmt::format("{} {}{}", grouped(static_cast<double>(n), 0), word, n == 1 ? "" : "s");
 }
@@ -234,7 +226,7 @@ std::string largest(const char* name, const std::vector<ToolSegment>& pieces) {
 }
 
 std::string insert_text(const Tool& tool) {
-  std::string text = tool_name(tool.type);
+  std::string text(tool_type_text(tool.type));
   if (tool.type == ToolType::grooving) {
     if (tool.width > 0) text += fmt::format(" {:.6g} mm wide", tool.width);
     if (tool.nose_radius > 0) text += fmt::format(", corner radius {:.6g}", tool.nose_radius);
@@ -253,7 +245,7 @@ std::string insert_text(const Tool& tool) {
 
 std::string tool_text(const Tool& tool) {
   if (is_turning(tool.type)) return insert_text(tool);
-  std::string text = tool_name(tool.type);
+  std::string text(tool_type_text(tool.type));
   const auto add = [&](const char* name, double value) {
     if (value > 0) text += fmt::format(", {}{:.6g}", name, value);
   };

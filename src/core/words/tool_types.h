@@ -14,6 +14,8 @@ namespace mrsim {
 /// nothing for another word.
 std::optional<ToolType> tool_type(std::string_view name);
 std::string_view tool_type_name(ToolType type);
+/// What a reader calls it: "tapered mill", "turning tool".
+std::string_view tool_type_text(ToolType type);
 const std::vector<std::string_view>& tool_type_names();
 
 /// 1 to 9 as on the control: Tool::tip, else that of a threading tool (8), a boring bar (2,

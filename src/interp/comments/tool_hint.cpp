@@ -187,7 +187,7 @@ void fill_dovetail(const ToolHint& hint, double unit, Tool& out, std::string& wh
   }
 }
 
-// Sets what only some kinds of mill have: the flank of a taper, the head of a T-slot cutter.
+// Sets what only some kinds of mill have: the flank of a tapered mill, the head of a T-slot mill.
 bool fill_shape(const ToolHint& hint, double unit, Tool& out, std::string& why) {
   if (out.type == ToolType::taper) {
     fill_cone(hint, unit, out, why);

@@ -1,17 +1,14 @@
 #include "interp/tools/tool_text.h"
 
 #include "core/numbers/units.h"
+#include "core/words/tool_types.h"
 
 #include <fmt/format.h>
 
 namespace mrsim {
 
 std::string tool_summary(const Tool& tool) {
-  static constexpr const char* kNames[] = {
-      "end mill",     "ball mill",     "bull-nose mill", "chamfer mill",  "tapered mill",
-      "drill",        "T-slot mill",   "lollipop mill",  "barrel mill",   "form mill",
-      "turning tool", "grooving tool", "boring bar",     "threading tool"};
-  std::string text = kNames[static_cast<std::size_t>(tool.type)];
+  std::string text(tool_type_text(tool.type));
   if (tool.diameter > 0) text += fmt::format(" {:g} mm", tool.diameter);
   if (tool.corner_radius > 0) text += fmt::format(", corner radius {:g} mm", tool.corner_radius);
   if (tool.tip_angle > 0) text += fmt::format(", point {:.4g} degrees", degrees(tool.tip_angle));

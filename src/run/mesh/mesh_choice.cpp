@@ -119,8 +119,9 @@ bool may_suit_tolerance(const detail::SurfaceSurvey& survey, const MeshChoice& c
 }
 
 // What a mesh within the tolerance takes where creases lie everywhere: bytes and seconds of a cell,
-// within a factor of four. A relief by a taper with 0.7 million took 1.7 GB and 51 s. 50 threads by
-// a form tool, whose crests are narrower than cells, took 1.1 million instead of 0.12, and 264 s.
+// within a factor of four. A relief by a tapered mill with 0.7 million took 1.7 GB and 51 s. 50
+// threads by a form tool, whose crests are narrower than cells, took 1.1 million instead of 0.12,
+// and 264 s.
 constexpr double kCellBytes = 2.5e3, kCellSeconds = 5e-5, kSearchedSeconds = 10 * kCellSeconds;
 
 std::string needs_text(const detail::SurfaceSurvey& survey, double cell, bool searches_arc) {
