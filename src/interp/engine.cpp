@@ -135,17 +135,24 @@ void Engine::execute() {
   if (block.words.empty() && block.function_name.empty() && !block.modal_call) return;
   ++block.number;
   if (profiles_.reads_contour()) return profiles_.contour_block();
+  if (interpret_or_restore()) end_block();
+}
+
+// A rejected block leaves no trace in the state.
+bool Engine::interpret_or_restore() {
   const Modal modal = control_.modal;
   const Position position = control_.position;
   control_.saved_tool.reset();
   control_.saved_frames.reset();
-  if (!interpret_block()) {  // a rejected block leaves no trace in the state
-    control_.modal = modal;
-    control_.position = position;
-    if (control_.saved_frames) control_.frames = *control_.saved_frames;
-    if (control_.saved_tool) control_.tool = *control_.saved_tool;
-    return;
-  }
+  if (interpret_block()) return true;
+  control_.modal = modal;
+  control_.position = position;
+  if (control_.saved_frames) control_.frames = *control_.saved_frames;
+  if (control_.saved_tool) control_.tool = *control_.saved_tool;
+  return false;
+}
+
+void Engine::end_block() {
   events_.after_motion();
   if (moved_) control_.paused = false;
   if (out_.cuts() > 0 && !stock_.is_settled()) stock_.settle();

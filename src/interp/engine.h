@@ -35,7 +35,9 @@ class Engine {
  private:
   void execute();
   void tell_unused_options();
+  bool interpret_or_restore();
   bool interpret_block();
+  void end_block();
   bool run_move();
   bool run_turning();
   bool ends_data();

@@ -44,6 +44,7 @@ class Settler {
   }
 
   void settle_type();
+  void take_kind(const ToolKind& kind);
   void settle_work(const ToolKind& kind);
   void settle_rivals();
   void settle_turning();
@@ -79,6 +80,23 @@ bool Settler::has_usual_corner() const {
          std::find(std::begin(kUsual), std::end(kUsual), angles_.front()) != std::end(kUsual);
 }
 
+// The kind of tool that the comment names, and what makes it doubtful.
+void Settler::take_kind(const ToolKind& kind) {
+  hint_.type = facts_.fusion_slot ? ToolType::tslot : kind.type;
+  hint_.trade = kind.trade;
+  hint_.firm = kind.firm;
+  if (kind.trade == ToolTrade::rounding || kind.trade == ToolTrade::shaped)
+    doubt("names a kind of tool that needs more data");
+  if (kind.trade == ToolTrade::no_cutter) doubt("names no cutter");
+  const bool threaded = trade_is(ToolTrade::tap) && facts_.thread;
+  if (threaded && !*facts_.thread) doubt("names a pipe thread, whose size is not its diameter");
+  if (threaded && facts_.enlarged_thread)
+    doubt("names a thread for wire inserts, whose tap is larger");
+  settle_rivals();
+  if (facts_.round_work && !facts_.named.empty())
+    doubt("can be read as the diameter of the tool or of what it mills");
+}
+
 void Settler::settle_type() {
   const bool threaded = trade_is(ToolTrade::tap) && facts_.thread;
   const bool point = trade_is(ToolTrade::twist_drill) && !angles_.empty();  // "DRILL 118"
@@ -89,18 +107,7 @@ void Settler::settle_type() {
   const bool by_data =
       data && k && !is_turning(k->type) && (k->trade != ToolTrade::disc || disc_data);
   if (k && (k->firm || hint_.names_tool || by_data)) {
-    hint_.type = facts_.fusion_slot ? ToolType::tslot : k->type;
-    hint_.trade = k->trade;
-    hint_.firm = k->firm;
-    const bool round = k->trade == ToolTrade::rounding;
-    if (round || k->trade == ToolTrade::shaped) doubt("names a kind of tool that needs more data");
-    if (k->trade == ToolTrade::no_cutter) doubt("names no cutter");
-    if (threaded && !*facts_.thread) doubt("names a pipe thread, whose size is not its diameter");
-    if (threaded && facts_.enlarged_thread)
-      doubt("names a thread for wire inserts, whose tap is larger");
-    settle_rivals();
-    if (facts_.round_work && !facts_.named.empty())
-      doubt("can be read as the diameter of the tool or of what it mills");
+    take_kind(*k);
   } else if (!k && facts_.pair && !hint_.diameters.empty() && !facts_.insert) {
     hint_.type = ToolType::endmill;  // "D12R2"
   }

@@ -249,6 +249,17 @@ bool ArcSolver::center_arc(ArcBlock& arc, Vec2 center, SolvedArc& out) {
   return true;
 }
 
+// Nearly a full or an empty circle: the bisector of its ends says nothing about the centre, so the
+// centre stays, and a line closes the small gap to the end.
+void ArcSolver::keep_center(ArcBlock& arc, Vec2 center, SolvedArc& out) {
+  const PlaneArc kept = arc_about(arc.start, arc.end, center, arc.ccw);
+  set_plane_arc(arc, kept, out);
+  out.closing = true;
+  const Vec2 away = arc.end - center;
+  out.arc_end = from_plane(arc.basis, center + (kept.radius / length(away)) * away,
+                           dot(arc.to.programmed, arc.basis.w));
+}
+
 // The radii at both ends must agree. docs/interp.md says how much each control accepts, and what it
 // does then.
 bool ArcSolver::check_center(ArcBlock& arc, Vec2 c, SolvedArc& out) {
@@ -283,14 +294,7 @@ bool ArcSolver::check_center(ArcBlock& arc, Vec2 c, SolvedArc& out) {
             fmt::format("{}: the centre is moved by {:.3g} mm to the bisector", radii(), shift),
             *arc.where);
   } else if (shift > tolerance) {
-    // Nearly a full or an empty circle: the bisector of its ends says nothing about the centre, so
-    // the centre stays, and a line closes the small gap to the end.
-    const PlaneArc kept = arc_about(s, e, c, arc.ccw);
-    set_plane_arc(arc, kept, out);
-    out.closing = true;
-    const Vec2 away = e - c;
-    out.arc_end = from_plane(arc.basis, c + (kept.radius / length(away)) * away,
-                             dot(arc.to.programmed, arc.basis.w));
+    keep_center(arc, c, out);
     return true;
   }
   set_plane_arc(arc, arc_about(s, e, moved, arc.ccw), out);

@@ -26,6 +26,7 @@ class ArcSolver : public ControlPart {
   bool same_point_radius(ArcBlock& arc, const Word& word, double radius, SolvedArc& out);
   bool near_half_circle(const PlaneArc& arc, const Word& word);
   bool center_arc(ArcBlock& arc, Vec2 center, SolvedArc& out);
+  void keep_center(ArcBlock& arc, Vec2 center, SolvedArc& out);
   bool check_center(ArcBlock& arc, Vec2 c, SolvedArc& out);
   bool angle_arc(ArcBlock& arc, const Word& word, bool centered, Vec2 center, SolvedArc& out);
   bool turned_arc(ArcBlock& arc, Vec2 center, double angle, SolvedArc& out);

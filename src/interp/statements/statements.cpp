@@ -98,9 +98,9 @@ std::string Statements::letters_of(std::string_view line, std::size_t& p) {
   return letters_at(line, p);
 }
 
-LanguageReader::Answer Statements::value(std::string_view line, std::size_t& p, Word& word,
-                                         bool whole) {
-  const std::size_t from = p;
+// Evaluates what stands behind the word's address. False: reported.
+bool Statements::evaluate(std::string_view line, std::size_t& p, const Word& word, bool whole,
+                          Value& out) {
   const auto c = static_cast<char>(word.address);
   const bool length = word.address < Address::function &&
                       std::string_view("XYZUVWIJKRABCQ").find(c) != std::string_view::npos;
@@ -110,13 +110,16 @@ LanguageReader::Answer Statements::value(std::string_view line, std::size_t& p, 
   const bool way = !(word.address < Address::function) ||
                    std::string_view("GHLMNOPQDT").find(c) != std::string_view::npos;
   const DataReads data(reader_.watch(), !way);
-  Value out;
   const bool ok = whole ? evaluator_.expression(line, p, out) : evaluator_.operand(line, p, out);
   evaluator_.set_round_step(1);
-  if (!ok) {
-    report(evaluator_.fault());
-    return Answer::failed;
-  }
+  return ok || report(evaluator_.fault());
+}
+
+LanguageReader::Answer Statements::value(std::string_view line, std::size_t& p, Word& word,
+                                         bool whole) {
+  const std::size_t from = p;
+  Value out;
+  if (!evaluate(line, p, word, whole, out)) return Answer::failed;
   if (out.kind == Value::Kind::text && !is(Dialect::sinumerik)) {  // words of CODESYS have numbers
     fail("expression", "a number is needed here", from, p);
     return Answer::failed;
@@ -145,6 +148,7 @@ LanguageReader::Answer Statements::value(std::string_view line, std::size_t& p, 
     return Answer::failed;
   }
   word.value = out.number;
+  const auto c = static_cast<char>(word.address);
   const double tenth = nearest_whole(out.number * 10);
   if ((c == 'G' || c == 'M') && std::abs(out.number * 10 - tenth) < kOffWhole)
     word.value = tenth / 10;

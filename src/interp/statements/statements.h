@@ -117,6 +117,8 @@ class Statements : public ControlPart, public LanguageReader {
   bool decided_ = false;  ///< the program has asked for a value that may change its way
 
  private:
+  bool evaluate(std::string_view line, std::size_t& p, const Word& word, bool whole, Value& out);
+
   std::vector<std::pair<int, int>> jumped_over_;  ///< lines between which nothing has run yet
   std::deque<std::string> texts_;                 ///< texts to which words of the block point
 };

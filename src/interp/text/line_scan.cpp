@@ -42,6 +42,13 @@ bool computes(std::string_view text) {
   return reads;
 }
 
+// Whether a bracket behind this code belongs to a call or a value: "SIN(", "R1=(". Behind a number
+// or a blank it begins a comment: "X10(SLOT)", "X10 (SLOT)".
+bool takes_bracket(std::string_view code) {
+  if (code.size() < 2 || is_digit(code.back())) return false;
+  return code.back() == '=' || (is_name(code.back()) && is_letter(code[code.size() - 2]));
+}
+
 }  // namespace
 
 bool looks_like_block(std::string_view text) {
@@ -122,11 +129,8 @@ void scan_line(std::string_view line, LineScan& out) {
       out.comment_kind = ';';
       return;
     }
-    const bool call = !out.code.empty() && (is_name(out.code.back()) || out.code.back() == '=');
-    const bool word_call = call && out.code.size() >= 2 &&
-                           (is_letter(out.code[out.code.size() - 2]) || out.code.back() == '=') &&
-                           !is_digit(out.code.back());
-    if (c == '(' && depth == 0 && !word_call && !holds_parameter(out.code, line.substr(i))) {
+    if (c == '(' && depth == 0 && !takes_bracket(out.code) &&
+        !holds_parameter(out.code, line.substr(i))) {
       const std::size_t close = line.find(')', i);
       if (close == std::string_view::npos) return;
       out.comment = line.substr(i + 1, close - i - 1);

@@ -70,30 +70,38 @@ bool StrangeText::zero_as_letter(Block& block) {
   return true;
 }
 
-void StrangeText::character(Block& block) {
+// Reports what is a word elsewhere: a variable, an expression, a name. False: nothing of the kind.
+bool StrangeText::word_of_others(Block& block) {
   const std::size_t from = p_;
   const char c = line_[p_];
-  const auto byte = static_cast<unsigned char>(c);
+  const auto tell = [&](std::string_view text, const char* what) {
+    unsupported(block, text, what, from);
+    return true;
+  };
   if (c == '$') {
     while (p_ < line_.size() && (is_name(line_[p_]) || line_[p_] == '$')) ++p_;
-    return unsupported(block, line_.substr(from, p_ - from), "a variable", from);
+    return tell(line_.substr(from, p_ - from), "a variable");
   }
   if (c == '#' && dialect_ != Dialect::sinumerik) {
     ++p_;
     while (is_digit(at(p_))) ++p_;
-    return unsupported(block, line_.substr(from, p_ - from), "a variable", from);
+    return tell(line_.substr(from, p_ - from), "a variable");
   }
-  if (c == '[')
-    return unsupported(block, "[", "an expression without its address, such as X[#1+2]", from);
+  if (c == '[') return tell("[", "an expression without its address, such as X[#1+2]");
   if (c == '<') {
-    if (const std::size_t close = line_.substr(from, kNearby).find('>'); close != line_.npos) {
-      p_ = from + close + 1;
-      return unsupported(block, line_.substr(from, std::min<std::size_t>(p_ - from, 40)),
-                         "the name of a program", from);
-    }
+    const std::size_t close = line_.substr(from, kNearby).find('>');
+    if (close == line_.npos) return false;
+    p_ = from + close + 1;
+    return tell(line_.substr(from, std::min<std::size_t>(p_ - from, 40)), "the name of a program");
   }
-  if (c == ',' && is_letter(at(p_ + 1)))
-    return unsupported(block, line_.substr(from, 2), "a corner word", from);
+  return c == ',' && is_letter(at(p_ + 1)) && tell(line_.substr(from, 2), "a corner word");
+}
+
+void StrangeText::character(Block& block) {
+  if (word_of_others(block)) return;
+  const std::size_t from = p_;
+  const char c = line_[p_];
+  const auto byte = static_cast<unsigned char>(c);
   if (c == '(' && dialect_ == Dialect::sinumerik) {
     p_ = std::min(line_.find(')', p_), line_.size() - 1) + 1;
     return fault(block, "character", "( has no meaning here; a comment begins with ;", from, p_);

@@ -20,6 +20,9 @@ class StrangeText : public LineParser {
   void doubt_comment(const Block& block);
   /// Warns of blanks in a number that begins at `from` and ends at the place.
   void check_inner_blanks(std::size_t from);
+
+ private:
+  bool word_of_others(Block& block);
 };
 
 }  // namespace mrsim

@@ -49,23 +49,36 @@ void WordReader::plain_words(Block& block) {
   }
 }
 
+// A statement takes the rest of its block.
+WordReader::Step WordReader::letter_step(Block& block) {
+  if (dialect_ == Dialect::sinumerik) {
+    sinumerik_.read(block);
+  } else if (upper(line_[p_]) == 'N' && dialect_ == Dialect::codesys && is_digit(at(p_ + 1)) &&
+             (block.has_number || !block.words.empty())) {
+    reporter_.add(Severity::warning, "blocks-on-one-line",
+                  "a second N word on the line: a new block is taken to start here",
+                  static_cast<int>(p_), 1);
+    return Step::end_of_block;
+  } else {
+    letter_word(block);
+  }
+  return block.statement == Block::kNoStatement ? Step::more : Step::end_of_block;
+}
+
+void WordReader::end_sign() {
+  Word sign;
+  sign.column = static_cast<int>(p_);
+  sign.length = 1;
+  reporter_.once(
+      Severity::note, "block-end-sign",
+      fmt::format("{} at the end of a line prints the end of a block: left out", line_[p_]), sign,
+      "block-end-sign");
+  ++p_;
+}
+
 WordReader::Step WordReader::step(Block& block) {
   const char c = line_[p_];
-  if (is_letter(c) || c == '_') {
-    if (dialect_ == Dialect::sinumerik) {
-      sinumerik_.read(block);
-      return block.statement == Block::kNoStatement ? Step::more : Step::end_of_block;
-    }
-    if (upper(c) == 'N' && dialect_ == Dialect::codesys && is_digit(at(p_ + 1)) &&
-        (block.has_number || !block.words.empty())) {
-      reporter_.add(Severity::warning, "blocks-on-one-line",
-                    "a second N word on the line: a new block is taken to start here",
-                    static_cast<int>(p_), 1);
-      return Step::end_of_block;
-    }
-    letter_word(block);
-    return block.statement == Block::kNoStatement ? Step::more : Step::end_of_block;
-  }
+  if (is_letter(c) || c == '_') return letter_step(block);
   if (dialect_ == Dialect::ngc && (c == '$' || c == '?') && special_.grbl_command(block))
     return Step::more;
   if (dialect_ == Dialect::ngc && (c == '@' || c == '^' || c == '$')) {
@@ -77,12 +90,7 @@ WordReader::Step WordReader::step(Block& block) {
   } else if (c == '/' && at(p_ + 1) == '/') {
     slashes(block);
   } else if ((c == '*' || c == '$') && is_end_sign()) {
-    Word sign;
-    sign.column = static_cast<int>(p_++);
-    sign.length = 1;
-    reporter_.once(Severity::note, "block-end-sign",
-                   fmt::format("{} at the end of a line prints the end of a block: left out", c),
-                   sign, "block-end-sign");
+    end_sign();
   } else if (c == ';' && ends_block()) {
     ++p_;
     return Step::end_of_block;

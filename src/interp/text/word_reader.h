@@ -23,6 +23,8 @@ class WordReader : public LineParser {
 
   void plain_words(Block& block);
   Step step(Block& block);
+  Step letter_step(Block& block);
+  void end_sign();
   bool head_of_block(Block& block);
   std::size_t end_of_wait() const;
   bool skip_rest(Block& block);

@@ -123,20 +123,23 @@ void CellTile::fill(const LatticePoint& origin, std::int32_t size, bool inside) 
       column(x, y).inside |= bit_range(origin.z, size);
 }
 
+// Keeps the list for the nodes of a cube.
+void CellTile::set_list(const LatticePoint& origin, std::int32_t size,
+                        std::span<const std::uint32_t> list) {
+  const auto number = static_cast<std::int32_t>(list.empty() ? 0 : lists_.size());
+  if (!list.empty()) add_list(list);
+  for (std::int32_t x = origin.x; x < origin.x + size; x += kNode)
+    for (std::int32_t y = origin.y; y < origin.y + size; y += kNode)
+      for (std::int32_t z = origin.z; z < origin.z + size; z += kNode)
+        list_of_[static_cast<std::size_t>(node_id(x / kNode, y / kNode, z / kNode))] = number;
+}
+
+// Samples the corners of a cube, whose sides are those of nodes.
 template <std::int32_t kSize>
 void CellTile::sample_node(const LatticePoint& origin, std::span<const std::uint32_t> list) {
   constexpr std::size_t kPoints = std::size_t(kSize) * kSize * kSize;
-  std::int32_t number = 0;
-  if (list.empty()) {
-    if (is_box_) return mark_stock_node<kSize>(origin);  // list 0, which all cells have at first
-  } else {
-    number = static_cast<std::int32_t>(lists_.size());
-    add_list(list);
-  }
-  for (std::int32_t x = origin.x; x < origin.x + kSize; x += kNode)
-    for (std::int32_t y = origin.y; y < origin.y + kSize; y += kNode)
-      for (std::int32_t z = origin.z; z < origin.z + kSize; z += kNode)
-        list_of_[static_cast<std::size_t>(node_id(x / kNode, y / kNode, z / kNode))] = number;
+  if (list.empty() && is_box_) return mark_stock_node<kSize>(origin);  // list 0, as at first
+  set_list(origin, kSize, list);
   Vec3 points[kPoints];
   double distances[kPoints];
   std::uint32_t deciders[kPoints];

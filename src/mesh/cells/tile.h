@@ -118,6 +118,7 @@ class CellTile final : public SurfaceCells {
   void find_stock();
   void add_common_lists();
   void add_list(std::span<const std::uint32_t> list);
+  void set_list(const LatticePoint& origin, std::int32_t size, std::span<const std::uint32_t> list);
   std::int32_t own_list(std::int32_t cell) const;
   template <std::int32_t kSize>
   void mark_stock_node(const LatticePoint& origin);

@@ -312,6 +312,17 @@ std::size_t turned(const TriMesh& before, const TriMesh& after) {
   return count;
 }
 
+// Gives the triangles one orientation, outwards. Returns what was done to them in words.
+std::string orient(TriMesh& mesh, const std::string& name) {
+  TriMesh after = weld(oriented(mesh, name));
+  require_solid(after, name);
+  const std::size_t count = turned(mesh, after);
+  const bool is_all = count == mesh.triangles.size();
+  mesh = std::move(after);
+  if (count == 0) return "";
+  return is_all ? "it was inside out" : counted(count, "triangle turned", "triangles turned");
+}
+
 void require_triangles(const TriMesh& mesh, const std::string& name) {
   if (mesh.triangles.empty())
     throw Error("mesh-flat",
@@ -355,13 +366,8 @@ std::string make_solid(TriMesh& mesh, const std::string& name) {
                         "out, so that nothing is left; export one of them");
     }
     if (!is_solid(mesh)) {
-      TriMesh after = weld(oriented(mesh, name));
-      require_solid(after, name);
-      if (const std::size_t n = turned(mesh, after); n > 0)
-        done.push_back(n == mesh.triangles.size()
-                           ? "it was inside out"
-                           : counted(n, "triangle turned", "triangles turned"));
-      mesh = std::move(after);
+      std::string change = orient(mesh, name);
+      if (!change.empty()) done.push_back(std::move(change));
     }
     sheets += drop_sheets(mesh);
   }
