@@ -126,7 +126,7 @@ class ControlPart {
   }
   /// The axes of the plane in force.
   Basis basis() const {
-    return modal_.plane == 3 ? normal_basis(modal_.normal) : plane_basis(modal_.plane);
+    return modal_.plane == kPlaneOfNormal ? normal_basis(modal_.normal) : plane_basis(modal_.plane);
   }
   /// The factor by which the frames in force scale the plane; 0: unequally.
   double plane_factor() const { return plane_scale(frames_.total, basis().u, basis().v); }

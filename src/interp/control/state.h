@@ -32,7 +32,7 @@ struct DrillCycle {
   bool fagor = false;                     ///< the cycle is Fagor's, with the depth in I
   bool pitched = false;                   ///< Brother's taps: I is the lead, J threads per inch
   double lead = 0;                        ///< mm; 0: the lead of a tap is its feed / speed
-  int plane = -1;                     ///< lathes: 0 = along Z, 2 = along X; -1 = the plane in force
+  int plane = -1;  ///< lathes: kPlaneXY along Z, kPlaneYZ along X; -1 = that in force
   int file = 0, line = 0, call = -1;  ///< where the block stands that chose the cycle
 };
 
@@ -80,7 +80,7 @@ inline constexpr int kFirstOfPlane[] = {0, 2, 1, 0}, kSecondOfPlane[] = {1, 0, 2
 /// What modal G words and values have set.
 struct Modal {
   Code motion = Code::line;
-  int plane = 0;         ///< 0 = G17, 1 = G18, 2 = G19, 3 = by `normal`
+  int plane = kPlaneXY;  ///< or kPlaneZX, kPlaneYZ, kPlaneOfNormal
   Vec3 normal{0, 0, 1};  ///< CODESYS G16
   bool incremental = false;
   bool has_increments = false;  ///< the program has said G91, or other words of systems B and C

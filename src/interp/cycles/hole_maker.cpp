@@ -22,7 +22,8 @@ void HoleMaker::to_level(double level, MotionKind kind, double lead, double feed
   Target to;
   to.programmed = position_.programmed + (level - now) * b.w;
   to.named = axes_along(b.w);
-  if (modal_.plane != 3) component(to.programmed, kNormalOfPlane[modal_.plane]) = level;
+  if (modal_.plane != kPlaneOfNormal)
+    component(to.programmed, kNormalOfPlane[modal_.plane]) = level;
   moves_.step(to, *where_, kind, lead, feed);
 }
 

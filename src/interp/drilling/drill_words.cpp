@@ -150,8 +150,8 @@ bool DrillWords::bores_down() const {
   const Word* level = peek('R');
   const Word* bottom = peek('Z');
   const bool shift = peek('Q') || peek('I') || peek('J');
-  return is(Dialect::fanuc) && !lathe() && modal_.plane == 0 && !modal_.incremental && !shift &&
-         level && bottom && bottom->value < level->value;
+  return is(Dialect::fanuc) && !lathe() && modal_.plane == kPlaneXY && !modal_.incremental &&
+         !shift && level && bottom && bottom->value < level->value;
 }
 
 // Reports cycles that are not read. True: this is one.
@@ -160,12 +160,12 @@ bool DrillWords::refuses(const Word& where) {
   const auto refuse = [&](const char* code, const std::string& text) {
     return !error(code, text, where);
   };
-  if ((cycle.number == 87 && cycle.plane != 2) || (is(Dialect::ngc) && cycle.number == 88))
+  if ((cycle.number == 87 && cycle.plane != kPlaneYZ) || (is(Dialect::ngc) && cycle.number == 88))
     return refuse(
         "not-supported",
         fmt::format("G{} ({}) is not supported yet", cycle.number,
                     cycle.number == 87 ? "back boring" : "boring with a way out by hand"));
-  if (is(Dialect::ngc) && (cycle.number == 74 || cycle.number == 84) && modal_.plane != 0)
+  if (is(Dialect::ngc) && (cycle.number == 74 || cycle.number == 84) && modal_.plane != kPlaneXY)
     return refuse("not-supported",
                   fmt::format("G{} outside of G17: LinuxCNC exchanges its axes, and does not tap "
                               "where the hole is",
@@ -269,9 +269,9 @@ bool DrillWords::fill_levels(Hole& hole, const Word& where) {
                  where);
   if (!cycle.safe.given && is(Dialect::ngc))
     return error("value-missing", fmt::format("G{} needs R", cycle.number), where);
-  const bool from_initial =
-      relative(cycle.safe) || cycle.plane == 2 || (cycle.plane == 0 && cycle.safe.value <= 0);
-  if (cycle.plane == 0 && cycle.safe.value > 0 && !relative(cycle.safe))
+  const bool from_initial = relative(cycle.safe) || cycle.plane == kPlaneYZ ||
+                            (cycle.plane == kPlaneXY && cycle.safe.value <= 0);
+  if (cycle.plane == kPlaneXY && cycle.safe.value > 0 && !relative(cycle.safe))
     note_once("cycle-level",
               "R above 0 is read as a level, as Haas does; others count it from the start", where,
               "R");
@@ -287,7 +287,7 @@ bool DrillWords::fill_levels(Hole& hole, const Word& where) {
               "return");
   if (up && is(Dialect::ngc))
     return error("value-range", "R lies below the bottom of the hole", where);
-  if (up && modal_.plane == 0 && !lathe())  // across the spindle both directions are down
+  if (up && modal_.plane == kPlaneXY && !lathe())  // across the spindle both directions are down
     reporter_.add(Severity::warning, "cycle-upwards", "R lies below the bottom of the hole", where);
   return true;
 }
@@ -297,7 +297,8 @@ bool DrillWords::fill(Hole& hole, bool haas_words) {
   const DrillCycle& cycle = modal_.drill;
   const Word& where = block_.motion_code ? *block_.motion_code : block_.words.front();
   if (!fill_levels(hole, where)) return false;
-  const int g = cycle.plane == 2 ? cycle.number - 4 : cycle.number;  // G87 to G89 are as G83 to G85
+  // G87 to G89 are as G83 to G85.
+  const int g = cycle.plane == kPlaneYZ ? cycle.number - 4 : cycle.number;
   hole.feed_out = g == 74 || g == 84 || g == 85 || g == 89;
   hole.feed_to_end = hole.feed_out && g != 85 && is(Dialect::ngc);
   if (g == 74 || g == 84) {

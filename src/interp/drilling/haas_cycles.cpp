@@ -46,7 +46,7 @@ double HaasCycles::value_of(char letter) {
 
 bool HaasCycles::holes() {
   const Word& where = *block_.oneshot;
-  if (modal_.plane != 0)
+  if (modal_.plane != kPlaneXY)
     return error("value-range", fmt::format("{} needs the plane G17", text_of(where)), where);
   Target first;
   std::vector<Vec3> points;
@@ -237,7 +237,7 @@ bool HaasCycles::circle_of_mach() {
 }
 
 bool HaasCycles::pocket() {
-  if (modal_.plane != 0)
+  if (modal_.plane != kPlaneXY)
     return error("value-range", "a circular pocket needs the plane G17", *block_.oneshot);
   if (is(Dialect::ngc) || (is(Dialect::iso) && !peek('Z'))) return circle_of_mach();
   Pocket pocket;

@@ -160,7 +160,7 @@ bool AxisWords::ngc_polar_target(Target& out, const Vec3& from) {
   const Word* radius = take('@');
   const Word* angle = take('^');
   const Word& where = radius ? *radius : *angle;
-  if (modal_.plane != 0)
+  if (modal_.plane != kPlaneXY)
     return error("polar-mixed", "@ and ^ (polar coordinates) need the plane G17", where);
   if (peek('X') || peek('Y'))
     return error("polar-mixed", "@ or ^ and an axis of the plane in one block", where);

@@ -160,7 +160,7 @@ bool TransformWords::turns_in_space() {
     return w ? w->value : 0;
   };
   const double i = value('I'), j = value('J'), k = value('K');
-  return i != 0 || j != 0 || k <= 0 || modal_.plane != 0;
+  return i != 0 || j != 0 || k <= 0 || modal_.plane != kPlaneXY;
 }
 
 // G68 A12 B25 R45 of Mach: A and B are the centre.
@@ -169,7 +169,8 @@ bool TransformWords::center_of_mach(Vec3& center, const Word& word) {
   const Word* b = take('B');
   if (!a && !b) return true;
   if (!a || !b) return error("value-missing", "G68 of Mach needs A and B, its centre", word);
-  if (modal_.plane != 0) return error("not-supported", "G68 A B of Mach is read in G17 only", word);
+  if (modal_.plane != kPlaneXY)
+    return error("not-supported", "G68 A B of Mach is read in G17 only", word);
   center = {a->value * length_unit(*a), b->value * length_unit(*b), 0};
   return true;
 }

@@ -29,7 +29,7 @@ bool Engraving::holds_text(const BlockWords& block) {
 // The control turns and scales the letters by its own G68 and G51.
 bool Engraving::allowed() {
   const Word& where = *block_.oneshot;
-  if (modal_.plane != 0) return error("value-range", "G47 needs the plane G17", where);
+  if (modal_.plane != kPlaneXY) return error("value-range", "G47 needs the plane G17", where);
   if (modal_.comp != Code::comp_off)
     return error("cycle-compensation", "G47 engraves under radius compensation", where);
   if (modal_.incremental)

@@ -19,7 +19,7 @@ bool HaasPocket::read_words() {
                  "G150 needs P, the program of its contour, Z, R, Q, the depth of a cut, and I or "
                  "J, how far the cuts lie apart",
                  where_);
-  if (modal_.plane != 0) return error("value-range", "G150 needs the plane G17", where_);
+  if (modal_.plane != kPlaneXY) return error("value-range", "G150 needs the plane G17", where_);
   if (modal_.incremental) return error("not-supported", "G150 under G91: write G90", where_);
   if (modal_.comp == Code::comp_off)
     return error("not-supported", "G150 needs G41 or G42 in its block, and D", where_);

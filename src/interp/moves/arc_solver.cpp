@@ -113,7 +113,7 @@ bool ArcSolver::center_words(const ArcBlock& arc, Vec2& center, bool& given) {
   for (int i = 0; i < 3; ++i) {
     const Word* word = take("IJK"[i]);
     if (!word) continue;
-    const bool in = modal_.plane == 3 || component(arc.basis.w, i) == 0;
+    const bool in = modal_.plane == kPlaneOfNormal || component(arc.basis.w, i) == 0;
     if (!in && turns_.is_pitch(arc.to, arc.basis.w)) continue;
     if (!in) {
       outside = outside || word->value != 0;

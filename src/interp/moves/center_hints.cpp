@@ -10,12 +10,11 @@ namespace mrsim {
 namespace {
 
 constexpr double kAgree = 0.01;  // mm: two radii that differ by less are the same
-constexpr int kFirst[] = {0, 2, 1}, kSecond[] = {1, 0, 2};  // axes of G17, G18, G19
 
 }  // namespace
 
 void CenterHints::full_circle(const ArcBlock& arc, Vec2 center) {
-  if (modal_.plane > 2 || modal_.center_absolute) return;
+  if (modal_.plane == kPlaneOfNormal || modal_.center_absolute) return;
   sign(arc, center);
   if (!is(Dialect::sinumerik) && !modal_.center_told) absolute_center(arc, center);
 }
@@ -27,7 +26,7 @@ void CenterHints::sign(const ArcBlock& arc, Vec2 center) {
   const double far = length(center);
   if (length(zero) > kSamePoint || far <= kSamePoint) return;
   const bool first = std::abs(d.x) >= std::abs(d.y);
-  const int axis = first ? kFirst[modal_.plane] : kSecond[modal_.plane];
+  const int axis = first ? kFirstOfPlane[modal_.plane] : kSecondOfPlane[modal_.plane];
   const double word = first ? d.x : d.y, at = first ? center.x : center.y;
   note_once("arc-center-sign",
             fmt::format("{0}{1:.6g} puts the centre at {2}{3:.6g}; {0}{4:.6g} would close on {2}0",
@@ -45,7 +44,8 @@ void CenterHints::absolute_center(const ArcBlock& arc, Vec2 center) {
   const bool comes_from = position_.has_before && length(from - at) <= kAgree;
   if (comes_from && std::abs(length(from - center) - radius) <= kAgree) return;  // across
   if (!comes_from && !repeats_the_start(arc.start, at)) return;
-  const char first = "XYZ"[kFirst[modal_.plane]], second = "XYZ"[kSecond[modal_.plane]];
+  const char first = "XYZ"[kFirstOfPlane[modal_.plane]],
+             second = "XYZ"[kSecondOfPlane[modal_.plane]];
   const std::string place = fmt::format("{}{:.6g} {}{:.6g}", first, at.x, second, at.y);
   reporter_.once(
       Severity::warning, "arc-center-place",
@@ -53,10 +53,10 @@ void CenterHints::absolute_center(const ArcBlock& arc, Vec2 center) {
           "the circle is read about {}{:.6g} {}{:.6g}, radius {:.6g}; {}: if that is the centre, "
           "write {} before it (radius {:.6g})",
           first, center.x, second, center.y, radius,
-          comes_from
-              ? fmt::format("the tool comes from {}", place)
-              : fmt::format("{} and {} are {}, level with the tool", "IJK"[kFirst[modal_.plane]],
-                            "IJK"[kSecond[modal_.plane]], place),
+          comes_from ? fmt::format("the tool comes from {}", place)
+                     : fmt::format("{} and {} are {}, level with the tool",
+                                   "IJK"[kFirstOfPlane[modal_.plane]],
+                                   "IJK"[kSecondOfPlane[modal_.plane]], place),
           absolute_mode(), length(arc.start - at)),
       *arc.where, "arc-center-place");
 }
@@ -76,7 +76,7 @@ const char* CenterHints::absolute_mode() const { return is(Dialect::codesys) ? "
 // Says what would make radii agree that differ by `apart`: another sign, or the centre as a place.
 std::string CenterHints::for_radii(const ArcBlock& arc, Vec2 c, double apart) const {
   const Vec2 d = c - arc.start;
-  const int first = kFirst[modal_.plane % 3], second = kSecond[modal_.plane % 3];
+  const int first = kFirstOfPlane[modal_.plane], second = kSecondOfPlane[modal_.plane];
   const auto radii = [&](Vec2 center) {
     return std::pair(length(arc.start - center), length(arc.end - center));
   };

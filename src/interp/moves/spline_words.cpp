@@ -31,7 +31,7 @@ bool SplineWords::solve(const Vec3& from, std::vector<SolvedArc>& out) {
   Target to;
   if (!axes_.target(to, from)) return false;
   const Word& where = *axes_.motion_word(to);
-  if (modal_.plane != 0) return error("spline-plane", "a spline needs the plane G17", where);
+  if (modal_.plane != kPlaneXY) return error("spline-plane", "a spline needs the plane G17", where);
   if (to.named.has(kAxisZ)) return error("spline-plane", "a spline has no Z", where);
   const bool first = peek('I') || peek('J');
   if (cubic && !first && !position_.after_spline)
@@ -78,7 +78,7 @@ void SplineWords::pieces(const std::vector<CurvePiece>& curve, const Target& to,
 // weight is the P of a block without axes.
 bool SplineWords::control_point(const Vec3& from) {
   const Word& where = block_.motion_code ? *block_.motion_code : block_.words.front();
-  if (modal_.plane != 0) return error("spline-plane", "a NURBS needs the plane G17", where);
+  if (modal_.plane != kPlaneXY) return error("spline-plane", "a NURBS needs the plane G17", where);
   if (modal_.incremental)
     return error("not-supported", "control points of a NURBS in G91 are not supported yet", where);
   if (modal_.comp != Code::comp_off)

@@ -90,8 +90,8 @@ double plane_scale(const Frame& frame, const Vec3& u, const Vec3& v) {
 }
 
 Basis plane_basis(int plane) {
-  if (plane == 1) return {{0, 0, 1}, {1, 0, 0}, {0, 1, 0}};
-  if (plane == 2) return {{0, 1, 0}, {0, 0, 1}, {1, 0, 0}};
+  if (plane == kPlaneZX) return {{0, 0, 1}, {1, 0, 0}, {0, 1, 0}};
+  if (plane == kPlaneYZ) return {{0, 1, 0}, {0, 0, 1}, {1, 0, 0}};
   return {};
 }
 

@@ -50,7 +50,10 @@ struct Basis {
   Vec3 u{1, 0, 0}, v{0, 1, 0}, w{0, 0, 1};
 };
 
-/// The axes of G17 (0), G18 (1, Z first) or G19 (2).
+/// The planes of G17, G18 (Z first) and G19, and the one across a normal that the program gives.
+inline constexpr int kPlaneXY = 0, kPlaneZX = 1, kPlaneYZ = 2, kPlaneOfNormal = 3;
+
+/// The axes of a plane, not that of a normal.
 Basis plane_basis(int plane);
 /// A right-handed basis about a unit normal.
 Basis normal_basis(const Vec3& normal);

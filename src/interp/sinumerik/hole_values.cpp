@@ -28,12 +28,13 @@ bool HoleValues::knows(std::string_view name) {
 // AXN drills along the first or second axis of the plane, and the unit of DMODE in G17, G18 or G19.
 // Otherwise the hole is along the normal of the plane in force, which is Y in G18.
 bool HoleValues::choose_plane() {
-  constexpr int kNormalTo[3][2] = {{2, 1}, {0, 2}, {1, 0}};
+  constexpr int kNormalTo[3][2] = {
+      {kPlaneYZ, kPlaneZX}, {kPlaneXY, kPlaneYZ}, {kPlaneZX, kPlaneXY}};
   const int axis = static_cast<int>(call_.get("AXN"));
   const int plane = call_.digit("DMODE", 0);
   if (plane >= 1 && plane <= 3) modal_.plane = plane - 1;
   if (axis == 1 || axis == 2) modal_.plane = kNormalTo[modal_.plane][axis - 1];
-  if (!lathe() || modal_.plane != 1) return true;
+  if (!lathe() || modal_.plane != kPlaneZX) return true;
   return error("cycle-plane",
                fmt::format("{} drills along the normal of the plane, which is Y in G18: say G17 "
                            "before it, for a hole along Z, and G18 behind it",

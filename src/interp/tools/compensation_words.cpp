@@ -37,7 +37,7 @@ bool CompensationWords::select(Code code, const Word& word) {
 bool CompensationWords::allows_block() {
   if (!is(Dialect::ngc) || modal_.comp == Code::comp_off) return true;
   const Word& where = block_.oneshot ? *block_.oneshot : block_.words.front();
-  if (modal_.plane == 2)
+  if (modal_.plane == kPlaneYZ)
     return error("comp-plane", "radius compensation works in G17 and G18 only", where);
   if (block_.comp_before == Code::comp_off) return true;
   const auto refused = [&](const char* what) {

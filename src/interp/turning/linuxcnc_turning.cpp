@@ -33,7 +33,7 @@ bool LinuxCncTurning::run() {
                  q ? *q : where_);
   contour_ = static_cast<long>(q->value);
   if (!goes_on(where_)) return false;
-  if (modal_.plane != 1)
+  if (modal_.plane != kPlaneZX)
     return error("cycle-plane", name + " needs the plane X Z: G18 before it", where_);
   if (modal_.comp != Code::comp_off && number_ != 70)
     return error("cycle-compensation", name + " under radius compensation: G40 before it", where_);

@@ -82,7 +82,7 @@ bool IsoWords::rewrite_polar() {
   Word* const radius = block_.search('R');
   constexpr std::string_view kOthers[] = {"XYLABCD", "XZLABCD", "YZLABCD"};
   constexpr std::string_view kCenters[] = {"IJ", "IK", "JK"}, kPitches[] = {"K", "J", "I"};
-  if (!angle || lathe() || modal_.plane > 2) return true;
+  if (!angle || lathe() || modal_.plane == kPlaneOfNormal) return true;
   const auto plane = static_cast<std::size_t>(modal_.plane);
   const bool centered = has_any(kCenters[plane]);
   if (has_any(kOthers[plane]) || (!centered && has_any(kPitches[plane]))) return true;
@@ -289,7 +289,7 @@ bool IsoWords::to_polar_origin(Word& word) {
   constexpr std::string_view kAxes[] = {"XY", "ZX", "YZ"};
   Word *const i = block_.search('I'), *const j = block_.search('J');
   if (!i && !j) return true;
-  if (!i || !j || block_.words.size() != 3 || modal_.plane > 2)
+  if (!i || !j || block_.words.size() != 3 || modal_.plane == kPlaneOfNormal)
     return error("value-missing",
                  "G93 I J, the origin of polar coordinates, stands alone with both", word);
   const std::string_view axes = kAxes[modal_.plane];

@@ -283,7 +283,7 @@ void ModalWords::select_cycle(const Word& word, int number) {
   cycle.pitched = word.value == 77 || word.value == 78;
   // FANUC lathes drill along Z, or along X from the side, whatever the plane.
   const bool turned = lathe() && is(Dialect::fanuc);
-  cycle.plane = !turned ? -1 : number >= 87 && (peek('X') || peek('U')) ? 2 : 0;
+  cycle.plane = !turned ? -1 : number >= 87 && (peek('X') || peek('U')) ? kPlaneYZ : kPlaneXY;
   cycle.file = block_.file;
   cycle.line = block_.line_number;
   cycle.call = block_.call;
@@ -294,11 +294,11 @@ bool ModalWords::apply_modal_code(const Word& word, const CodeEntry& entry) {
   switch (entry.code) {
     case Code::plane_xy:
     case Code::plane_2d:
-      return select_plane(0, word);
+      return select_plane(kPlaneXY, word);
     case Code::plane_zx:
-      return select_plane(1, word);
+      return select_plane(kPlaneZX, word);
     case Code::plane_yz:
-      return select_plane(2, word);
+      return select_plane(kPlaneYZ, word);
     case Code::plane_normal:
       return select_normal(word);
     case Code::absolute:
@@ -391,7 +391,7 @@ bool ModalWords::select_normal(const Word& word) {
   if (length(normal) < kTurnRounding)
     return error("value-missing", "G16 needs the normal vector I J K of the plane", word);
   modal_.normal = normalized(normal);
-  modal_.plane = 3;
+  modal_.plane = kPlaneOfNormal;
   return true;
 }
 
