@@ -1,11 +1,11 @@
 #include "compare/blame/regions.h"
 
+#include "core/numbers/disjoint_sets.h"
 #include "core/numbers/vec.h"
 #include "mesh/solid/half_edges.h"
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 
 namespace mrsim {
 namespace {
@@ -37,7 +37,7 @@ class Clusters {
   /// Members of each cluster, clusters in no particular order.
   std::vector<std::vector<std::uint32_t>> take() {
     std::vector<std::pair<std::uint32_t, std::uint32_t>> pairs;
-    for (const Member& m : members_) pairs.emplace_back(root(m.group), m.index);
+    for (const Member& m : members_) pairs.emplace_back(groups_.least(m.group), m.index);
     std::sort(pairs.begin(), pairs.end());
     std::vector<std::vector<std::uint32_t>> out;
     for (std::size_t i = 0; i < pairs.size(); ++i) {
@@ -60,15 +60,14 @@ class Clusters {
     return std::int32_t(std::clamp(std::floor(x / size_), -2e9, 2e9));
   }
 
-  // Makes one group of each cell and side, then unites the groups of neighbouring cells.
+  // Makes one group of each cell and side, then joins the groups of neighbouring cells.
   void join() {
     std::vector<std::uint32_t> firsts;
     for (std::uint32_t i = 0; i < members_.size(); ++i) {
       if (i == 0 || members_[i].key() != members_[i - 1].key()) firsts.push_back(i);
       members_[i].group = std::uint32_t(firsts.size() - 1);
     }
-    parent_.resize(firsts.size());
-    std::iota(parent_.begin(), parent_.end(), 0u);
+    groups_.grow(firsts.size());
     for (std::uint32_t g = 0; g < firsts.size(); ++g) {
       Member probe = members_[firsts[g]];
       const std::array<std::int32_t, 3> c = probe.cell;
@@ -78,24 +77,15 @@ class Clusters {
             firsts.begin(), firsts.end(), probe,
             [&](std::uint32_t i, const Member& m) { return members_[i].key() < m.key(); });
         if (at != firsts.end() && members_[*at].key() == probe.key())
-          unite(g, std::uint32_t(at - firsts.begin()));
+          groups_.join(g, std::uint32_t(at - firsts.begin()));
       }
     }
-  }
-  std::uint32_t root(std::uint32_t g) {
-    while (parent_[g] != g) g = parent_[g] = parent_[parent_[g]];
-    return g;
-  }
-  void unite(std::uint32_t a, std::uint32_t b) {
-    a = root(a);
-    b = root(b);
-    parent_[std::max(a, b)] = std::min(a, b);
   }
 
   const RegionInput& in_;
   double size_ = 1;
   std::vector<Member> members_;
-  std::vector<std::uint32_t> parent_;
+  DisjointSets groups_;
 };
 
 // The two fields as one list.

@@ -1,5 +1,6 @@
 #include "mesh/draw/edge_lines.h"
 
+#include "core/numbers/disjoint_sets.h"
 #include "core/process/parallel.h"
 #include "mesh/solid/half_edges.h"
 
@@ -84,20 +85,15 @@ void EdgeFinder::add_visible(std::uint32_t h, const LineStyle& style,
 std::vector<std::uint32_t> without_crumbs(const TriMesh& mesh,
                                           const std::vector<std::uint32_t>& creases,
                                           double shortest) {
-  std::vector<std::uint32_t> parent(mesh.vertices.size());
-  for (std::uint32_t v = 0; v < parent.size(); ++v) parent[v] = v;
-  const auto root = [&](std::uint32_t v) {
-    while (parent[v] != v) v = parent[v] = parent[parent[v]];
-    return v;
-  };
-  for (const std::uint32_t h : creases) parent[root(origin_of(mesh, h))] = root(target_of(mesh, h));
+  DisjointSets joined(mesh.vertices.size());
+  for (const std::uint32_t h : creases) joined.join(origin_of(mesh, h), target_of(mesh, h));
   std::vector<double> chain(mesh.vertices.size(), 0);
   for (const std::uint32_t h : creases)
-    chain[root(target_of(mesh, h))] += distance(to_vec(mesh.vertices[origin_of(mesh, h)]),
-                                                to_vec(mesh.vertices[target_of(mesh, h)]));
+    chain[joined.least(target_of(mesh, h))] += distance(to_vec(mesh.vertices[origin_of(mesh, h)]),
+                                                        to_vec(mesh.vertices[target_of(mesh, h)]));
   std::vector<std::uint32_t> kept;
   for (const std::uint32_t h : creases)
-    if (chain[root(target_of(mesh, h))] > shortest) kept.push_back(h);
+    if (chain[joined.least(target_of(mesh, h))] > shortest) kept.push_back(h);
   return kept;
 }
 

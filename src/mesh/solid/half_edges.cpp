@@ -1,5 +1,6 @@
 #include "mesh/solid/half_edges.h"
 
+#include "core/numbers/disjoint_sets.h"
 #include "core/process/parallel.h"
 
 #include <algorithm>
@@ -52,11 +53,6 @@ void resolve_edge(const Entry* first, const Entry* last, std::vector<std::uint32
   for (const Entry* e = first; e != last; ++e) opposite[e->half_edge] = fault;
 }
 
-std::uint32_t root_of(std::vector<std::uint32_t>& parent, std::uint32_t v) {
-  while (parent[v] != v) v = parent[v] = parent[parent[v]];
-  return v;
-}
-
 }  // namespace
 
 std::vector<std::uint32_t> find_opposites(Triangles triangles, std::size_t vertices, int threads) {
@@ -97,18 +93,14 @@ VertexFans half_edges_by_vertex(Triangles triangles, std::size_t vertices) {
 
 std::size_t find_components(Triangles triangles, std::size_t vertices,
                             std::vector<std::uint32_t>& component) {
-  std::vector<std::uint32_t> parent(vertices);
-  std::iota(parent.begin(), parent.end(), 0u);
-  for (const auto& t : triangles) {
-    const std::uint32_t a = root_of(parent, t[0]);
-    for (int k = 1; k < 3; ++k) parent[root_of(parent, t[k])] = a;
-  }
+  DisjointSets joined(vertices);
+  for (const auto& t : triangles) joined.join(joined.join(t[0], t[1]), t[2]);
   constexpr std::uint32_t kUnseen = ~0u;
   std::vector<std::uint32_t> number(vertices, kUnseen);
   component.resize(triangles.size());
   std::uint32_t count = 0;
   for (std::size_t f = 0; f < component.size(); ++f) {
-    std::uint32_t& n = number[root_of(parent, triangles[f][0])];
+    std::uint32_t& n = number[joined.least(triangles[f][0])];
     if (n == kUnseen) n = count++;
     component[f] = n;
   }

@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <map>
-#include <numeric>
 
 #include <fmt/format.h>
 
@@ -102,16 +101,6 @@ PartialSums sum_triangles(const MeshBlock& block, const std::vector<std::uint32_
 
 }  // namespace
 
-std::uint32_t MeshAudit::root(std::uint32_t node) const {
-  while (parent_[node] != node) node = parent_[node] = parent_[parent_[node]];
-  return node;
-}
-
-void MeshAudit::unite(std::uint32_t a, std::uint32_t b) {
-  a = root(a), b = root(b);
-  parent_[std::max(a, b)] = std::min(a, b);
-}
-
 void MeshAudit::take(const MeshBlock& block) {
   if (block.triangles.empty()) return first_node_.push_back(std::uint32_t(nodes_.size()));
   if (triangles_ == 0) center_ = to_vec(block.points[block.triangles[0][0]]);
@@ -134,8 +123,7 @@ void MeshAudit::add_components(const MeshBlock& block) {
   const auto first = static_cast<std::uint32_t>(nodes_.size());
   first_node_.push_back(first);
   nodes_.resize(first + count);
-  parent_.resize(first + count);
-  std::iota(parent_.begin() + first, parent_.end(), first);
+  joined_.grow(first + count);
   add_sums(block, component);
   node_of_.assign(block.points.size(), kNone);
   for (std::size_t f = 0; f < component.size(); ++f)
@@ -173,7 +161,7 @@ MeshAudit::Patch MeshAudit::patch_with(const MeshBlock& block) {
     if (found == patch.numbers.end() || *found != block.borrowed[v] ||
         patch.states[at[v]] != Patch::unfinished)
       throw InternalError("a block of the mesh borrows a vertex that is finished");
-    unite(node_of_[v], patch.nodes[at[v]]);
+    joined_.join(node_of_[v], patch.nodes[at[v]]);
   }
   for (std::size_t v = block.borrowed.size(); v < block.points.size(); ++v) {
     at[v] = static_cast<std::uint32_t>(patch.points.size());
@@ -268,15 +256,14 @@ void MeshAudit::check_vertices(std::span<const Patch::State> states,
 
 const std::vector<SurfaceComponent>& MeshAudit::components() const {
   if (!components_.empty()) return components_;
-  std::vector<std::uint32_t> roots;
-  for (std::uint32_t node = 0; node < nodes_.size(); ++node)
-    if (root(node) == node) roots.push_back(node);
-  // A root is the least of its nodes, so roots are in the order of their first triangles.
+  // The least node of a component comes first, so components are in the order of their first
+  // triangles.
   component_of_node_.resize(nodes_.size());
-  for (std::uint32_t c = 0; c < roots.size(); ++c) component_of_node_[roots[c]] = c;
-  components_.resize(roots.size());
   for (std::uint32_t node = 0; node < nodes_.size(); ++node) {
-    component_of_node_[node] = component_of_node_[root(node)];
+    const std::uint32_t least = joined_.least(node);
+    if (least == node) components_.emplace_back();
+    component_of_node_[node] = least == node ? static_cast<std::uint32_t>(components_.size() - 1)
+                                             : component_of_node_[least];
     add(components_[component_of_node_[node]], nodes_[node]);
   }
   return components_;

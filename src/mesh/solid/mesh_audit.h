@@ -6,6 +6,7 @@
 // order of the triangles, so the figures do not depend on the blocks.
 #pragma once
 
+#include "core/numbers/disjoint_sets.h"
 #include "mesh/solid/half_edges.h"
 #include "mesh/solid/mesh_block.h"
 #include <mrsim/types.h>
@@ -99,8 +100,6 @@ class MeshAudit final : public MeshSink {
                       std::span<const std::array<float, 3>> points, Triangles triangles,
                       const std::vector<std::uint32_t>& opposite);
   void keep_front(const Patch& patch);
-  std::uint32_t root(std::uint32_t node) const;
-  void unite(std::uint32_t a, std::uint32_t b);
 
   int threads_;
   std::uint64_t triangles_ = 0;
@@ -108,8 +107,8 @@ class MeshAudit final : public MeshSink {
   std::vector<std::uint32_t> first_node_;  ///< by block
   std::vector<SurfaceComponent> nodes_;    ///< a component within a block
   std::vector<std::uint32_t> node_of_;     ///< of the present block's points
-  mutable std::vector<std::uint32_t> parent_;
-  Patch front_;  ///< triangles about unfinished vertices
+  mutable DisjointSets joined_;            ///< nodes of one component of the mesh
+  Patch front_;                            ///< triangles about unfinished vertices
   Fault fault_;
   mutable std::vector<SurfaceComponent> components_;
   mutable std::vector<std::uint32_t> component_of_node_;

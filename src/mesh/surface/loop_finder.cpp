@@ -1,11 +1,11 @@
 #include "mesh/surface/loop_finder.h"
 
+#include "core/numbers/disjoint_sets.h"
 #include "core/process/error.h"
 #include "core/process/parallel.h"
 #include "mesh/points/vertex.h"
 
 #include <algorithm>
-#include <numeric>
 
 namespace mrsim::detail {
 namespace {
@@ -15,21 +15,6 @@ constexpr double kDiagonal = 1.4142135623730951;  ///< of a square
 // Of the two quadrants beside a face, cells come by low and high in the first half of the ring.
 int low_quadrant(int quadrant) { return quadrant < 2 ? quadrant : (quadrant + 1) & 3; }
 int high_quadrant(int quadrant) { return quadrant < 2 ? quadrant + 1 : quadrant; }
-
-std::int32_t root_of(std::vector<std::int32_t>& parent, std::int32_t i) {
-  while (parent[static_cast<std::size_t>(i)] != i) {
-    auto& p = parent[static_cast<std::size_t>(i)];
-    p = parent[static_cast<std::size_t>(p)];
-    i = p;
-  }
-  return i;
-}
-
-void join(std::vector<std::int32_t>& parent, std::int32_t a, std::int32_t b) {
-  a = root_of(parent, a);
-  b = root_of(parent, b);
-  if (a != b) parent[static_cast<std::size_t>(std::max(a, b))] = std::min(a, b);
-}
 
 // Both edges lie on one side of a face that is flat on `axis`.
 bool on_one_side(const MinimalEdge& a, const MinimalEdge& b, int axis) {
@@ -209,25 +194,25 @@ void LoopFinder::begin_loops() {
 }
 
 void LoopFinder::join_loops() {
-  std::vector<std::int32_t> parent(4 * crossings_.size());
-  std::iota(parent.begin(), parent.end(), 0);
+  const auto place = [](std::size_t crossing, int quadrant) {
+    return static_cast<std::uint32_t>(4 * crossing) + static_cast<std::uint32_t>(quadrant);
+  };
+  DisjointSets joined(4 * crossings_.size());
   for (std::size_t k = 0; k < crossings_.size(); ++k)
     for (int i = 0; i < 4; ++i)
       if (crossings_[k].cell(i) == crossings_[k].cell((i + 1) & 3))
-        join(parent, static_cast<std::int32_t>(4 * k) + i,
-             static_cast<std::int32_t>(4 * k) + ((i + 1) & 3));
+        joined.join(place(k, i), place(k, (i + 1) & 3));
   for (const Segment& s : segments_) {
-    join(parent, 4 * s.from + low_quadrant(s.from_quadrant),
-         4 * s.to + low_quadrant(s.to_quadrant));
-    join(parent, 4 * s.from + high_quadrant(s.from_quadrant),
-         4 * s.to + high_quadrant(s.to_quadrant));
+    const auto from = static_cast<std::size_t>(s.from), to = static_cast<std::size_t>(s.to);
+    joined.join(place(from, low_quadrant(s.from_quadrant)), place(to, low_quadrant(s.to_quadrant)));
+    joined.join(place(from, high_quadrant(s.from_quadrant)),
+                place(to, high_quadrant(s.to_quadrant)));
   }
   begin_loops();
-  std::vector<std::int32_t> loop_of_root(parent.size(), -1);
+  std::vector<std::int32_t> loop_of_set(joined.size(), -1);
   for (std::size_t k = 0; k < crossings_.size(); ++k)
     for (int i = 0; i < 4; ++i) {
-      const std::int32_t root = root_of(parent, static_cast<std::int32_t>(4 * k) + i);
-      std::int32_t& id = loop_of_root[static_cast<std::size_t>(root)];
+      std::int32_t& id = loop_of_set[joined.least(place(k, i))];
       if (id < 0) {
         id = static_cast<std::int32_t>(loops_.size());
         new_loop(crossings_[k].cell(i));
