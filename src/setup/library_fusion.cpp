@@ -35,6 +35,11 @@ constexpr FusionKind kFusionKinds[] = {{"flat end mill", ToolType::endmill},
                                        {"boring bar", ToolType::endmill},
                                        {"boring head", ToolType::endmill}};
 
+// In mm; 0 where there is none.
+double length_at(const Json& object, const char* key, double scale) {
+  return scale * json_number(object, key).value_or(0);
+}
+
 void read_angles(const Json& geometry, const std::string& kind, Tool& tool) {
   const double point = json_number(geometry, "SIG").value_or(0);
   const double taper = json_number(geometry, "TA").value_or(0);
@@ -47,9 +52,9 @@ void read_holder(const Json& entry, double scale, Tool& tool) {
   const Json& segments = json_at(json_at(entry, "holder"), "segments");
   if (!segments.is_array()) return;
   for (const Json& segment : segments) {
-    const double low = scale * json_number(segment, "lower-diameter").value_or(0);
-    const double high = scale * json_number(segment, "upper-diameter").value_or(0);
-    const double height = scale * json_number(segment, "height").value_or(0);
+    const double low = length_at(segment, "lower-diameter", scale);
+    const double high = length_at(segment, "upper-diameter", scale);
+    const double height = length_at(segment, "height", scale);
     if (low > 0 && high > 0 && height > 0 && tool.holder.size() < 100)
       tool.holder.push_back({low, high, height});
   }
@@ -57,9 +62,7 @@ void read_holder(const Json& entry, double scale, Tool& tool) {
 
 // A neck up to the shoulder, where it is thinner or thicker than the shank, then the shank.
 void read_shank(const Json& geometry, double scale, Tool& tool) {
-  const auto length = [&](const char* key) {
-    return scale * json_number(geometry, key).value_or(0);
-  };
+  const auto length = [&](const char* key) { return length_at(geometry, key, scale); };
   const double shank = length("SFDM"), body = length("LB");
   const double neck = length("shoulder-diameter"), shoulder = length("shoulder-length");
   if (!(tool.flute_length > 0)) return;
@@ -90,9 +93,7 @@ void read_tool(const Json& entry, const std::string& name, ToolLibrary& out) {
   tool.type = kind->type;
   const double scale = unit_of(entry);
   const Json& geometry = json_at(entry, "geometry");
-  const auto length = [&](const char* key) {
-    return scale * json_number(geometry, key).value_or(0);
-  };
+  const auto length = [&](const char* key) { return length_at(geometry, key, scale); };
   tool.diameter = length("DC");
   if (tool.type != ToolType::ballmill && tool.type != ToolType::drill)
     tool.corner_radius = length("RE");

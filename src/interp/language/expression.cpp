@@ -41,14 +41,18 @@ bool Evaluator::operand(std::string_view line, std::size_t& p, Value& out) {
   return finish(p, ok);
 }
 
-bool Evaluator::number_operand(std::string_view line, std::size_t& p, double& out) {
-  Value value;
-  const std::size_t from = p;
-  if (!operand(line, p, value)) return false;
+// Takes the value that stands from `from` to p. False: it is no number, or was never set.
+bool Evaluator::take_number(Value& value, std::size_t from, std::size_t& p, double& out) {
   if (!usable(value, from)) return finish(p, false);
   if (!value.is_number()) return fail("expression", "a number is needed here", from, p);
   out = value.number;
   return true;
+}
+
+bool Evaluator::number_operand(std::string_view line, std::size_t& p, double& out) {
+  Value value;
+  const std::size_t from = p;
+  return operand(line, p, value) && take_number(value, from, p, out);
 }
 
 bool Evaluator::variable_number(std::string_view line, std::size_t& p, double& out) {
@@ -63,11 +67,7 @@ bool Evaluator::variable_number(std::string_view line, std::size_t& p, double& o
 bool Evaluator::number_expression(std::string_view line, std::size_t& p, double& out) {
   Value value;
   const std::size_t from = p;
-  if (!expression(line, p, value)) return false;
-  if (!usable(value, from)) return finish(p, false);
-  if (!value.is_number()) return fail("expression", "a number is needed here", from, p);
-  out = value.number;
-  return true;
+  return expression(line, p, value) && take_number(value, from, p, out);
 }
 
 // Operands joined by operators of at least this level, equal levels from the left.

@@ -32,6 +32,7 @@ class Evaluator final : public Operands {
   bool combine(const OperatorRow& row, std::size_t from, Value& left, Value& right);
   void start(std::string_view line, std::size_t p);
   bool finish(std::size_t& p, bool ok);
+  bool take_number(Value& value, std::size_t from, std::size_t& p, double& out);
 
   std::size_t started_at_ = 0;
 };

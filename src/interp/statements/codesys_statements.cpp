@@ -17,11 +17,6 @@ constexpr std::size_t kLongestName = 80;
 constexpr std::size_t kMostArguments = 64;
 constexpr std::size_t kMostLabels = 10000;  // how many places of jump labels are kept
 
-std::size_t behind_blanks(std::string_view line, std::size_t p) {
-  while (p < line.size() && (line[p] == ' ' || line[p] == '\t')) ++p;
-  return p;
-}
-
 // The name at `p`. Of a name of more than 80 characters only the beginning, because each word of a
 // block without blanks looks for a name.
 std::string name_at(std::string_view line, std::size_t& p) {

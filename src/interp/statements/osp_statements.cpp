@@ -47,8 +47,7 @@ bool sets_picture(std::string_view line, std::size_t p) {
 bool draws_blank(std::string_view line, std::size_t p) {
   if (upper(line[p]) == 'V') return sets_picture(line, p);
   const std::string name = upper_case(name_from(line, p).substr(0, 6));
-  std::size_t behind = p + name.size();
-  while (behind < line.size() && (line[behind] == ' ' || line[behind] == '\t')) ++behind;
+  const std::size_t behind = behind_blanks(line, p + name.size());
   const std::string next = upper_case(name_from(line, behind).substr(0, 5));
   if (name == "DEF") return next == "WORK";
   if (name == "PS" || name == "PT") return next == "LC" || next == "RC" || next == "LF";

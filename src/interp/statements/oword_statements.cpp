@@ -30,7 +30,7 @@ bool OwordStatements::assignment(std::string_view line, std::size_t& p) {
   const DataReads data(reader_.watch());
   Pending one;
   one.from = p++;
-  while (p < line.size() && (line[p] == ' ' || line[p] == '\t')) ++p;
+  p = behind_blanks(line, p);
   one.named = p < line.size() && line[p] == '<';
   if (one.named ? !evaluator_.bracketed_name(line, p, one.name)
                 : !target_number(line, p, one.number))

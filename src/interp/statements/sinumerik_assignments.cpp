@@ -53,7 +53,7 @@ bool SinumerikAssignments::indices(std::string_view line, std::size_t& p, std::v
     Value value;
     if (!evaluator_.expression(line, p, value)) return report(evaluator_.fault());
     out.push_back(std::move(value));
-    p = blanks(line, p);
+    p = behind_blanks(line, p);
   } while (at(p) == ',' && out.size() < 3);
   if (at(p) != ']') return fail("bracket", "the [ here is not closed with ]", from, from + 1);
   ++p;
@@ -68,12 +68,12 @@ bool SinumerikAssignments::assignment(std::string_view line, std::size_t& p) {
   while (is_name(at(p))) ++p;
   const std::string name(line.substr(from, p - from));
   std::vector<Value> at_index;
-  p = blanks(line, p);
+  p = behind_blanks(line, p);
   if (at(p) == '[' && !indices(line, p, at_index)) return false;
   const std::size_t to = p;
-  p = blanks(line, p);
+  p = behind_blanks(line, p);
   if (at(p) != '=') return fail("assignment", "= is expected here (alarm 12080)", p, p + 1);
-  p = blanks(line, p + 1);
+  p = behind_blanks(line, p + 1);
   return assign_all(line, p, name, at_index, from, to);
 }
 
@@ -117,13 +117,13 @@ bool SinumerikAssignments::fill(std::string_view line, std::size_t& p, std::stri
   const std::size_t open = p;
   std::vector<std::optional<Value>> values;
   do {
-    p = blanks(line, p + 1);
+    p = behind_blanks(line, p + 1);
     values.emplace_back();
     if (at(p) == ',' || at(p) == ')') continue;
     Value value;
     if (!evaluator_.expression(line, p, value)) return report(evaluator_.fault());
     values.back() = std::move(value);
-    p = blanks(line, p);
+    p = behind_blanks(line, p);
   } while (at(p) == ',' && values.size() < kMostValues);
   if (at(p) != ')') return fail("bracket", "the ( here is not closed with )", open, open + 1);
   ++p;

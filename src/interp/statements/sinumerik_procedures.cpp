@@ -30,7 +30,7 @@ std::vector<SinumerikProcedures::Parameter> SinumerikProcedures::read_parameters
     std::string_view line, std::size_t& p) {
   std::vector<Parameter> out;
   word_at(line, p);
-  p = blanks(line, p);
+  p = behind_blanks(line, p);
   const std::size_t close = line.find(')', p);
   while (p < line.size() && p < close && close != std::string_view::npos) {
     Parameter one;
@@ -41,9 +41,9 @@ std::vector<SinumerikProcedures::Parameter> SinumerikProcedures::read_parameters
     one.type = type_named(word).value_or(VariableType::real);
     if (p < line.size() && line[p] == '[') p = std::min(line.find(']', p), line.size() - 1) + 1;
     one.name = word_at(line, p);
-    p = blanks(line, p);
+    p = behind_blanks(line, p);
     one.is_array = p < line.size() && line[p] == '[';
-    if (one.is_array) p = blanks(line, std::min(line.find(']', p), line.size() - 1) + 1);
+    if (one.is_array) p = behind_blanks(line, std::min(line.find(']', p), line.size() - 1) + 1);
     Value value;
     if (p < line.size() && line[p] == '=' && evaluator_.expression(line, ++p, value))
       one.initial = value;

@@ -25,7 +25,7 @@ bool SinumerikStatements::starts_statement(std::string_view line, std::size_t p)
   const std::size_t from = p;
   while (p < line.size() && is_name(line[p])) ++p;
   const std::string name = upper_case(line.substr(from, std::min<std::size_t>(p - from, 33)));
-  while (p < line.size() && (line[p] == ' ' || line[p] == '\t')) ++p;
+  p = behind_blanks(line, p);
   const char next = p < line.size() ? line[p] : '\0';
   if (name == "MCALL") {  // MCALL of a cycle is read elsewhere
     SubprogramName called;

@@ -26,13 +26,8 @@ bool is_structure(std::string_view word) {
   return std::find(std::begin(kStructures), std::end(kStructures), word) != std::end(kStructures);
 }
 
-std::size_t blanks(std::string_view line, std::size_t p) {
-  while (p < line.size() && (line[p] == ' ' || line[p] == '\t')) ++p;
-  return p;
-}
-
 std::string word_at(std::string_view line, std::size_t& p) {
-  p = blanks(line, p);
+  p = behind_blanks(line, p);
   const std::size_t from = p;
   while (p < line.size() && is_name(line[p])) ++p;
   return upper_case(line.substr(from, std::min<std::size_t>(p - from, 64)));

@@ -17,9 +17,6 @@ std::optional<VariableType> type_named(const std::string& name);
 /// only in lines as they are written.
 bool is_structure(std::string_view word);
 
-/// The place behind the blanks at `p`.
-std::size_t blanks(std::string_view line, std::size_t p);
-
 /// The name at `p` in upper case; `p` ends behind it.
 std::string word_at(std::string_view line, std::size_t& p);
 

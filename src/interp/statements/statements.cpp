@@ -157,7 +157,7 @@ LanguageReader::Answer Statements::value(std::string_view line, std::size_t& p, 
 
 bool Statements::starts_function(std::string_view line, std::size_t p) const {
   const std::string name = letters_of(line, p);
-  while (p < line.size() && (line[p] == ' ' || line[p] == '\t')) ++p;
+  p = behind_blanks(line, p);
   if (p >= line.size() || line[p] != '[' || name.size() < 2) return false;
   for (const FunctionRow& row : evaluator_.rules().functions)
     if (row.name == name) return true;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <string>
 #include <string_view>
 
@@ -16,6 +17,12 @@ constexpr bool starts_number(char c) { return is_digit(c) || c == '+' || c == '-
 /// Exact: a mantissa below 2^53 divided by a power of ten up to 10^22 is correctly rounded.
 inline constexpr std::array<double, 16> kPowersOfTen = {
     1e0, 1e1, 1e2, 1e3, 1e4, 1e5, 1e6, 1e7, 1e8, 1e9, 1e10, 1e11, 1e12, 1e13, 1e14, 1e15};
+
+/// The first place from `p` on that holds no blank and no tab.
+constexpr std::size_t behind_blanks(std::string_view line, std::size_t p) {
+  while (p < line.size() && (line[p] == ' ' || line[p] == '\t')) ++p;
+  return p;
+}
 
 inline std::string upper_case(std::string_view text) {
   std::string out(text);

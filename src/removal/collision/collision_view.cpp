@@ -3,13 +3,10 @@
 #include "core/numbers/vec.h"
 
 namespace mrsim {
-namespace {
 
 Vec3 out_of(const SweepTable& sweeps, std::uint32_t i, const Vec3& p) {
   return sweeps.gradient(i, p, sweeps.sample(i, p).patch);
 }
-
-}  // namespace
 
 double CollisionView::cut_distance(std::uint32_t cut, const Vec3& p) const {
   double d = 0;

@@ -20,7 +20,7 @@ class CollisionView {
   virtual double stock_distance(const Vec3& p) const = 0;
   virtual Vec3 out_of_stock(const Vec3& p) const = 0;
 
-  /// By place in the ascending list.
+  /// One distance for each of the ascending list, in its order.
   virtual void cut_distances(std::span<const std::uint32_t> cuts, const Vec3& p,
                              double* out) const = 0;
   virtual void mover_distances(std::span<const std::uint32_t> movers, const Vec3& p,
@@ -35,6 +35,8 @@ class CollisionView {
   virtual Vec3 drawn_onto(std::uint32_t mover, const Vec3& p) const = 0;
 };
 
+/// The direction that leads out of sweep i at p.
+Vec3 out_of(const SweepTable& sweeps, std::uint32_t i, const Vec3& p);
 /// A point of sweep i near p, on its surface unless p is in it.
 Vec3 drawn_onto(const SweepTable& sweeps, std::uint32_t i, const Vec3& p);
 

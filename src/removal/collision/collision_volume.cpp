@@ -61,13 +61,10 @@ double inner_share(const Box3& box, double outside, const Vec3& normal) {
 double VolumeSearch::share_within(const Node& node) const {
   const Vec3 p = 0.5 * (node.box.lo + node.box.hi);
   const StockSolid& solid = scene_.part.solid();
-  const auto normal = [&p](const SweepTable& sweeps, std::uint32_t i) {
-    return sweeps.gradient(i, p, sweeps.sample(i, p).patch);
-  };
   double share = inner_share(node.box, node.stock, solid.gradient(p, solid.sample(p).patch)) - 1;
-  share += inner_share(node.box, node.mover, normal(scene_.movers.sweeps, node.nearest_mover));
+  share += inner_share(node.box, node.mover, out_of(scene_.movers.sweeps, node.nearest_mover, p));
   if (!node.cuts.empty())
-    share += inner_share(node.box, node.cut, normal(scene_.part.sweeps(), node.deepest_cut)) - 1;
+    share += inner_share(node.box, node.cut, out_of(scene_.part.sweeps(), node.deepest_cut, p)) - 1;
   return std::max(share, 0.0);
 }
 
