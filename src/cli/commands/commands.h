@@ -45,16 +45,16 @@ int run_told(const std::function<int()>& work, const std::function<void(const Fa
 Arguments typed_arguments(int argc, const char* const* argv);
 
 int run_simulate(const Arguments& arguments);
-/// Runs the program to earlier moments, once the whole of it has been run.
+/// Chooses the runs to earlier moments, once the whole program has been run.
 using FrameChoice = std::function<std::vector<Arguments>(const JobResult& whole)>;
-/// `result` has what was found. The files of the frames, if any, appear with those of the whole.
+/// Fills `result`. The files of the chosen frames appear together with those of the whole run.
 int run_simulate(const Arguments& arguments, JobResult& result,
                  const FrameChoice& choose_frames = {});
 /// Writes --json and --junit of a run whose command line, tools or job were refused with `error`.
 void tell_refused(const Arguments& refused, const Error& error);
-/// The parts of arguments.frames moments: all of them or none.
+/// Writes the parts at arguments.frames moments: all of them or none.
 int run_frames(const Arguments& arguments);
-/// A picture of the part at each of arguments.frames moments, or the film of them.
+/// Draws the part at each of arguments.frames moments, as pictures or as a film of them.
 int run_picture_frames(const Arguments& arguments);
 /// Throws Error "output-format" for a name that promises another picture than a PNG.
 void require_png(const std::string& path);

@@ -28,8 +28,6 @@
 namespace mrsim::cli {
 namespace {
 
-// A film of pictures is made by ffmpeg, where that is installed.
-
 // Runs ffmpeg. Returns its exit code, or -1 if it did not exit.
 int run_ffmpeg(const std::vector<std::string>& words) {
   const pid_t child = start_program(words, ProgramLife::ours);
@@ -64,7 +62,8 @@ std::string make_film(const std::string& folder) {
   return film;
 }
 
-// Number of motions until each moment but the last, none before the first cut is done.
+// How many motions run until each moment, the last one excepted: at least those up to the end of
+// the first cut.
 std::vector<std::size_t> frame_ends(const JobResult& whole, const Arguments& arguments) {
   const Program& program = whole.program;
   const std::vector<double>& shares =

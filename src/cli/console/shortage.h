@@ -11,7 +11,7 @@ struct Shortage {
   const char* text;
 };
 
-/// What the system refused where `error` says that it did; null for other faults.
+/// The shortage that `error` stands for; null where it is another fault.
 const Shortage* find_shortage(const std::exception& error);
 
 /// From now on a shortage that no caller can catch ends the process with exit 1 and an error:

@@ -38,15 +38,15 @@ class LoopWatch {
   void count_work(std::uint64_t count) { work_ += count; }
 
   bool is_on() const { return on_; }
-  /// The block reads a variable. It decides about the way of the program, but for data().
+  /// The block reads a variable, which decides about the program's way unless set_data(true) holds.
   void read(const VariableKey& variable);
-  /// The block reads what changes by itself: a state of the control.
+  /// The block reads a state of the control, which may change without an assignment.
   void read_state();
   bool knows_change_of(const VariableKey& variable) const { return before_.contains(variable); }
-  /// The block sets a variable, which held `before` at the first time.
+  /// The block sets a variable. `before`: what it held until then; the first call's counts.
   void write(const VariableKey& variable, const std::optional<std::string>& before);
 
-  /// A variable of a level comes to be.
+  /// A variable is defined at this level of calls.
   void define(std::size_t level) {
     if (level <= level_) forget();
   }
@@ -57,7 +57,7 @@ class LoopWatch {
   bool set_data(bool data);
   /// Something changes that may decide about the way and is not a variable.
   void forget() { on_ = false; }
-  /// A program or subprogram ends, or runs again, which is the `depth`th inside one another.
+  /// A program or subprogram ends or runs again. `depth`: how many calls it lies inside of.
   void leave(std::size_t depth);
   /// A counter that is no variable changes, in the loop from `begin` to `end`.
   void count_pass(std::size_t depth, const Place& begin, const Place& end);

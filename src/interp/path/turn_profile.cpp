@@ -41,7 +41,7 @@ View view_of(const Pieces& pieces, bool across) {
   return view;
 }
 
-Pieces seen(Pieces pieces, const View& view) {
+Pieces turned_to_view(Pieces pieces, const View& view) {
   for (ProfilePiece& piece : pieces) {
     piece.start = view.to(piece.start);
     piece.end = view.to(piece.end);
@@ -207,7 +207,7 @@ ProfileFault join_all(Pieces& pieces) {
 
 // Leaves an allowance on the contour, on the side from which the tool comes. A step is at
 // most half of the shortest piece, so that a piece becomes short before it vanishes.
-ProfileFault leave(Pieces& pieces, double allowance) {
+ProfileFault leave_allowance(Pieces& pieces, double allowance) {
   const ProfilePiece way = pieces.front();
   const Vec2 first = way.end - way.start, whole = pieces.back().start - way.start;
   if (cross(whole, first) < 0) allowance = -allowance;
@@ -234,7 +234,8 @@ ProfileFault leave(Pieces& pieces, double allowance) {
   return {};
 }
 
-void show(const std::vector<ProfileMove>& moves, const View& view, std::vector<ProfileMove>& out) {
+void append_turned_back(const std::vector<ProfileMove>& moves, const View& view,
+                        std::vector<ProfileMove>& out) {
   for (ProfileMove move : moves) {
     move.end = view.from(move.end);
     move.center = view.from(move.center);
@@ -264,10 +265,11 @@ bool all_run_on(const Pieces& pieces) { return std::all_of(pieces.begin(), piece
 ProfileFault rough_profile(Pieces pieces, const Roughing& how, std::vector<ProfileMove>& out) {
   lead_out(pieces, how.across);
   const View view = view_of(pieces, how.across);
-  pieces = seen(std::move(pieces), view);
+  pieces = turned_to_view(std::move(pieces), view);
   if (ProfileFault fault = make_corners(pieces); !fault.text.empty()) return fault;
   if (ProfileFault fault = check_direction(pieces, view); !fault.text.empty()) return fault;
-  if (ProfileFault fault = leave(pieces, how.allowance); !fault.text.empty()) return fault;
+  if (ProfileFault fault = leave_allowance(pieces, how.allowance); !fault.text.empty())
+    return fault;
   std::vector<ProfileMove> moves(1);
   moves[0].end = pieces.front().start;
   const ProfilePiece& last = pieces.back();
@@ -279,22 +281,22 @@ ProfileFault rough_profile(Pieces pieces, const Roughing& how, std::vector<Profi
     pieces.push_back(up);
   }
   ProfileFault fault = LevelCuts(pieces, how, moves).run();
-  show(moves, view, out);
+  append_turned_back(moves, view, out);
   return fault;
 }
 
 ProfileFault finish_profile(Pieces pieces, const Finishing& how, std::vector<ProfileMove>& out) {
   const Pieces contour(pieces.begin() + 1, pieces.end());
-  const bool across = !all_run_on(seen(contour, view_of(contour, false)));
+  const bool across = !all_run_on(turned_to_view(contour, view_of(contour, false)));
   const View view = view_of(pieces, across);
-  pieces = seen(std::move(pieces), view);
+  pieces = turned_to_view(std::move(pieces), view);
   if (ProfileFault fault = make_corners(pieces); !fault.text.empty()) return fault;
   if (ProfileFault fault = check_direction(pieces, view); !fault.text.empty()) return fault;
   std::vector<ProfileMove> moves;
   for (int pass = how.passes; pass > 0; --pass) {
     Pieces path = pieces;
     const double share = static_cast<double>(pass - 1) / how.passes;
-    ProfileFault fault = leave(path, share * (how.first - how.last) + how.last);
+    ProfileFault fault = leave_allowance(path, share * (how.first - how.last) + how.last);
     if (!fault.text.empty()) return fault;
     ProfileMove start;
     start.end = path[0].start;
@@ -311,7 +313,7 @@ ProfileFault finish_profile(Pieces pieces, const Finishing& how, std::vector<Pro
       moves.push_back(move);
     }
   }
-  show(moves, view, out);
+  append_turned_back(moves, view, out);
   return {};
 }
 

@@ -23,7 +23,7 @@ constexpr std::size_t kMostCells = 4096;  ///< cells from which the memory is es
 constexpr double kCell = 1850, kThirdFace = 3000, kTurningFaces = 30000, kSampledFace = 1200;
 constexpr double kCandidate = 6;
 
-// Bytes of all memory that is expected, for each node that there is in the end; measured.
+// Bytes that the whole run takes for each node of the finished octree; measured.
 constexpr double kNodeOfAll = 1500;
 
 // Bytes at the peak of a mesh that was made, by what there is in the end; fitted to the peaks of

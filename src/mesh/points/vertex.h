@@ -13,8 +13,8 @@ namespace mrsim::detail {
 SurfacePoint point_in_face(const Probe& probe, const Box3& room, int axis, const Vec3& start,
                            const FieldSample& face);
 
-/// A point of the surface between the middle of `room` and one of the points, of which the two
-/// nearest in order lie on different sides. Requires: points on the border of the room.
+/// Where the surface crosses the straight way from the middle of `room` to the first of the points
+/// that lies on its other side; count = 0: none does. Requires: points on the border of the room.
 SurfacePoint point_towards_middle(const Probe& probe, const Box3& room,
                                   std::span<const Vec3> points);
 
@@ -35,7 +35,7 @@ SurfacePoint point_in_cell(const Probe& probe, const Box3& room, const CellHints
 SurfacePoint crease_near(const Probe& probe, const Box3& room, int axis, const Vec3& start,
                          std::span<const FieldSample> faces);
 
-/// Does what crease_near() does, for the corner of three of the faces, in no plane.
+/// Does what crease_near() does for the corner of three of the faces, wherever in space it lies.
 SurfacePoint corner_near(const Probe& probe, const Box3& room, const Vec3& start,
                          std::span<const FieldSample> faces);
 

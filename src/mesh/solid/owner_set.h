@@ -10,8 +10,8 @@ namespace mrsim {
 
 class OwnerSet {
  public:
-  /// Cost: about a nanosecond for each of them; memory a bit for each number up to the largest, the
-  /// few beyond 2^26 apart.
+  /// Takes about a nanosecond an owner, and a bit of memory for each number up to the largest. The
+  /// few numbers beyond 2^26 are kept in a set.
   void add(std::span<const std::int32_t> owners);
   void clear() { *this = {}; }
   /// Ascending, each once.

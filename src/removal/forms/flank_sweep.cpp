@@ -121,8 +121,8 @@ class FlankOnArc {
     best_ = f, at_ = w;
     known_ = (at_tip || along <= edge_.length) && (f > 0 || is_nearest(rho, z, f));
   }
-  // Within the tool its foot on tip and flank says nothing of the other faces, and a flat tip may
-  // be deeper than the mill with the same one.
+  // Within the tool another face may be nearer than tip and flank. Within a flat tip the tool may
+  // be deeper than the mill with the same tip.
   bool is_nearest(double rho, double z, double f) const {
     return core_ == 0 && std::fabs(tool_.distance({rho, z}) - f) <= kSameDistance;
   }

@@ -1,5 +1,6 @@
-// The distance from a tool's outline, for one point (V = double) or several: Profile::distance edge
-// by edge, with its bits. Included once per instruction set after falling_lanes.inl.
+// The distance from a tool's outline, for one point (V = double) or several. Goes edge by edge, as
+// Profile::distance does, and gives the same bits. Included once per instruction set after
+// falling_lanes.inl.
 
 MRSIM_LANE M select_mask(M m, M a, M b) { return either(both(m, a), except(b, m)); }
 
@@ -17,8 +18,8 @@ struct OutlineFoot {
   M outside;
 };
 
-// `side` is the signed distance from the edge continued, which counts where `inside`, between both
-// ends; else the end a does where `at_a`, and b elsewhere.
+// `side` is the signed distance from the edge's whole line or circle. It counts where the point
+// lies between both ends of the edge (`inside`). Elsewhere an end counts: a where `at_a`, else b.
 MRSIM_LANE OutlineFoot outline_foot(const OutlineEdge& e, V ax, V ay, V bx, V by, V side, M inside,
                                     M at_a) {
   const V to_a = ax * ax + ay * ay, to_b = bx * bx + by * by;
