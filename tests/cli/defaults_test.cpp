@@ -240,6 +240,18 @@ TEST_F(Defaults, ChamferOfOnePartDoesNotKeepALargeSheetFromItsTolerance) {
   EXPECT_LT(j["mesh"]["triangles"], 60'000);
 }
 
+// The facets of a stock that another run has left are scanned, too.
+TEST_F(Defaults, VoxelIsRaisedForACurvedStock) {
+  write("round.nc", "G21 G90\nT1 M6\nG0 X-50 Y0 Z2\nG1 Z-1 F100\nG2 X-50 Y0 I50 J0\nG0 Z2\n");
+  ASSERT_EQ(run("round.nc --stock cylinder:120,-40,0 --tool 1=flat:d=10 -q -o round.stl").code, 0);
+  groove("flat:d=10", "");
+  ASSERT_EQ(run("groove.nc --stock round.stl --tool 1=flat:d=10 -q -o p.stl --json r.json").code,
+            0);
+  const Json j = Json::parse(read("r.json"));
+  EXPECT_NE(j["voxel"]["reason"].get<std::string>().find("the stock's curved surface is large"),
+            std::string::npos);
+}
+
 // A contour at one depth and holes, no stock: all of it is in the part, and no rapid meets it.
 TEST_F(Defaults, StockEndsAtZeroAboveAContourAndHoles) {
   write("part.nc",

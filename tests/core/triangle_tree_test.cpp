@@ -81,6 +81,21 @@ TEST(TriangleTree, FindsTheNearestOfAll) {
   }
 }
 
+// The caps of a cylinder are fans of long triangles side by side.
+TEST(TriangleTree, PiecesOfLongTrianglesChangeNothing) {
+  const TriMesh mesh = testing::cylinder_mesh(150, 40, -3, 0);
+  const TriangleTree whole(mesh), pieces(mesh, TriangleTree::Boxes::pieces);
+  std::mt19937_64 random(testing::salted(4));
+  std::uniform_real_distribution<double> u(-45, 45), z(-4, 1);
+  for (int i = 0; i < 5000; ++i) {
+    const Vec3 p{u(random), u(random), z(random)};
+    const auto a = whole.nearest(p), b = pieces.nearest(p);
+    ASSERT_EQ(a.triangle, b.triangle);
+    ASSERT_EQ(a.distance2, b.distance2);
+    ASSERT_EQ(whole.is_near(p, 0.5), pieces.is_near(p, 0.5));
+  }
+}
+
 TEST(NearestOnTriangle, AgreesWithDenseSampling) {
   std::mt19937_64 random(testing::salted(3));
   std::uniform_real_distribution<double> u(-1, 1);

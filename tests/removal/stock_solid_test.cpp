@@ -76,6 +76,47 @@ TEST(StockSolid, MeshIsExact) {
   EXPECT_NE(mesh.sample({20, -20, 9.5}).patch, mesh.sample({20, -20, 0.5}).patch);
 }
 
+// Of a mesh, also right after another solid was asked, whose last place must not count.
+TEST(StockSolid, DistancesThatDecideAreExact) {
+  StockShape shape;
+  shape.kind = StockShape::Kind::mesh;
+  const auto sphere = [&](double radius) {
+    shape.mesh = testing::sphere_mesh(24, radius, {});
+    shape.box = {{-radius, -radius, -radius}, {radius, radius, radius}};
+    return StockSolid(shape);
+  };
+  const StockSolid large = sphere(20), small = sphere(6);
+  std::mt19937_64 random(testing::salted(5));
+  std::uniform_real_distribution<double> u(-20, 20), step(-0.5, 0.5);
+  Vec3 p;
+  std::size_t lower = 0;
+  for (int i = 0; i < 20000; ++i) {
+    p = i % 10 == 0 ? Vec3{u(random), u(random), u(random)}
+                    : p + Vec3{step(random), step(random), step(random)};
+    const double least = 0.5 * u(random);
+    const StockSolid& solid = i / 50 % 2 == 0 ? large : small;
+    const double found = solid.sample(p, least).distance, exact = solid.distance(p);
+    ASSERT_EQ(found >= least, exact >= least);
+    if (exact >= least) {
+      ASSERT_EQ(found, exact);
+    }
+    lower += found != exact;
+  }
+  EXPECT_GT(lower, 0u);
+}
+
+// Large flat faces are none: those of a box, and the caps of a cylinder.
+TEST(StockSolid, FacetsAreWhatIsNotFlat) {
+  StockShape shape;
+  shape.kind = StockShape::Kind::mesh;
+  shape.mesh = testing::box_mesh({0, 0, 0}, {30, 20, 10});
+  shape.box = {{0, 0, 0}, {30, 20, 10}};
+  EXPECT_EQ(StockSolid(shape).facet_area(), 0);
+  shape.mesh = testing::cylinder_mesh(200, 10, 0, 5);
+  shape.box = {{-10, -10, 0}, {10, 10, 5}};
+  EXPECT_NEAR(StockSolid(shape).facet_area(), 100 * kPi, 0.1);
+}
+
 TEST(StockSolid, RefusesWhatHasNoVolume) {
   EXPECT_THROW(StockSolid(testing::box_stock({0, 0, 0}, {1, 1, 0})), Error);
   EXPECT_THROW(StockSolid(testing::round_stock(5, 5, 0, 1)), Error);

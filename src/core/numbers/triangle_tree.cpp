@@ -1,11 +1,13 @@
 #include "core/numbers/triangle_tree.h"
 
+#include "core/numbers/rounding.h"
 #include "core/numbers/trig.h"
 #include "core/numbers/vec.h"
 #include "core/process/error.h"
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <limits>
 #include <numeric>
 
@@ -14,7 +16,8 @@ namespace {
 
 constexpr std::uint32_t kLeafSize = 4;
 constexpr std::uint32_t kNoNeighbor = 0xFFFFFFFFu;
-constexpr double kNeedle = 1e-12;  ///< squared sine of an angle: the triangle is its sides
+constexpr double kPieceLength = 0.5;  ///< of the mean length of the triangles' boxes, or more
+constexpr double kNeedle = 1e-12;     ///< squared sine of an angle: the triangle is its sides
 
 Vec3 to_vec(const std::array<float, 3>& v) { return {v[0], v[1], v[2]}; }
 
@@ -82,6 +85,57 @@ TrianglePoint nearest_on_sides(const Vec3& p, const std::array<Vec3, 3>& corners
   return best;
 }
 
+std::size_t longest_axis(const FloatBox& box) {
+  std::size_t axis = 0;
+  for (std::size_t k = 1; k < 3; ++k)
+    if (box.hi[k] - box.lo[k] > box.hi[axis] - box.lo[axis]) axis = k;
+  return axis;
+}
+
+double extent(const FloatBox& box, std::size_t axis) {
+  return static_cast<double>(box.hi[axis]) - box.lo[axis];
+}
+
+// Rounded outwards, by more than the rounding of p.
+void extend_to(FloatBox& box, const Vec3& p) {
+  const std::array<float, 3> at{static_cast<float>(p.x), static_cast<float>(p.y),
+                                static_cast<float>(p.z)};
+  for (std::size_t k = 0; k < 3; ++k) {
+    box.lo[k] = std::min(box.lo[k], std::nextafter(at[k], -FloatBox::kFar));
+    box.hi[k] = std::max(box.hi[k], std::nextafter(at[k], FloatBox::kFar));
+  }
+}
+
+// The box about what a triangle has between two planes across an axis.
+FloatBox box_between(const TriangleTree::Corners& k, std::size_t axis, double from, double to) {
+  const std::array<Vec3, 3> corners{k.a, k.b, k.c};
+  const auto along = [&](const Vec3& p) { return axis == 0 ? p.x : axis == 1 ? p.y : p.z; };
+  FloatBox box;
+  for (std::size_t i = 0; i < 3; ++i) {
+    const Vec3 &a = corners[i], &b = corners[(i + 1) % 3];
+    const double first = along(a), last = along(b);
+    if (first >= from && first <= to) extend_to(box, a);
+    for (const double plane : {from, to})
+      if ((first < plane) != (last < plane))
+        extend_to(box, a + ((plane - first) / (last - first)) * (b - a));
+  }
+  return box;
+}
+
+// The boxes of a triangle's pieces of about that length, across its longest extent.
+void add_pieces(const TriangleTree::Corners& corners, const FloatBox& whole, double length,
+                std::vector<FloatBox>& boxes) {
+  const std::size_t axis = longest_axis(whole);
+  const double low = whole.lo[axis], all = extent(whole, axis);
+  const double count = length > 0 ? std::ceil(all / length) : 1;
+  if (count < 2) {
+    boxes.push_back(whole);
+    return;
+  }
+  for (double k = 0; k < count; ++k)
+    boxes.push_back(box_between(corners, axis, low + k / count * all, low + (k + 1) / count * all));
+}
+
 }  // namespace
 
 TrianglePoint nearest_on_triangle(const Vec3& p, const Vec3& a, const Vec3& b, const Vec3& c) {
@@ -90,17 +144,34 @@ TrianglePoint nearest_on_triangle(const Vec3& p, const Vec3& a, const Vec3& b, c
                                                                    : nearest_on_sides(p, {a, b, c});
 }
 
-TriangleTree::TriangleTree(const TriMesh& mesh)
+TriangleTree::TriangleTree(const TriMesh& mesh, Boxes boxes)
     : vertices_(mesh.vertices), triangles_(mesh.triangles) {
   MRSIM_ASSERT(!triangles_.empty());
   for (const auto& v : vertices_) extend(bounds_, to_vec(v));
-  std::vector<FloatBox> boxes(triangles_.size());
-  for (std::size_t t = 0; t < boxes.size(); ++t)
-    for (const std::uint32_t v : triangles_[t]) boxes[t].extend({vertices_[v], vertices_[v]});
-  std::vector<std::uint32_t> order(triangles_.size());
+  build_boxes(boxes);
+  build_normals();
+}
+
+// The boxes of long triangles side by side overlap everywhere; those of their pieces do not.
+void TriangleTree::build_boxes(Boxes kind) {
+  std::vector<FloatBox> whole(triangles_.size());
+  double sum = 0;
+  for (std::size_t t = 0; t < whole.size(); ++t) {
+    for (const std::uint32_t v : triangles_[t]) whole[t].extend({vertices_[v], vertices_[v]});
+    sum += extent(whole[t], longest_axis(whole[t]));
+  }
+  const double piece =
+      kind == Boxes::pieces ? kPieceLength * sum / static_cast<double>(whole.size()) : kInfinity;
+  std::vector<FloatBox> boxes;
+  std::vector<std::uint32_t> owners;
+  for (std::uint32_t t = 0; t < whole.size(); ++t) {
+    add_pieces(corners(t), whole[t], piece, boxes);
+    owners.resize(boxes.size(), t);
+  }
+  std::vector<std::uint32_t> order(boxes.size());
   std::iota(order.begin(), order.end(), 0u);
   boxes_ = BoxTree(boxes, std::move(order), kLeafSize);
-  build_normals();
+  boxes_.rename(owners);
 }
 
 TriangleTree::Corners TriangleTree::corners(std::uint32_t triangle) const {
@@ -111,6 +182,11 @@ TriangleTree::Corners TriangleTree::corners(std::uint32_t triangle) const {
 Vec3 TriangleTree::normal(std::uint32_t triangle) const {
   const Corners k = corners(triangle);
   return normalized(cross(k.b - k.a, k.c - k.a));
+}
+
+double TriangleTree::area(std::uint32_t triangle) const {
+  const Corners k = corners(triangle);
+  return length(cross(k.b - k.a, k.c - k.a)) / 2;
 }
 
 void TriangleTree::build_normals() {

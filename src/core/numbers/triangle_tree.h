@@ -39,8 +39,13 @@ class TriangleTree {
     Vec3 a, b, c;
   };
 
+  /// What has a box of its own: triangles, or their pieces where they are longer than most. Pieces
+  /// take up to three times the memory of boxes and make searches among long, thin triangles,
+  /// whose boxes overlap, three times as fast.
+  enum class Boxes : std::uint8_t { triangles, pieces };
+
   /// Requires: at least one triangle, indices in range, finite vertices.
-  explicit TriangleTree(const TriMesh& mesh);
+  explicit TriangleTree(const TriMesh& mesh, Boxes boxes = Boxes::triangles);
 
   /// The nearest point of the mesh; of several triangles at the same distance the one with the
   /// least index. A `hint` (any triangle, such as the one nearest to a neighbour of p) makes the
@@ -52,7 +57,7 @@ class TriangleTree {
   /// `most`, mm. Without one the distance is infinite.
   TrianglePoint nearest_in_plan(const Vec3& p, double most) const;
   /// Calls visit(triangle) for all triangles that may touch the box, in a fixed order, until it
-  /// returns false.
+  /// returns false; a triangle that has pieces may come more than once.
   template <class Visit>
   void visit(const Box3& box, Visit&& visit) const;
   /// Outward pseudonormal of the feature that was hit, not of unit length.
@@ -63,6 +68,7 @@ class TriangleTree {
   /// Unit normal of a triangle; zero for one without area.
   Vec3 normal(std::uint32_t triangle) const;
   Corners corners(std::uint32_t triangle) const;
+  double area(std::uint32_t triangle) const;  ///< mm^2
   /// Triangles across the edges from corner i to the next; size() or more where there is none.
   const std::array<std::uint32_t, 3>& neighbors(std::uint32_t triangle) const {
     return neighbors_[triangle];
@@ -72,6 +78,7 @@ class TriangleTree {
   std::size_t memory() const;
 
  private:
+  void build_boxes(Boxes boxes);
   void build_normals();
   static double plan_distance2(const FloatBox& box, const Vec3& p);
   static double box_distance2(const FloatBox& box, const Vec3& p);

@@ -163,6 +163,8 @@ class ExactField {
 
   /// Whether the stock before the first cut is a box with sides along the axes.
   virtual bool has_box_stock() const { return false; }
+  /// mm^2 of a stock that is a mesh, but for its large flat faces.
+  virtual double facet_area() const { return 0; }
 
   /// A box that holds the whole part.
   virtual Box3 bounds() const = 0;

@@ -222,7 +222,7 @@ bool PartField::expand_packs(const Box3& box, double band,
 
 // d at p from the distance of the nearest sweep.
 FieldSample PartField::decide(const Vec3& p, const SweepTable::Nearest& cut) const {
-  const StockSolid::Sample stock = solid_.sample(p);
+  const StockSolid::Sample stock = solid_.sample(p, -cut.distance);
   if (stock.distance >= -cut.distance) return {stock.distance, kStockOwner, stock.patch};
   return {-cut.distance, sweeps_.motion(cut.sweep), sweeps_.patch(cut.sweep, p, cut.t)};
 }
@@ -266,7 +266,7 @@ void PartField::distances(std::span<const Vec3> points, std::span<const std::uin
       continue;
     }
     sweeps_.least(candidates, columns);
-    solid_.distances(columns.count, columns.x, columns.y, columns.z, stock);
+    solid_.distances(columns.count, columns.x, columns.y, columns.z, stock, columns.least);
     for (std::size_t k = 0; k < columns.count; ++k)
       out[k] = stock[k] >= -columns.least[k] ? stock[k] : -columns.least[k];
     if (deciders == nullptr) continue;

@@ -7,6 +7,7 @@
 #include "removal/field/face_range.h"
 
 #include <algorithm>
+#include <atomic>
 
 namespace mrsim {
 namespace {
@@ -14,6 +15,8 @@ namespace {
 // Neighbouring triangles whose normals agree within 1e-4 rad are one flat face: float32 coordinates
 // are no more precise.
 constexpr double kFlatCosine = 1 - 0.5e-8;
+
+constexpr double kLargeFace = 0.01;  ///< of a mesh's area
 
 }  // namespace
 
@@ -25,9 +28,12 @@ StockSolid::StockSolid(StockShape shape) : shape_(std::move(shape)) {
       (round && !(shape_.outer_radius > shape_.inner_radius)))
     throw Error("stock-empty", "the stock has no volume: " + shape_.description);
   if (shape_.kind != StockShape::Kind::mesh) return;
-  tree_ = std::make_shared<TriangleTree>(shape_.mesh);
+  static std::atomic<std::uint64_t> count{0};
+  number_ = ++count;
+  tree_ = std::make_shared<TriangleTree>(shape_.mesh, TriangleTree::Boxes::pieces);
   find_flat_faces();
   bent_edges_ = find_bent_edges();
+  facet_area_ = find_facet_area();
 }
 
 double StockSolid::find_bent_edges() const {
@@ -41,6 +47,17 @@ double StockSolid::find_bent_edges() const {
         sum += length(ends[i + 1] - ends[i]) * length(tree_->normal(t) - tree_->normal(next)) / 2;
     }
   }
+  return sum;
+}
+
+double StockSolid::find_facet_area() const {
+  std::vector<double> areas(planes_.size());
+  for (std::uint32_t t = 0; t < tree_->size(); ++t)
+    areas[static_cast<std::size_t>(faces_[t])] += tree_->area(t);
+  const double all = area();
+  double sum = 0;
+  for (const double face : areas)
+    if (face <= kLargeFace * all) sum += face;
   return sum;
 }
 
@@ -97,16 +114,17 @@ Vec2 StockSolid::plan_normal(double x, double y) const {
   return {normal.x, normal.y};
 }
 
-StockSolid::Sample StockSolid::sample(const Vec3& p) const {
-  if (shape_.kind == StockShape::Kind::mesh) return sample_mesh(p);
+StockSolid::Sample StockSolid::sample(const Vec3& p, double least) const {
+  if (shape_.kind == StockShape::Kind::mesh) return sample_mesh(p, least);
   return shape_.kind == StockShape::Kind::box ? sample_box(p) : sample_round(p);
 }
 
 // A box in a form that the compiler turns into whole registers.
 void StockSolid::distances(std::size_t n, const double* x, const double* y, const double* z,
-                           double* out) const {
+                           double* out, const double* cut) const {
   if (shape_.kind != StockShape::Kind::box) {
-    for (std::size_t k = 0; k < n; ++k) out[k] = distance({x[k], y[k], z[k]});
+    for (std::size_t k = 0; k < n; ++k)
+      out[k] = sample({x[k], y[k], z[k]}, cut != nullptr ? -cut[k] : -kInfinity).distance;
     return;
   }
   const Vec3 lo = shape_.box.lo, hi = shape_.box.hi;
@@ -154,13 +172,23 @@ StockSolid::Sample StockSolid::sample_round(const Vec3& p) const {
   return {std::max(radial, axial), patch};
 }
 
-StockSolid::Sample StockSolid::sample_mesh(const Vec3& p) const {
-  // Neighbouring points have neighbouring triangles: the last one found makes the next search
-  // short.
-  static thread_local std::uint32_t hint = 0;
-  const TriangleTree::Hit hit = tree_->nearest(p, hint);
-  hint = hit.triangle;
-  return {tree_->signed_distance(p, hit), faces_[hit.triangle]};
+StockSolid::Sample StockSolid::sample_mesh(const Vec3& p, double least) const {
+  // What was found last: of neighbouring points that are deep inside, it shows that they are; of
+  // others, its triangle makes the next search short.
+  struct Last {
+    std::uint64_t solid = 0;
+    Vec3 place;
+    double distance = 0;
+    std::uint32_t triangle = 0;
+  };
+  static thread_local Last last;
+  if (last.solid == number_) {
+    const double most = last.distance + mrsim::distance(p, last.place) + kRounding;
+    if (most < least) return {most, 0};
+  }
+  const TriangleTree::Hit hit = tree_->nearest(p, last.triangle);
+  last = {number_, p, tree_->signed_distance(p, hit), hit.triangle};
+  return {last.distance, faces_[hit.triangle]};
 }
 
 Vec3 StockSolid::gradient(const Vec3& p, std::int32_t patch) const {
@@ -225,12 +253,9 @@ double StockSolid::volume() const {
 
 double StockSolid::area() const {
   if (shape_.kind == StockShape::Kind::mesh) {
-    double twice = 0;
-    for (std::uint32_t t = 0; t < tree_->size(); ++t) {
-      const TriangleTree::Corners k = tree_->corners(t);
-      twice += length(cross(k.b - k.a, k.c - k.a));
-    }
-    return twice / 2;
+    double sum = 0;
+    for (std::uint32_t t = 0; t < tree_->size(); ++t) sum += tree_->area(t);
+    return sum;
   }
   const Vec3 size = shape_.box.hi - shape_.box.lo;
   if (shape_.kind == StockShape::Kind::box)

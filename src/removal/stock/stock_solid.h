@@ -2,6 +2,7 @@
 // cylinder and tube.
 #pragma once
 
+#include "core/numbers/rounding.h"
 #include "core/numbers/triangle_tree.h"
 #include "core/numbers/vec.h"
 #include "removal/field/field.h"
@@ -49,10 +50,13 @@ class StockSolid {
   /// The largest signed distance from a box's six planes: distance() inside, no more than that
   /// outside, and it changes by no more than any coordinate. Requires: is_box().
   double plane_distance(const Vec3& p) const;
-  /// out[k] = distance({x[k], y[k], z[k]}), the same bits.
-  void distances(std::size_t n, const double* x, const double* y, const double* z,
-                 double* out) const;
-  Sample sample(const Vec3& p) const;
+  /// out[k] = distance({x[k], y[k], z[k]}), the same bits. With `cut`, the distances from what has
+  /// been cut, only where that is -cut[k] or more, so that it decides; else something below that.
+  void distances(std::size_t n, const double* x, const double* y, const double* z, double* out,
+                 const double* cut = nullptr) const;
+  /// With `least`, only a distance of at least that is exact; a lower one is told by some lower
+  /// one.
+  Sample sample(const Vec3& p, double least = -kInfinity) const;
   /// Unit outward normal of the patch at the point of it that is nearest to p.
   Vec3 gradient(const Vec3& p, std::int32_t patch) const;
   /// Signed distance from the patch's plane or cylinder, untrimmed; positive outside.
@@ -70,24 +74,28 @@ class StockSolid {
   double area() const;
   /// mm of edges of a mesh, by the sine of half the angle of their faces; 0 where it is no mesh.
   double bent_edges() const { return bent_edges_; }
+  /// mm^2 of a mesh but for flat faces of more than a hundredth of it; 0 where it is no mesh.
+  double facet_area() const { return facet_area_; }
 
  private:
   Sample sample_box(const Vec3& p) const;
   Sample sample_round(const Vec3& p) const;
-  Sample sample_mesh(const Vec3& p) const;
+  Sample sample_mesh(const Vec3& p, double least) const;
   double radius_at(const Vec3& p) const;
   void find_flat_faces();
   double find_bent_edges() const;
+  double find_facet_area() const;
 
   StockShape shape_;
   std::shared_ptr<const TriangleTree> tree_;  // mesh; shared so that a solid stays a value
+  std::uint64_t number_ = 0;                  // mesh: another one for every tree
   std::vector<std::int32_t> faces_;           // mesh: the flat face of each triangle
   struct Plane {
     Vec3 normal;
     double offset;  // dot(normal, point of the plane)
   };
   std::vector<Plane> planes_;  // mesh: of each flat face
-  double bent_edges_ = 0;
+  double bent_edges_ = 0, facet_area_ = 0;
 };
 
 }  // namespace mrsim

@@ -149,8 +149,9 @@ Candidates some_of(const Candidates& all) {
   return some;
 }
 
-// `cell`: the one that is wished for, mm.
-void fit_voxel(const detail::SurfaceSurvey& survey, double cell, MeshChoice& choice) {
+// `cell`: the one that is wished for, mm. `facets`: mm^2 of the stock's, which are scanned, too.
+void fit_voxel(const detail::SurfaceSurvey& survey, double cell, double facets,
+               MeshChoice& choice) {
   double& grid = choice.fallback_voxel;
   while (finer_voxel(grid) >= choice.voxel && survey.cells(finer_voxel(grid)) <= kFewGridCells)
     grid = finer_voxel(grid);
@@ -171,12 +172,16 @@ void fit_voxel(const detail::SurfaceSurvey& survey, double cell, MeshChoice& cho
   const bool fits = nodes <= static_cast<double>(choice.most_nodes);
   if (!choice.is_default || (fits && may_suit_tolerance(survey, choice))) {
     const double given = choice.voxel;
-    while (survey.cells(choice.voxel) > kMostScanned &&
-           next_voxel(choice.voxel) <= choice.kinds.radius)
+    const auto scanned = [&](double voxel) {
+      return survey.cells(voxel) + facets / (voxel * voxel);
+    };
+    const bool is_stock = 2 * survey.cells(given) < scanned(given);
+    while (scanned(choice.voxel) > kMostScanned && next_voxel(choice.voxel) <= choice.kinds.radius)
       choice.voxel = next_voxel(choice.voxel);
     if (choice.voxel > given)
-      choice.voxel_reason = fmt::format("raised from {:.6g} mm, {}: the cuts' surface is large",
-                                        given, choice.voxel_reason);
+      choice.voxel_reason =
+          fmt::format("raised from {:.6g} mm, {}: {} surface is large", given, choice.voxel_reason,
+                      is_stock ? "the stock's curved" : "the cuts'");
     return;
   }
   take_grid(choice, fits ? needs_text(survey, cell, choice.kinds.search_arcs)
@@ -234,7 +239,7 @@ void fit_mesh(const ExactField& field, int threads, MeshChoice& choice) {
   const Candidates sweeps = choice.fits_voxel ? field.all() : some_of(field.all());
   const detail::SurfaceSurvey survey =
       detail::survey_surface(field, sweeps, threads, choice.kinds.search_arcs ? 64 : 16);
-  if (choice.fits_voxel) fit_voxel(survey, cell, choice);
+  if (choice.fits_voxel) fit_voxel(survey, cell, field.facet_area(), choice);
   choice.cut_cells = survey.crossed_cells(choice.voxel);
   choice.cut_layers = survey.layers;
   choice.block_sweeps = survey.sweeps;
