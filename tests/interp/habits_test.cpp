@@ -146,6 +146,11 @@ TEST(Habits, AMainProgramThatAnotherOneCallsIsASubprogram) {
   EXPECT_EQ(path_text(run("%_N_ONE_MPF\nG1 X5 F9\nM30\n%_N_TWO_MPF\nG1 X1 F9\nONE\nM30\n")),
             "l5,0,0")
       << "the first one is a main program by its M30";
+  for (const std::string word : {"A", "T5"})
+    EXPECT_EQ(path_text(run("%_N_" + word + "_MPF\nG1 X5 F9\nM17\n%_N_TWO_MPF\nG1 X1 F9\n" + word +
+                            "\nM30\n")),
+              "l5,0,0")
+        << "a word of the block, and no call";
 }
 
 // Only a zero in [machine] ties places of the machine to the stock.

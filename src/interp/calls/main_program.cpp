@@ -38,8 +38,14 @@ bool calls_name(std::string_view code, std::string_view name) {
     skip("0123456789");
     skip(" \t");
   }
-  for (const std::string_view word : {"MCALL ", "EXTCALL ", "CALL "})
-    if (code.starts_with(word)) code.remove_prefix(word.size());
+  bool called = false;
+  for (const std::string_view word : {"MCALL ", "EXTCALL ", "CALL "}) {
+    if (!code.starts_with(word)) continue;
+    called = true;
+    code.remove_prefix(word.size());
+  }
+  const bool is_word = name.size() < 2 || (is_digit(name[1]) && name[0] != 'L');  // "T5" of a block
+  if (is_word && !called) return false;
   skip(" \t\"");
   if (!code.starts_with(name)) return false;
   code.remove_prefix(name.size());
