@@ -332,8 +332,10 @@ TEST(ToolNotes, FacesWithoutDataAreNotBored) {
     EXPECT_EQ(errors(face), "") << face;
   const std::string from_chuck = "G0 Z82.\nG1 Z80.\nX-1.\nG0 X38. Z82.\nG1 Z30.\nX42.\n";
   EXPECT_EQ(errors(from_chuck), "");
-  for (const char* const bore : {"Z-30.\nX40.\nG0 Z2.\n", "Z0\nX36. Z-3.\nZ-30.\nG0 X34.\nZ2.\n",
-                                 "G0 Z82.\nG1 Z60.\nX40.\nG0 Z82.\n"})
+  for (const char* const bore :
+       {"Z-30.\nX40.\nG0 Z2.\n", "Z0\nX36. Z-3.\nZ-30.\nG0 X34.\nZ2.\n",
+        "G0 Z82.\nG1 Z60.\nX40.\nG0 Z82.\n", "G0 X18.\nG1 Z-30.\nX0\nG0 X17.\nZ2.\n",
+        "G0 X18.\nG1 Z-30.\nX0\nX2. Z-29.\nG0 Z5.\n"})
     EXPECT_EQ(errors(bore), "tool-unknown") << bore;
 }
 

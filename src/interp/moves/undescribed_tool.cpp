@@ -40,19 +40,23 @@ bool UndescribedTool::drills(const Motion& motion, bool feeds) {
 }
 
 // The tool leaves a cut along -Z by a rapid that is nearer to the axis. A way down to the face is
-// no such cut, and what feeds to the axis faces the bar: no bar that bores comes there.
+// no such cut. What feeds to the axis behind such a way faces the bar; behind a longer one it is at
+// the bottom of its bore.
 bool UndescribedTool::bores(const Motion& motion, bool feeds, double face) {
   const double away = motion.end.z - motion.start.z;
   const bool told = !feeds && away > kAtAxis && inmost_cut_ < kNothingCut &&
                     motion.start.x < inmost_cut_ + kFreed && motion.end.x > kAtAxis &&
                     motion.end.x < inmost_cut_ - kFreed;
   const bool to_face = motion.start.z < face + kLinks && motion.end.z > face - kSamePlace;
-  if (feeds && motion.end.x < kAtAxis)
+  const bool faces = feeds && motion.end.x < kAtAxis && cut_along_ < kLinks;
+  const bool leaves = !feeds && (away > 0 || motion.end.x > inmost_cut_);
+  if (faces || leaves) {
     inmost_cut_ = kNothingCut;
-  else if (feeds && away < -kAtAxis && !to_face)
+    cut_along_ = 0;
+  } else if (feeds && away < -kAtAxis && !to_face) {
     inmost_cut_ = std::min({inmost_cut_, motion.start.x, motion.end.x});
-  else if (!feeds && (away > 0 || motion.end.x > inmost_cut_))
-    inmost_cut_ = kNothingCut;
+    cut_along_ -= away;
+  }
   return told;
 }
 

@@ -30,6 +30,7 @@ class UndescribedTool {
   static constexpr double kNothingCut = 1e99;
   bool drilled_ = false;                      ///< the last motion fed along the axis
   double inmost_cut_ = kNothingCut;           ///< how near to the axis the last feeds along -Z were
+  double cut_along_ = 0;                      ///< how far along -Z since then
   bool rapid_ = false;                        ///< the last motion was a rapid
   bool plunging_ = false;                     ///< feeds along X from where a rapid has led
   double plunged_from_ = 0, plunged_to_ = 0;  ///< X
