@@ -133,10 +133,14 @@ TEST(ToolCommentReadings, CuttersOfOtherShapesAreNoEndMills) {
 }
 
 TEST(ToolCommentReadings, LeftHandIsReadInEachTongue) {
-  for (const char* left : {"LEVI NOZ R0.8", "LINKER DREHSTAHL R0.8", "OUTIL A GAUCHE CNMG 120408",
-                           "CNMG 120408 IZQUIERDA", "CNMG 120408 SINISTRO"})
+  for (const char* left :
+       {"LEVI NOZ R0.8", "LINKER DREHSTAHL R0.8", "OUTIL A GAUCHE CNMG 120408",
+        "CNMG 120408 IZQUIERDA", "CNMG 120408 SINISTRO", "CUCHILLA IZQUIERDA DESBASTE R0.8"})
     EXPECT_TRUE(read_tool_comment(left).left_hand) << left;
-  for (const char* other : {"DESNI NOZ R0.8", "CNMG 120408 COTE GAUCHE", "CNMG 120408 LEVA STRAN"})
+  for (const char* other :
+       {"DESNI NOZ R0.8", "CNMG 120408 COTE GAUCHE", "CNMG 120408 LEVA STRAN",
+        "CNMG 120408 LINKES FUTTER", "CNMG DESBASTE HUSILLO IZQUIERDO", "CNMG 120408 BROCHE GAUCHE",
+        "CNMG 120408 FACE GAUCHE", "CNMG LINKER ABSATZ", "CNMG 120408 LINKES ENDE"})
     EXPECT_FALSE(read_tool_comment(other).left_hand) << other;
   EXPECT_EQ(read_tool_comment("NAREBRICENJE").trade, ToolTrade::no_cutter);
 }

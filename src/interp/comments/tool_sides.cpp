@@ -1,5 +1,8 @@
 #include "interp/comments/tool_sides.h"
 
+#include "interp/comments/comment_words.h"
+#include "interp/comments/tool_id.h"
+
 #include <string_view>
 
 namespace mrsim {
@@ -127,14 +130,24 @@ bool names_back_turning(const CommentView& view, std::size_t i) {
   return view.is(i, "BACK") && view.is_one(work, {"TURN", "TURNING", "BORING"});
 }
 
+// Whether the adjective at i is said of the tool, "LINKER DREHSTAHL", "OUTIL A GAUCHE", "CNMG
+// 120408 SINISTRO", and not of a spindle or a side of the part: "CNMG LINKES FUTTER", "BROCHE
+// GAUCHE".
+bool is_of_tool(const CommentView& view, std::size_t i) {
+  const auto tool = [&](std::size_t at) { return view.taken(at) || is_word_for_tool(view, at); };
+  if (tool(i + 1)) return true;
+  if (view.word(i + 1) && comment_word(view[i + 1].text).role != WordRole::adjective) return false;
+  const std::size_t before = i > 1 && view.is(i - 1, "A") ? i - 2 : i - 1;
+  return i == 0 || tool(before) || !view.word(before);
+}
+
 }  // namespace
 
 // "VNMG LEFT HAND" and "CNMG LH" say it; "LEFT CORNER" is said of a blade, "LEFT END" of the part.
 bool is_left_hand(const CommentView& view, std::size_t i) {
-  constexpr std::string_view kSides = "COTE LADO LATO CARA PARTE STRAN STRANA STRONA STR~NA";
-  if (!view.is_one(i, {"LEFT", "LH", "LINKS"})) {
-    if (!is_word_of(view, i, kLeftHand) || is_beside(view, i, kSides)) return false;
-  }
+  if (!view.is_one(i, {"LEFT", "LH", "LINKS"}) &&
+      !(is_word_of(view, i, kLeftHand) && is_of_tool(view, i)))
+    return false;
   return !is_beside(view, i, kCorner) && !is_word_of(view, i + 1, kPlaces);
 }
 
