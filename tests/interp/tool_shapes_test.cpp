@@ -146,6 +146,18 @@ TEST(ToolShapes, CentreDrillsHaveAPilotAndABody) {
       {inch, "CENTER DRILL #9", "? gives no diameter"},
       {inch, "HOLE #4 CENTER DRILL", "? gives no diameter"},
       {mm, "CENTER DRILL 3.15 X 8", "form 8"},
+      {inch, "T4, CENTER DRILL, #4", "form 7.9375"},
+      {inch, "#4 CENTER DRILL 1/8 DIA", "form 7.9375"},
+      {inch, "#3 CENTER DRILL DIA. .1094", "form 6.35"},
+      {inch, "#2 CENTER DRILL .25", "? can be read as diameter 0.25 or 0.1875 inch"},
+      {inch, "CENTER DRILL FOR #4-40", "? gives no diameter"},
+      {inch, "CENTER DRILL #4-40 HOLES", "? gives no diameter"},
+      {inch, "CENTER DRILL FOR #8-32 TAP", "? gives no diameter"},
+      {inch, "CENTER DRILL FOR #7 DRILL", "? gives no diameter"},
+      {inch, "CENTER DRILL #7 HOLES", "? gives no diameter"},
+      {inch, "CENTER DRILL HOLES #1 - #6", "? gives no diameter"},
+      {inch, "CENTER DRILL #3 OR #4", "? gives no diameter"},
+      {mm, "CENTER DRILL 6.3 X 20", "? can be read as diameter 6.3 or 20"},
       {mm, "CENTER DRILL 3.15", "drill 3.15, point 60"},
       {mm, "CENTER DRILL 3.15 X 4", "? can be read as diameter 3.15 or 4"},
       {mm, "T1 CENTER D3", "? names a shape, and no kind of tool"},
@@ -163,6 +175,10 @@ TEST(ToolShapes, CentreDrillsHaveAPilotAndABody) {
   EXPECT_NEAR(tool.profile[2].z, 25.4 / 8, 1e-12) << "the pilot is as long as it is wide";
   EXPECT_NEAR(tool.profile[3].r, 25.4 * 5 / 32, 1e-12);
   EXPECT_NEAR(tool.profile[3].z, 25.4 / 8 + 25.4 * 3 / 32 * 1.7320508075688772, 1e-9);
+  const double by_number = tool.profile[2].z;
+  const ToolHint by_sizes = read_tool_comment("1/8 X 5/16 CENTER DRILL");
+  ASSERT_TRUE(fill_tool(by_sizes, kMmPerInch, false, tool, why));
+  EXPECT_NEAR(tool.profile[2].z, by_number, 1e-12);
 }
 
 TEST(ToolShapes, ErrorsOfFormMillsShowAnOutline) {

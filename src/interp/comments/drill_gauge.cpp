@@ -76,6 +76,20 @@ bool is_of_screw(const CommentView& view, std::size_t i) {
   return view.is_one(i, {"SCREW", "SCREWS", "BOLT", "HOLE", "HOLES", "CLEARANCE", "CLR"});
 }
 
+// Whether the number of the sign at i may be that of a thread, a hole or another drill: "CENTER
+// DRILL FOR #4-40", "#7 HOLES", "HOLES #1 TO #6", "CENTER DRILL #3 OR #4".
+bool numbers_other(const CommentView& view, std::size_t i) {
+  const std::size_t end = i + 2;
+  const bool sign = view.is_one(end, {"-", "/"});
+  const bool joint = sign || view.is_one(end, {"&", "TO", "OR", "AND"});
+  const bool number = view.number(end + 1) && (!sign || view.glued(end));
+  const bool goes_on = joint && (number || view.is(end + 1, "#"));
+  const bool drill = view.is_one(end, {"DRILL", "DRL", "DR", "TAP", "REAM"}) && !view.taken(end);
+  const bool led = i > 0 && view.is_one(i - 1, {"FOR", "TO", "OR", "AND", "&"});
+  const bool ends_range = i > 1 && view.is_one(i - 1, {"-", "/"}) && view.number(i - 2);
+  return goes_on || drill || led || ends_range || is_of_screw(view, end);
+}
+
 // Reads "F DRILL". Five letters are left out: A is an article, C DRILL is a centre drill, U DRILL
 // has inserts, I and S look like 1 and 5. A number before the letter counts flutes: "2 F DRILL".
 std::optional<DrillGauge> read_bare_letter(const CommentView& view, std::size_t kind_first) {
@@ -109,7 +123,7 @@ std::optional<CentreGauge> find_centre_gauge(const CommentView& view, std::size_
     const bool british = view.is(i, "BS");
     if (!(british || view.is_one(i, {"#", "NO", "NUMBER", "NUM", "SIZE"})) || !view.whole(i + 1))
       continue;
-    if (view.numbers_work(i)) continue;
+    if (view.numbers_work(i) || numbers_other(view, i)) continue;
     const double number = view[i + 1].value;
     const auto at = static_cast<std::size_t>(number) - 1;
     const bool known = number >= 1 && number <= double(std::size(kCentreDrills));

@@ -24,6 +24,7 @@ class SizeSettler {
   bool is_angle(const CommentToken& size, bool joined) const;
   void add(const ToolLength& length) { hint_.diameters.push_back(length); }
   void add_groups();
+  void add_centre_gauge();
   void add_loose();
   bool stand_on_both_sides() const;
   void add_group(const SizeGroup& group);
@@ -54,11 +55,25 @@ std::vector<double> SizeSettler::settle() {
       facts_.letter_d)
     add(facts_.letter_d);
   if (facts_.thread && *facts_.thread && trade_is(ToolTrade::tap)) add(*facts_.thread);
-  if (facts_.gauge) add(*facts_.gauge);
+  const bool centre = facts_.gauge && facts_.pilot;
+  if (facts_.gauge && !centre) add(*facts_.gauge);
   hint_.gauge = facts_.gauge_name;
-  hint_.bare_size = hint_.diameters.empty();
+  hint_.bare_size = hint_.diameters.empty() && !centre;
   add_groups();
+  if (centre) add_centre_gauge();
   return std::move(angles_);
+}
+
+// Adds the body of a centre drill by its number. Sizes that the comment tells may be its pilot, "#4
+// CENTER DRILL 1/8 DIA".
+void SizeSettler::add_centre_gauge() {
+  constexpr double kRounded = 0.02;  // mm: ".109" is 7/64
+  const auto is_pilot = [&](const ToolLength& told) {
+    return std::abs(told.mm(kMmPerInch) - facts_.pilot.mm(kMmPerInch)) < kRounded ||
+           std::abs(told.mm(1) - facts_.pilot.mm(1)) < kRounded;
+  };
+  std::erase_if(hint_.diameters, is_pilot);
+  add(*facts_.gauge);
 }
 
 // Adds the sizes beside the kind. Those elsewhere count only if nothing else gives the diameter.
@@ -166,7 +181,9 @@ void SizeSettler::add_further(const ToolLength& first, const ToolLength& next) {
       trade_is(face_mill) || trade_is(tap) || is_turning(kind() ? kind()->type : ToolType::endmill);
   constexpr double kLeastBody = 2, kWidestBody = 3.2;  // pilots, ISO 866
   if (trade_is(center_drill) && other > size && other < kWidestBody * size) {
-    if (other < kLeastBody * size || hint_.diameters.size() > 1) return add(next);
+    constexpr double kSmall = 2, kWidestLarge = 2.7;  // "6.3 X 20" is form B, with two cones
+    const bool wide = size >= kSmall && other > kWidestLarge * size;
+    if (other < kLeastBody * size || wide || hint_.diameters.size() > 1) return add(next);
     hint_.pilot = first;  // "3.15 X 8"
     hint_.diameters.front() = next;
     return;
