@@ -133,6 +133,25 @@ TEST(ToolShapes, DovetailsHaveAngleAndHeight) {
   EXPECT_NEAR(tool.profile[2].z, 2, 1e-12);
 }
 
+// Words that a later reading took for others: OUT, a count of flutes, the letters of a shape.
+TEST(ToolShapes, WordsBesideASizeLeaveItAsItIs) {
+  expect_readings({
+      {mm, "EM 12 OUT 40", "endmill 12"},
+      {inch, "DRILL .5 OUT 2.5", "drill 12.7"},
+      {mm, "T1 DRILL 10 OUT OF 20", "? gives no diameter"},
+      {mm, "10MM ENDMILL 30MM OUT", "endmill 10"},
+      {mm, "T1 30 OUT 10MM EM", "endmill 10"},
+      {mm, "CLEAN OUT 10 EM", "endmill 10"},
+      {mm, "PREDRILL HOLE D10 EM", "endmill 10"},
+      {inch, "1/2 EM AT PREDRILL", "endmill 12.7"},
+      {inch, "1/2 4FL 1.0", "endmill 12.7"},
+      {mm, "10MM 4F 22.5", "endmill 10"},
+      {mm, "T1 TF D12 R2", "bullmill 12, corner 2"},
+      {mm, "T1 KF D6 R3", "ballmill 6"},
+      {mm, "T1 KF D6", "? names a shape, and no kind of tool"},
+  });
+}
+
 // Pilot and body of ANSI B94.11M; BS 328 has others for 2, 3, 6 and 7.
 TEST(ToolShapes, CentreDrillsHaveAPilotAndABody) {
   expect_readings({

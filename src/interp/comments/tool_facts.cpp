@@ -89,9 +89,11 @@ void FactReader::take_kinds() {
 }
 
 // Drops the tool behind FOR or AFTER, which is another one: "6.8 DRILL FOR M8 TAP", "REST MILL
-// AFTER 10MM ENDMILL".
+// AFTER 10MM ENDMILL". PREDRILL beside a tool is work: "1/2 EM AT PREDRILL".
 void FactReader::drop_purpose() {
   std::vector<ToolKind>& kinds = facts_.kinds;
+  if (kinds.size() > 1)
+    std::erase_if(kinds, [&](const ToolKind& k) { return view_.is(k.first, "PREDRILL"); });
   for (std::size_t i = 1; i < view_.size(); ++i) {
     if (!view_.is_one(i, {"FOR", "FUER", "F~R", "POUR", "PARA", "DLA", "AFTER", "NACH", "APRES"}))
       continue;
@@ -266,8 +268,9 @@ void FactReader::read_behind(const ToolKind& kind) {
   Group* group = group_at(at);
   if (group == nullptr) return;
   group->used = true;
-  if (view_.is(group->end, "OF") && view_.number(group->end + 1)) return;  // "DRILL 1 OF 2"
-  if (view_.is(group->end, "LONG")) return;                                // "ENDMILL 40MM LONG"
+  const std::size_t of = view_.is(group->end, "OUT") ? group->end + 1 : group->end;
+  if (view_.is(of, "OF") && view_.number(of + 1)) return;  // "DRILL 1 OF 2", "1 OUT OF 2"
+  if (view_.is(group->end, "LONG")) return;                // "ENDMILL 40MM LONG"
   const bool numbered = !kind.firm && kind.trade == ToolTrade::vee && view_.whole(group->first);
   if (numbered && !is_usual_angle(kind.trade, view_[group->first].value)) return;  // "ENGRAVING 1"
   facts_.behind_ends = ends(group->end);
@@ -275,13 +278,18 @@ void FactReader::read_behind(const ToolKind& kind) {
 }
 
 // Takes sizes that stand elsewhere: those with a unit anywhere, a plain ".375" only in the words
-// before the kind, ".375 GARR EM", and beside a count of flutes, ".500 4FL".
+// before the kind, ".375 GARR EM", and beside a count of flutes, ".500 4FL". "1/2 4FL 1.0" has its
+// size in the fraction.
 void FactReader::read_loose() {
+  const auto is_marked = [](const CommentToken& size) { return size.unit > 0 || size.fraction; };
+  const bool marked = std::any_of(groups_.begin(), groups_.end(), [&](const Group& group) {
+    return !group.used && is_marked(sizes(group).sizes.front());
+  });
   for (Group& group : groups_) {
     if (group.used) continue;
     const CommentToken size = sizes(group).sizes.front();
-    const bool beside_tool = facts_.counts_flutes || in_field_of_kind(group);
-    if (size.unit > 0 || size.fraction || (size.decimals && beside_tool)) use(group, facts_.loose);
+    const bool beside_tool = (facts_.counts_flutes && !marked) || in_field_of_kind(group);
+    if (is_marked(size) || (size.decimals && beside_tool)) use(group, facts_.loose);
   }
 }
 

@@ -92,6 +92,11 @@ CommentWord LabelReader::named(std::size_t i) const {
     return {WordRole::tip, NumberSide::either};
   const bool letter_behind = view_.is(i, "W") && ends_size(i) && !view_.number(i + 1);
   if (letter_behind) return {WordRole::width, NumberSide::before};  // ".125W GROOVE"
+  if (view_.is(i, "OUT")) {  // "DRILL 10 OUT OF 20", "EM 12 OUT 40"
+    if (view_.is(i + 1, "OF") && view_.number(i + 2)) return {};
+    const bool behind_kind = i > 0 && !facts_.kinds.empty() && facts_.kinds.front().end == i - 1;
+    if (behind_kind && view_.number(view_.behind(i))) return {WordRole::other, NumberSide::behind};
+  }
   return comment_word(view_[i].text);
 }
 

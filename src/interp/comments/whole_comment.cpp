@@ -132,16 +132,16 @@ bool names_round_insert(const CommentView& view, std::size_t i) {
 
 // Whether the word says that a tool without a kind is no plain end mill. BN is a ball nose or a
 // bull nose; BM, KF and TF are a ball mill, a Kugel- and a Torusfraeser; CENTER beside a size and
-// no other word names a centre drill, "CENTER D3".
-bool tells_shape(const CommentView& view, std::size_t i) {
+// no other word names a centre drill, "CENTER D3". A corner radius tells the shape of "TF D12 R2".
+bool tells_shape(const CommentView& view, const ToolFacts& facts, std::size_t i) {
+  if (view.is_one(i, {"BM", "KF", "TF"})) return !facts.corner;
   if (view.is_one(i, {"CENTER", "CENTRE"}) && (!view.word(i + 1) || view.is(i + 1, "D")))
     return true;
   if (view.is(i, "BN") && view.is_one(i + 1, {"R", "CR", "RAD"})) return false;
-  return view.is_one(i,
-                     {"TAPER",     "TAPERED",   "CONE",  "CONICAL",  "CONIC", "VEE",   "ENGR",
-                      "DEBURR",    "DEBURRING", "FORM",  "DISC",     "DISK",  "WHEEL", "COVE",
-                      "OVOLO",     "LOLLI",     "DTAIL", "UNDERCUT", "BN",    "BNM",   "RADIUSED",
-                      "ROUNDNOSE", "BACKSPOT",  "BM",    "KF",       "TF"}) ||
+  return view.is_one(i, {"TAPER", "TAPERED", "CONE",      "CONICAL",   "CONIC",   "VEE",
+                         "ENGR",  "DEBURR",  "DEBURRING", "FORM",      "DISC",    "DISK",
+                         "WHEEL", "COVE",    "OVOLO",     "LOLLI",     "DTAIL",   "UNDERCUT",
+                         "BN",    "BNM",     "RADIUSED",  "ROUNDNOSE", "BACKSPOT"}) ||
          (view.is(i, "ROUND") && view.is(i + 1, "NOSE"));
 }
 
@@ -198,7 +198,7 @@ void read_whole_comment(const CommentView& view, ToolFacts& facts) {
                           view[i - 1].is_number() && view.has(i + 1) && view[i + 1].is_number();
     facts.alternatives |= tells_other_size(view, i);
     facts.round_insert |= names_round_insert(view, i);
-    facts.shaped |= tells_shape(view, i);
+    facts.shaped |= tells_shape(view, facts, i);
     facts.other_work |= is_other_work(view, i);
     facts.unknown_word |= is_unknown_word(view, i);
     if (view.number(i) && (view[i].decimals || view[i].fraction) && !view[i].angle)
