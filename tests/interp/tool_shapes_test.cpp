@@ -169,6 +169,8 @@ TEST(ToolShapes, CentreDrillsHaveAPilotAndABody) {
       {inch, "#4 CENTER DRILL 1/8 DIA", "form 7.9375"},
       {inch, "#3 CENTER DRILL DIA. .1094", "form 6.35"},
       {inch, "#2 CENTER DRILL .25", "? can be read as diameter 0.25 or 0.1875 inch"},
+      {mm, "T2 NO. 2 CENTER DRILL D4", "drill 4, point 60"},
+      {mm, "T3 NO. 2 CENTER DRILL D4", "? can be read as diameter 4 or 0.1875 inch"},
       {inch, "CENTER DRILL FOR #4-40", "? gives no diameter"},
       {inch, "CENTER DRILL #4-40 HOLES", "? gives no diameter"},
       {inch, "CENTER DRILL FOR #8-32 TAP", "? gives no diameter"},

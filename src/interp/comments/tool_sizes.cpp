@@ -65,15 +65,21 @@ std::vector<double> SizeSettler::settle() {
 }
 
 // Adds the body of a centre drill by its number. Sizes that the comment tells may be its pilot, "#4
-// CENTER DRILL 1/8 DIA".
+// CENTER DRILL 1/8 DIA"; where they are neither, a number that the tool has, too, is the tool's:
+// "T2 NO. 2 CENTER DRILL D4".
 void SizeSettler::add_centre_gauge() {
-  constexpr double kRounded = 0.02;  // mm: ".109" is 7/64
-  const auto is_pilot = [&](const ToolLength& told) {
-    return std::abs(told.mm(kMmPerInch) - facts_.pilot.mm(kMmPerInch)) < kRounded ||
-           std::abs(told.mm(1) - facts_.pilot.mm(1)) < kRounded;
+  const auto is = [](const ToolLength& told, const ToolLength& size) {
+    constexpr double kRounded = 0.02;  // mm: ".109" is 7/64
+    const double mm = size.mm(1);
+    return std::abs(told.mm(kMmPerInch) - mm) < kRounded || std::abs(told.mm(1) - mm) < kRounded;
   };
-  std::erase_if(hint_.diameters, is_pilot);
-  add(*facts_.gauge);
+  std::erase_if(hint_.diameters, [&](const ToolLength& told) { return is(told, facts_.pilot); });
+  const bool other = std::any_of(hint_.diameters.begin(), hint_.diameters.end(),
+                                 [&](const ToolLength& told) { return !is(told, *facts_.gauge); });
+  if (!other || facts_.id != facts_.gauge_name) return add(*facts_.gauge);
+  hint_.gauge.clear();
+  hint_.pilot = {};
+  hint_.disputed_gauge = false;
 }
 
 // Adds the sizes beside the kind. Those elsewhere count only if nothing else gives the diameter.
