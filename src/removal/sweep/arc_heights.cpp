@@ -67,28 +67,35 @@ struct View {
 
 }  // namespace
 
-double arc_bottom(const Underside& tool, const ToolPath& path, double x, double y) {
+HelixView view_helix(const ToolPath& path, double x, double y, double reach) {
   const Vec3 off{x - path.center.x, y - path.center.y, 0};
-  const double from = std::sqrt(dot(off, off)), turn = path.radius, reach = tool.radius();
-  if (!(std::fabs(from - turn) <= reach)) return kInfinity;
-  const double span = 4 * from * turn, near = from - turn;
+  const double from = std::sqrt(dot(off, off)), turn = path.radius;
+  HelixView view{.near = from - turn, .span = 4 * from * turn, .fall = std::fabs(path.rise.z)};
+  if (!(std::fabs(view.near) <= reach)) return view;
   double half = kPi;
   if (from + turn > reach) {
     const double cosine = (from * from + turn * turn - reach * reach) / (2 * from * turn);
     half = mrsim::atan2(std::sqrt(std::max(0.0, 1 - cosine * cosine)), cosine);
   }
   const bool falls = path.rise.z <= 0;
-  const View view{tool, near, span, std::fabs(path.rise.z)};
   // The nearest place of the path, in radians from its lower end uphill.
   const double facing = from > 0 ? mrsim::atan2(dot(off, path.v), dot(off, path.u)) : 0;
   double uphill = wrapped_angle(falls ? path.sweep - facing : facing) - kTwoPi;
   const double lowest = path.center.z + (falls ? path.sweep * path.rise.z : 0);
-  // The last whole turn above the place is lower than all before it.
-  double found = kInfinity;
-  for (int turns = 0; turns < 3; ++turns, uphill += kTwoPi) {
+  for (std::size_t k = 0; k < view.stretches.size(); ++k, uphill += kTwoPi) {
     const double first = std::max(-half, uphill - path.sweep), last = std::min(half, uphill);
-    if (first > last) continue;
-    found = std::min(found, lowest + view.fall * uphill + view.least(first, last));
+    if (first <= last) view.stretches[view.count++] = {lowest + view.fall * uphill, first, last};
+  }
+  return view;
+}
+
+double arc_bottom(const Underside& tool, const ToolPath& path, double x, double y) {
+  const HelixView helix = view_helix(path, x, y, tool.radius());
+  const View view{tool, helix.near, helix.span, helix.fall};
+  double found = kInfinity;
+  for (std::size_t k = 0; k < helix.count; ++k) {
+    const HelixView::Stretch& s = helix.stretches[k];
+    found = std::min(found, s.height + view.least(s.from, s.to));
   }
   return found;
 }

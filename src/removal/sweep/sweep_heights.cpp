@@ -9,6 +9,7 @@
 #include "removal/columns/sweep_columns.h"
 #include "removal/simd/scalar_forms.h"
 #include "removal/sweep/arc_heights.h"
+#include "removal/sweep/rising_heights.h"
 
 #include <algorithm>
 #include <cmath>
@@ -16,7 +17,7 @@
 namespace mrsim {
 namespace {
 
-constexpr double kFound = 1e-10;  // mm: to which a height is searched
+constexpr double kFound = kPathError;  // mm: to which a height is searched, as distances are
 constexpr int kMostSteps = 80;
 
 constexpr double kSlack = 1e-6;  // mm: above the error of distances
@@ -30,6 +31,11 @@ Underside::Slant seen_from(double x, double y, const double* segment) {
                                   segment[BallSlot::ux], segment[BallSlot::uy]);
   at.length = segment[BallSlot::length], at.slope = segment[BallSlot::slope];
   return at;
+}
+
+Underside::Bounds slant_bounds(const Underside& tool, const Underside::Slant& at, double r,
+                               double below) {
+  return tool.is_convex() ? tool.bounds(at, r, below) : rising_bounds(tool, at, r, below);
 }
 
 // The tip's path.
@@ -102,14 +108,18 @@ void SweepHeights::find_runs() {
   }
 }
 
+Underside::Slant SweepHeights::seen(const Row& row, double x, double y) {
+  Underside::Slant at = seen_from(x - row.x, y - row.y, row.ux, row.uy);
+  at.length = row.length, at.slope = row.slope;
+  return at;
+}
+
 double SweepHeights::run_lower(std::uint32_t index, double x, double y, double r,
                                double below) const {
   const Run& run = runs_[run_of_[index]];
   const Row& row = run.chord;
-  Underside::Slant at = seen_from(x - row.x, y - row.y, row.ux, row.uy);
-  at.length = row.length, at.slope = row.slope;
   const double above = run.up - row.z;  // of a height, as the chord's tip sees it
-  return row.tool->bounds(at, r + run.plan, below + above).lower - above;
+  return row.tool->bounds(seen(row, x, y), r + run.plan, below + above).lower - above;
 }
 
 SweepHeights::Row SweepHeights::row_of(std::uint32_t sweep) {
@@ -134,9 +144,9 @@ SweepHeights::Row SweepHeights::row_of(std::uint32_t sweep) {
     row.form = Form::horizontal, row.z = c.profiles[ref.row].z;
   } else if (ref.kind == SweepKind::path) {
     const bool line = c.paths.is_line(ref.row);
-    if (line && row.tool->is_convex())
+    if (line)
       set_slant(row, c.paths.line(ref.row).start, c.paths.line(ref.row).end());
-    else if (!line)
+    else
       set_arc(row, c.paths.arc(ref.row));
   }
   return row;
@@ -145,7 +155,7 @@ SweepHeights::Row SweepHeights::row_of(std::uint32_t sweep) {
 void SweepHeights::set_slant(Row& row, const Vec3& start, const Vec3& end) const {
   const Vec3 &low = start.z <= end.z ? start : end, &high = start.z <= end.z ? end : start;
   const double dx = high.x - low.x, dy = high.y - low.y, plan = std::sqrt(dx * dx + dy * dy);
-  row.form = Form::slant;
+  row.form = row.tool->is_convex() ? Form::slant : Form::rising_slant;
   row.x = low.x, row.y = low.y, row.z = low.z;
   if (plan < kRounding) return;
   row.ux = dx / plan, row.uy = dy / plan;
@@ -155,7 +165,7 @@ void SweepHeights::set_slant(Row& row, const Vec3& start, const Vec3& end) const
 void SweepHeights::set_arc(Row& row, const ToolPath& arc) {
   if (arc.lowest_turn && row.tool->is_flat())
     row.form = Form::bored, row.z = arc.center.z + arc.sweep * arc.rise.z;
-  else if (row.tool->is_convex())
+  else
     set_segments(row, arc);
 }
 
@@ -166,8 +176,13 @@ const ToolPath& SweepHeights::path(const Row& row) const {
 
 void SweepHeights::set_segments(Row& row, const ToolPath& path) {
   row.first = segments_.size();
-  if (append_segments(path, segments_)) row.form = path.horizontal ? Form::helix : Form::segments;
+  const bool has_chords =
+      (row.tool->is_convex() || !path.horizontal) && append_segments(path, segments_);
   row.count = segments_.size() - row.first;
+  if (path.horizontal)
+    row.form = has_chords ? Form::helix : Form::rising_helix;
+  else if (has_chords)
+    row.form = Form::segments;
 }
 
 // Distance in plan from the path of a horizontal move.
@@ -182,16 +197,15 @@ double SweepHeights::rho(const Row& row, double x, double y) const {
 
 double SweepHeights::bottom(std::uint32_t index, double x, double y, double below) const {
   const Row& row = rows_[index];
-  const bool has_lowest =
-      row.form == Form::horizontal || row.form == Form::slant || row.form == Form::bored;
+  const bool has_lowest = row.form == Form::horizontal || row.form == Form::slant ||
+                          row.form == Form::rising_slant || row.form == Form::bored;
   if (has_lowest && !(row.z < below)) return kInfinity;
   if (row.form == Form::horizontal) return row.z + row.tool->height(rho(row, x, y));
-  if (row.form == Form::slant) {
-    Underside::Slant at = seen_from(x - row.x, y - row.y, row.ux, row.uy);
-    at.length = row.length, at.slope = row.slope;
-    return row.z + row.tool->bottom(at, below - row.z);
-  }
+  if (row.form == Form::slant) return row.z + row.tool->bottom(seen(row, x, y), below - row.z);
   if (row.form == Form::bored) return bored_bottom(row, x, y, row.tool->radius());
+  if (row.form == Form::rising_slant)
+    return row.z + rising_bottom(*row.tool, seen(row, x, y), below - row.z);
+  if (row.form == Form::rising_helix) return rising_bottom(*row.tool, path(row), x, y, below);
   const Underside::Bounds within = bounds(index, x, y, 0, below);
   if (!(within.lower < below)) return kInfinity;
   if (within.upper - within.lower <= close_) return 0.5 * (within.lower + within.upper);
@@ -206,10 +220,8 @@ Underside::Bounds SweepHeights::bounds(std::uint32_t index, double x, double y, 
     const double from = rho(row, x, y);
     return {row.z + row.tool->height(std::max(from - r, 0.0)), row.z + row.tool->height(from + r)};
   }
-  if (row.form == Form::slant) {
-    Underside::Slant at = seen_from(x - row.x, y - row.y, row.ux, row.uy);
-    at.length = row.length, at.slope = row.slope;
-    const Underside::Bounds found = row.tool->bounds(at, r, below - row.z);
+  if (row.form == Form::slant || row.form == Form::rising_slant) {
+    const Underside::Bounds found = slant_bounds(*row.tool, seen(row, x, y), r, below - row.z);
     return {row.z + found.lower, row.z + found.upper};
   }
   if (row.form == Form::bored) {
@@ -217,6 +229,7 @@ Underside::Bounds SweepHeights::bounds(std::uint32_t index, double x, double y, 
     return {bored_bottom(row, x, y, row.tool->radius() + r),
             bored_bottom(row, x, y, row.tool->radius() - r)};
   }
+  if (row.form == Form::rising_helix) return rising_bounds(*row.tool, path(row), x, y, r, below);
   if (row.form == Form::segments || row.form == Form::helix)
     return segment_bounds(row, x, y, r, below);
   const Box3 box = sweeps_.bounds(row.sweep);
@@ -232,8 +245,8 @@ Underside::Bounds SweepHeights::segment_bounds(const Row& row, double x, double 
   for (std::size_t k = row.first; k < row.first + row.count; ++k) {
     const double* segment = segments_[k].c;
     const double z = segment[BallSlot::z], eps = segment[BallSlot::error] + kSlack;
-    const Underside::Bounds found =
-        row.tool->bounds(seen_from(x, y, segment), r + eps, std::min(below, out.upper) + eps - z);
+    const Underside::Bounds found = slant_bounds(*row.tool, seen_from(x, y, segment), r + eps,
+                                                 std::min(below, out.upper) + eps - z);
     out.lower = std::min(out.lower, z + found.lower - eps);
     out.upper = std::min(out.upper, z + found.upper + eps);
   }

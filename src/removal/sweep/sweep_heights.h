@@ -1,7 +1,8 @@
 // Sweeps as heights: an upright cutter that reaches above all places in question and nowhere
-// narrows removes, at each place in plan, all above its bottom. Closed forms for straight and
-// horizontal moves and for helices of flat mills; on other helices the least height is found along
-// the path; other arcs lie near their chords and are found between those bounds by their distances.
+// narrows removes, at each place in plan, all above its bottom. Closed forms for horizontal moves,
+// for straight ones of convex cutters and for helices of flat mills; on other straight moves and
+// helices the least height is found along the path; other arcs lie near their chords and are found
+// between those bounds by their distances.
 #pragma once
 
 #include "removal/simd/sweep_kernels.h"
@@ -72,7 +73,17 @@ class SweepHeights {
                            double below = std::numeric_limits<double>::infinity()) const;
 
  private:
-  enum class Form : std::uint8_t { horizontal, slant, bored, helix, segments, other };
+  // rising_slant, rising_helix: of tools that are not convex, and arcs too long for segments.
+  enum class Form : std::uint8_t {
+    horizontal,
+    slant,
+    bored,
+    helix,
+    rising_slant,
+    rising_helix,
+    segments,
+    other
+  };
   struct Row {
     Form form = Form::other;
     std::uint32_t sweep = 0;
@@ -99,6 +110,7 @@ class SweepHeights {
                                    double below) const;
   double bored_bottom(const Row& row, double x, double y, double radius) const;
   const ToolPath& path(const Row& row) const;
+  static Underside::Slant seen(const Row& row, double x, double y);
   double search(std::uint32_t sweep, double x, double y, const Underside::Bounds& within) const;
 
   const SweepTable& sweeps_;

@@ -32,7 +32,7 @@ Underside::Underside(const Profile& tool) : radius_(tool.max_radius()), convex_(
       edge.center = e.center.x, edge.z0 = e.center.y;
       edge.radius = e.radius, edge.above = !e.convex;
     } else {
-      edge.slope = (e.b.y - e.a.y) / (e.b.x - e.a.x);
+      edge.incline = (e.b.y - e.a.y) / (e.b.x - e.a.x);
     }
     edges_.push_back(edge);
   }
@@ -40,26 +40,27 @@ Underside::Underside(const Profile& tool) : radius_(tool.max_radius()), convex_(
           edges_[0].radius == radius_ && edges_[0].z0 == radius_;
 }
 
-double Underside::height_on(const Edge& e, double rho) {
-  if (e.radius == 0) return e.z0 + e.slope * (rho - e.from);
-  const double up = root(e.radius * e.radius - (rho - e.center) * (rho - e.center));
-  return e.above ? e.z0 + up : e.z0 - up;
+double Underside::Edge::height(double rho) const {
+  if (radius == 0) return z0 + incline * (rho - from);
+  const double up = root(radius * radius - (rho - center) * (rho - center));
+  return above ? z0 + up : z0 - up;
 }
 
-double Underside::slope_on(const Edge& e, double rho) {
-  if (e.radius == 0) return e.slope;
-  const double off = rho - e.center, up = root(e.radius * e.radius - off * off);
+double Underside::Edge::slope(double rho) const {
+  if (radius == 0) return incline;
+  const double off = above ? center - rho : rho - center;
+  const double up = root(radius * radius - off * off);
   return up > 0 ? off / up : kInfinity;
 }
 
 double Underside::height(double rho) const {
   for (const Edge& e : edges_)
-    if (rho <= e.to) return height_on(e, std::max(rho, e.from));
+    if (rho <= e.to) return e.height(std::max(rho, e.from));
   return kInfinity;
 }
 
 // The tool touches at a place where it is as steep as the move: with the axis at distance rho of
-// the place, e of it along the move, slope_on(rho) e / rho = slope. The tool is widened by `shift`.
+// the place, e of it along the move, slope(rho) e / rho = slope. The tool is widened by `shift`.
 // Steepness grows with e, so the contact is looked for in the part of one edge, and an end of
 // `range` is the answer where the contact lies beyond it.
 Underside::Bracket Underside::contact(const Slant& at, double shift, Bracket range,
@@ -72,9 +73,9 @@ Underside::Bracket Underside::contact(const Slant& at, double shift, Bracket ran
     if (end <= v) continue;
     const double last = root(end * end - v * v);
     const Bracket in{std::max(first, range.low), std::min(last, range.high)};
-    if (in.low <= in.high && (last >= range.high || !(slope_on(e, e.to) * last < slope * end))) {
+    if (in.low <= in.high && (last >= range.high || !(e.slope(e.to) * last < slope * end))) {
       if (e.radius > 0) return arc_contact(e, at, shift, in, steps);
-      const double tilt = root(e.slope * e.slope - slope * slope);
+      const double tilt = root(e.incline * e.incline - slope * slope);
       const double found = tilt > 0 ? std::clamp(slope * v / tilt, in.low, in.high) : in.high;
       return {found, found};
     }
@@ -140,7 +141,7 @@ Underside::Slope Underside::slope_at(double rho) const {
   for (const Edge& e : edges_) {
     if (rho > e.to) continue;
     const double on = std::max(rho, e.from);
-    if (e.radius == 0) return {e.z0 + e.slope * (on - e.from), e.slope};
+    if (e.radius == 0) return {e.z0 + e.incline * (on - e.from), e.incline};
     const double off = on - e.center, up = root(e.radius * e.radius - off * off);
     return {e.above ? e.z0 + up : e.z0 - up, up > 0 ? off / up : kInfinity};
   }

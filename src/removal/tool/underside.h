@@ -12,6 +12,16 @@ namespace mrsim {
 
 class Underside {
  public:
+  /// z = z0 + incline (rho - from), or of an arc about (center, z0) on its lower side (above: on
+  /// its upper one), for from <= rho <= to.
+  struct Edge {
+    double from = 0, to = 0, z0 = 0, incline = 0;
+    double center = 0, radius = 0;
+    bool above = false;
+    double height(double rho) const;
+    double slope(double rho) const;  ///< infinite where the arc is upright
+  };
+
   Underside() = default;
   /// Requires: tool.is_rising().
   explicit Underside(const Profile& tool);
@@ -21,11 +31,13 @@ class Underside {
   /// What height() gains by rho; infinite where the tool is upright.
   double slope(double rho) const { return slope_at(rho).slope; }
   double radius() const { return radius_; }
+  /// From the axis outwards, without gaps; at a wall the height jumps up.
+  const std::vector<Edge>& edges() const { return edges_; }
   /// The height is a convex function of the distance: bottom() and bounds() may be called.
   bool is_convex() const { return convex_; }
   /// A flat end and a wall.
   bool is_flat() const {
-    return edges_.size() == 1 && edges_[0].radius == 0 && edges_[0].slope == 0;
+    return edges_.size() == 1 && edges_[0].radius == 0 && edges_[0].incline == 0;
   }
 
   bool is_ball() const { return ball_; }
@@ -47,18 +59,9 @@ class Underside {
                 double below = std::numeric_limits<double>::infinity()) const;
 
  private:
-  // z = z0 + slope (rho - from), or of an arc about (center, z0) on its lower side (above: on its
-  // upper one), for from <= rho <= to.
-  struct Edge {
-    double from = 0, to = 0, z0 = 0, slope = 0;
-    double center = 0, radius = 0;
-    bool above = false;
-  };
   struct Bracket {
     double low = 0, high = 0;
   };
-  static double height_on(const Edge& e, double rho);
-  static double slope_on(const Edge& e, double rho);
   struct Slope {
     double height, slope;
   };
