@@ -156,6 +156,30 @@ TEST(Collisions, AShankWiderThanTheCutterCollidesInADeepPocket) {
   EXPECT_NEAR(report.lines[1].volume, 4 * (40 * (8 - 6) + kPi * (16 - 9)), 4);
 }
 
+// All boxes of the search are as thin as the layer: its lower face is deepest, not its middle.
+TEST(Collisions, AShankThatDipsIntoTheFaceIsAsDeepAsItsEnd) {
+  Tool tool = endmill(8);
+  tool.type = ToolType::lollipop;
+  tool.neck_diameter = 5.4, tool.shank = {{9.9, 9.9, 15.1}};
+  const double low = -7.048, dip = -(low + 4 + std::sqrt(16 - 2.7 * 2.7));  // neck's upper end
+  const Moves m = Moves({-13.79, -6, 10})
+                      .cut({-13.79, -6, -6.748})
+                      .rapid({-12.74, -6, -6.748})
+                      .rapid({-12.74, -6, low})
+                      .rapid({-13.04, -6, low})
+                      .cut({-1.7, -0.48, low})
+                      .rapid({-1.7, -0.48, 1.46});
+  const StockShape stock = testing::box_stock({-20, -15, -12}, {20, 15, 0});
+  const CollisionReport report = check(stock, m.motions, tool, 0.25);
+  int shanks = 0;
+  for (const Collision& c : report.lines) {
+    if (c.part != ToolPart::shank) continue;
+    ++shanks;
+    EXPECT_NEAR(c.depth, dip, 0.003) << "motion " << c.motion;
+  }
+  EXPECT_EQ(shanks, 4);
+}
+
 TEST(Collisions, WhatLaterMotionsRemoveIsStillThere) {
   Tool tool = endmill(10, 0, 6);
   tool.holder = {{30, 30, 40}};

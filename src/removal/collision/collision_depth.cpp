@@ -14,6 +14,7 @@ namespace {
 
 constexpr std::size_t kMostDepthBoxes = 4000;
 constexpr double kDepthShare = 1.0 / 32;  // of the depth: what the boxes may leave undecided
+constexpr double kFlat = 1.0 / 4;         // of its longest side: as thin as that a box is flat
 constexpr double kFirstStep = 1.0 / 32;   // of the size of all: of the steps from the first hit
 constexpr double kLongestStep = 0.25;     // mm: of these, so that few cuts matter about a point
 constexpr double kLastStep = 1e-4;        // mm
@@ -44,6 +45,7 @@ class DepthSearch {
   double material(const Vec3& p, std::span<const std::uint32_t> cuts);
   Vec3 nearest_of_mover(const Vec3& p, double away) const;
   double provable(const Vec3& p, std::span<const std::uint32_t> cuts);
+  void try_faces(const Box3& box, std::span<const std::uint32_t> cuts);
   bool make_node(const Box3& box, std::span<const std::uint32_t> cuts, Node& node);
   void push(Node node);
   void branch();
@@ -109,7 +111,21 @@ bool DepthSearch::make_node(const Box3& box, std::span<const std::uint32_t> cuts
   node.cuts.clear();
   for (std::size_t k = 0; k < cuts.size(); ++k)
     if (distance_[k] <= depth + 2 * radius + slack_) node.cuts.push_back(cuts[k]);
+  try_faces(box, node.cuts);
   return true;
+}
+
+// The boxes of a thin layer stay as thin as it is until they are short, so that all their middles
+// lie in the middle of the layer; what lies deepest are its faces.
+void DepthSearch::try_faces(const Box3& box, std::span<const std::uint32_t> cuts) {
+  const Vec3 center = 0.5 * (box.lo + box.hi), half = 0.5 * (box.hi - box.lo);
+  const double longest = std::max({half.x, half.y, half.z});
+  for (int axis = 0; axis < 3; ++axis) {
+    const double thick = component(half, axis);
+    if (thick == 0 || thick > kFlat * longest) continue;
+    const Vec3 off{axis == 0 ? thick : 0, axis == 1 ? thick : 0, axis == 2 ? thick : 0};
+    provable(center - off, cuts), provable(center + off, cuts);
+  }
 }
 
 void DepthSearch::push(Node node) {
