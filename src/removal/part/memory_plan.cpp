@@ -23,7 +23,7 @@ constexpr double kMotion = 320;
 // Each sweep, and each segment of a path, in the threads' lists of candidates.
 constexpr double kSweep = 20, kSegment = 20;
 // Each triangle of a stock that is a mesh: the tree over it, and what checking the mesh has left.
-constexpr double kStockTriangle = 230;
+constexpr double kStockTriangle = 290;
 // Each tool, in what SweepTable keeps of its shapes; checked before the table is made.
 constexpr double kTool = 9000;
 // Each shape in the table; and in the lists that each thread has while it surveys the part.
