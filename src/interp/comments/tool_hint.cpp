@@ -164,10 +164,10 @@ void fill_cone(const ToolHint& hint, double unit, Tool& out, std::string& why) {
 // A centre drill by its number, or by its pilot and body: "#3", "3.15 X 8". Its pilot is as long as
 // the standards say: ANSI B94.11M for numbers and inches, ISO 866 for sizes in mm.
 bool fill_centre_drill(const ToolHint& hint, double unit, Tool& out) {
-  const double pilot = beside(hint.pilot, hint, unit);
-  const ToolLength& told = hint.pilot;
-  const bool inches = told.unit > 1 || told.fraction || (told.unit == 0 && unit > 1);
-  const double length = pilot * (inches ? 1 : 1.25);
+  constexpr double kMetric = 1.25, kInches = 1;  // lengths, in widths of the pilot
+  const double pilot = beside(hint.pilot, hint, unit), told = hint.pilot.unit;
+  const bool inches = told > 1 || hint.pilot.fraction || (told == 0 && unit > 1);
+  const double length = pilot * (inches ? kInches : kMetric);
   out.type = ToolType::form;
   out.profile = centre_drill_outline(pilot, out.diameter, length, hint.tip_angle);
   out.origin += fmt::format(", its pilot {:.4g} mm wide and {:.4g} mm long", pilot, length);
