@@ -12,10 +12,9 @@
 namespace mrsim {
 namespace {
 
-constexpr double kFound = 1e-9;    // mm: error of a bottom
-constexpr double kOfWidth = 1e-2;  // error of a bound, as a share of the radius of the places
+constexpr double kBottomError = 1e-9;  // mm: error of a bottom
+constexpr double kOfWidth = 1e-2;      // error of a bound, as a share of the radius of the places
 
-double root(double square) { return square > 0 ? std::sqrt(square) : 0; }
 // Of a slope, perhaps infinite, and a rate that may be 0.
 double product(double slope, double rate) { return rate > 0 ? slope * rate : 0; }
 
@@ -33,7 +32,7 @@ struct LineCourse {
     const double rho = std::sqrt(t * t + v * v);
     return {rho, rho > 0 ? t / rho : 0};
   }
-  double reaches(double rho) const { return root(rho * rho - v * v); }
+  double reaches(double rho) const { return root_or_zero(rho * rho - v * v); }
   double quickest() const { return 1; }
 };
 
@@ -129,7 +128,7 @@ class LeastHeight {
 
 double least_height(const Underside& tool, const Underside::Slant& at, double wider, double error,
                     double below) {
-  const double reach = tool.radius() + wider, wide = root(reach * reach - at.v * at.v);
+  const double reach = tool.radius() + wider, wide = root_or_zero(reach * reach - at.v * at.v);
   const double low = std::max(at.u - at.length, -wide), high = std::min(at.u, wide);
   if (at.v > reach || low > high) return kInfinity;
   const double before = at.slope * at.u;  // the tip's height where it is nearest
@@ -152,7 +151,7 @@ double least_height(const Underside& tool, const ToolPath& helix, double x, doub
 
 template <class... Path>
 Underside::Bounds bounds_of(const Underside& tool, double r, double below, const Path&... path) {
-  const double error = std::max(kOfWidth * r, kFound);
+  const double error = std::max(kOfWidth * r, kBottomError);
   const double lower = least_height(tool, path..., r, error, below) - error;
   if (!(lower < below)) return {lower, kInfinity};
   return {lower - kRounding, least_height(tool, path..., -r, error, kInfinity) + kRounding};
@@ -161,12 +160,12 @@ Underside::Bounds bounds_of(const Underside& tool, double r, double below, const
 }  // namespace
 
 double rising_bottom(const Underside& tool, const Underside::Slant& at, double below) {
-  return least_height(tool, at, 0, kFound, below);
+  return least_height(tool, at, 0, kBottomError, below);
 }
 
 double rising_bottom(const Underside& tool, const ToolPath& helix, double x, double y,
                      double below) {
-  return least_height(tool, helix, x, y, 0, kFound, below);
+  return least_height(tool, helix, x, y, 0, kBottomError, below);
 }
 
 Underside::Bounds rising_bounds(const Underside& tool, const Underside::Slant& at, double r,

@@ -11,8 +11,6 @@ namespace {
 constexpr int kAllSteps = 60, kBoundSteps = 4;
 constexpr double kContact = 1e-6;  // mm: the height changes by its square, 1e-12 / radius
 
-double root(double square) { return square > 0 ? std::sqrt(square) : 0; }
-
 // Where on its move a ball touches, e before the place: at slope wide / sqrt(1 + slope^2), or at
 // the end of the range nearest to it, which is found without roots.
 double ball_contact(double slope, double square, double low, double high) {
@@ -42,14 +40,14 @@ Underside::Underside(const Profile& tool) : radius_(tool.max_radius()), convex_(
 
 double Underside::Edge::height(double rho) const {
   if (radius == 0) return z0 + incline * (rho - from);
-  const double up = root(radius * radius - (rho - center) * (rho - center));
+  const double up = root_or_zero(radius * radius - (rho - center) * (rho - center));
   return above ? z0 + up : z0 - up;
 }
 
 double Underside::Edge::slope(double rho) const {
   if (radius == 0) return incline;
   const double off = above ? center - rho : rho - center;
-  const double up = root(radius * radius - off * off);
+  const double up = root_or_zero(radius * radius - off * off);
   return up > 0 ? off / up : kInfinity;
 }
 
@@ -66,16 +64,16 @@ double Underside::height(double rho) const {
 Underside::Bracket Underside::contact(const Slant& at, double shift, Bracket range,
                                       int steps) const {
   const double v = at.v, slope = at.slope;
-  double first = shift > 0 ? root(shift * shift - v * v) : 0;  // e where the edge begins
+  double first = shift > 0 ? root_or_zero(shift * shift - v * v) : 0;  // e where the edge begins
   for (const Edge& e : edges_) {
     if (range.high <= first) return {range.high, range.high};
     const double end = e.to + shift;
     if (end <= v) continue;
-    const double last = root(end * end - v * v);
+    const double last = root_or_zero(end * end - v * v);
     const Bracket in{std::max(first, range.low), std::min(last, range.high)};
     if (in.low <= in.high && (last >= range.high || !(e.slope(e.to) * last < slope * end))) {
       if (e.radius > 0) return arc_contact(e, at, shift, in, steps);
-      const double tilt = root(e.incline * e.incline - slope * slope);
+      const double tilt = root_or_zero(e.incline * e.incline - slope * slope);
       const double found = tilt > 0 ? std::clamp(slope * v / tilt, in.low, in.high) : in.high;
       return {found, found};
     }
@@ -90,12 +88,12 @@ Underside::Bracket Underside::arc_contact(const Edge& e, const Slant& from, doub
   const double v = from.v, slope = from.slope;
   const double center = e.center + shift, square = e.radius * e.radius;
   if (center == 0) {
-    const double at = slope * root((square - v * v) / (1 + slope * slope));
+    const double at = slope * root_or_zero((square - v * v) / (1 + slope * slope));
     return {std::clamp(at, in.low, in.high), std::clamp(at, in.low, in.high)};
   }
   const auto excess = [&](double along) {
     const double rho = std::sqrt(along * along + v * v), off = rho - center;
-    return std::max(off, 0.0) * along - slope * rho * root(square - off * off);
+    return std::max(off, 0.0) * along - slope * rho * root_or_zero(square - off * off);
   };
   double below = excess(in.low);
   if (!(below < 0)) return {in.low, in.low};
@@ -122,12 +120,12 @@ double Underside::ball_bottom(const Slant& at) const {
   const double low = std::max(at.u - at.length, -wide), high = std::min(at.u, wide);
   if (low > high) return kInfinity;
   const double e = ball_contact(at.slope, square, low, high);
-  return at.slope * (at.u - e) + radius_ - root(square - e * e);
+  return at.slope * (at.u - e) + radius_ - root_or_zero(square - e * e);
 }
 
 double Underside::bottom(const Slant& at, double below) const {
   if (ball_) return ball_bottom(at);
-  const double wide = root(radius_ * radius_ - at.v * at.v);
+  const double wide = root_or_zero(radius_ * radius_ - at.v * at.v);
   const double low = std::max(at.u - at.length, -wide), high = std::min(at.u, wide);
   if (at.v > radius_ || low > high) return kInfinity;
   if (at.slope * (at.u - high) + height(at.v) >= below) return kInfinity;
@@ -142,7 +140,7 @@ Underside::Slope Underside::slope_at(double rho) const {
     if (rho > e.to) continue;
     const double on = std::max(rho, e.from);
     if (e.radius == 0) return {e.z0 + e.incline * (on - e.from), e.incline};
-    const double off = on - e.center, up = root(e.radius * e.radius - off * off);
+    const double off = on - e.center, up = root_or_zero(e.radius * e.radius - off * off);
     return {e.above ? e.z0 + up : e.z0 - up, up > 0 ? off / up : kInfinity};
   }
   return {kInfinity, kInfinity};
@@ -152,7 +150,7 @@ Underside::Slope Underside::slope_at(double rho) const {
 // function of e, so it lies above its tangents at both ends of a bracket of the contact. A bracket
 // no longer than r will do: what the tangents lose grows with the square of its length.
 double Underside::lower(const Slant& at, double r) const {
-  const double reach = radius_ + r, wide = root(reach * reach - at.v * at.v);
+  const double reach = radius_ + r, wide = root_or_zero(reach * reach - at.v * at.v);
   const double low = std::max(at.u - at.length, -wide), high = std::min(at.u, wide);
   if (at.v > reach || low > high) return kInfinity;
   const Bracket in =
@@ -176,7 +174,7 @@ double Underside::lower(const Slant& at, double r) const {
 
 // Any position of the tool narrowed by r is an upper bound.
 double Underside::upper(const Slant& at, double r) const {
-  const double reach = radius_ - r, wide = root(reach * reach - at.v * at.v);
+  const double reach = radius_ - r, wide = root_or_zero(reach * reach - at.v * at.v);
   const double low = std::max(at.u - at.length, -wide), high = std::min(at.u, wide);
   if (at.v > reach || low > high) return kInfinity;
   const auto value = [&](double e) {
@@ -207,7 +205,7 @@ double Underside::ball_upper(const Slant& at, double r) const {
   if (low > high) return kInfinity;
   const double e = ball_contact(at.slope, square, low, high);
   const double rho = std::sqrt(e * e + at.v * at.v) + r;
-  return at.slope * (at.u - e) + radius_ - root(radius_ * radius_ - rho * rho) + kRounding;
+  return at.slope * (at.u - e) + radius_ - root_or_zero(radius_ * radius_ - rho * rho) + kRounding;
 }
 
 Underside::Bounds Underside::bounds(const Slant& at, double r, double below) const {

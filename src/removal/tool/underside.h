@@ -5,10 +5,14 @@
 
 #include "removal/tool/tool.h"
 
+#include <cmath>
 #include <limits>
 #include <vector>
 
 namespace mrsim {
+
+/// The square root; 0 of what rounding has made negative.
+inline double root_or_zero(double square) { return square > 0 ? std::sqrt(square) : 0; }
 
 class Underside {
  public:
