@@ -22,6 +22,10 @@ struct FloatBox {
       hi[k] = std::max(hi[k], b.hi[k]);
     }
   }
+  std::size_t longest_axis() const {
+    const float x = hi[0] - lo[0], y = hi[1] - lo[1], z = hi[2] - lo[2];
+    return x >= y && x >= z ? 0 : y >= z ? 1 : 2;
+  }
   bool overlaps(const FloatBox& b) const {
     return lo[0] <= b.hi[0] && b.lo[0] <= hi[0] && lo[1] <= b.hi[1] && b.lo[1] <= hi[1] &&
            lo[2] <= b.hi[2] && b.lo[2] <= hi[2];
@@ -74,7 +78,7 @@ class BoxTree {
     node.first = begin, node.count = end - begin;
     nodes_.push_back(node);
     if (end - begin <= leaf) return;
-    const std::size_t axis = longest(centers);
+    const std::size_t axis = centers.longest_axis();
     const std::uint32_t middle = begin + (end - begin) / 2;
     std::nth_element(order_.begin() + begin, order_.begin() + middle, order_.begin() + end,
                      [&](std::uint32_t i, std::uint32_t j) {
@@ -85,11 +89,6 @@ class BoxTree {
     nodes_[self].first = static_cast<std::uint32_t>(nodes_.size());
     nodes_[self].count = 0;
     build(boxes, middle, end, leaf);
-  }
-
-  static std::size_t longest(const FloatBox& b) {
-    const float x = b.hi[0] - b.lo[0], y = b.hi[1] - b.lo[1], z = b.hi[2] - b.lo[2];
-    return x >= y && x >= z ? 0 : y >= z ? 1 : 2;
   }
 
   std::vector<Node> nodes_;

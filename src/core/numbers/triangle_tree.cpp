@@ -85,13 +85,6 @@ TrianglePoint nearest_on_sides(const Vec3& p, const std::array<Vec3, 3>& corners
   return best;
 }
 
-std::size_t longest_axis(const FloatBox& box) {
-  std::size_t axis = 0;
-  for (std::size_t k = 1; k < 3; ++k)
-    if (box.hi[k] - box.lo[k] > box.hi[axis] - box.lo[axis]) axis = k;
-  return axis;
-}
-
 double extent(const FloatBox& box, std::size_t axis) {
   return static_cast<double>(box.hi[axis]) - box.lo[axis];
 }
@@ -125,7 +118,7 @@ FloatBox box_between(const TriangleTree::Corners& k, std::size_t axis, double fr
 // The boxes of a triangle's pieces of about that length, across its longest extent.
 void add_pieces(const TriangleTree::Corners& corners, const FloatBox& whole, double length,
                 std::vector<FloatBox>& boxes) {
-  const std::size_t axis = longest_axis(whole);
+  const std::size_t axis = whole.longest_axis();
   const double low = whole.lo[axis], all = extent(whole, axis);
   const double count = length > 0 ? std::ceil(all / length) : 1;
   if (count < 2) {
@@ -158,7 +151,7 @@ void TriangleTree::build_boxes(Boxes kind) {
   double sum = 0;
   for (std::size_t t = 0; t < whole.size(); ++t) {
     for (const std::uint32_t v : triangles_[t]) whole[t].extend({vertices_[v], vertices_[v]});
-    sum += extent(whole[t], longest_axis(whole[t]));
+    sum += extent(whole[t], whole[t].longest_axis());
   }
   const double piece =
       kind == Boxes::pieces ? kPieceLength * sum / static_cast<double>(whole.size()) : kInfinity;

@@ -277,6 +277,7 @@ Bend bend_of(const ExactField& field, std::span<const std::uint32_t> candidates,
 
 bool shows_more(const ExactField& field, const Lattice& lattice, const CellView& cell,
                 const CellLimits& limits) {
+  // A cell that may bend and whose owners are all seen has nothing that a point could show.
   if (limits.bend > limits.near && cell.stock_seen && cell.all_seen) return false;
   const Points points(lattice, cell, field.is_turned(cell.candidates));
   const Views views{field, cell, limits};
