@@ -245,4 +245,16 @@ std::vector<std::pair<std::uint32_t, std::uint32_t>> self_intersections(
   return all;
 }
 
+bool is_sound(const TriMesh& mesh, int threads) {
+  std::vector<Vec3> vertices;
+  vertices.reserve(mesh.vertices.size());
+  for (const auto& v : mesh.vertices) {
+    vertices.push_back({v[0], v[1], v[2]});
+    if (!is_vertex(vertices.back())) return false;
+  }
+  for (const Triangle& t : mesh.triangles)
+    if (is_degenerate(vertices[t[0]], vertices[t[1]], vertices[t[2]])) return false;
+  return self_intersections(vertices, mesh.triangles, threads).empty();
+}
+
 }  // namespace mrsim::detail

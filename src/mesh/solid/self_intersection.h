@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/numbers/vec.h"
+#include <mrsim/types.h>
 
 #include <array>
 #include <cstdint>
@@ -19,5 +20,9 @@ namespace mrsim::detail {
 std::vector<std::pair<std::uint32_t, std::uint32_t>> self_intersections(
     std::span<const Vec3> vertices, std::span<const std::array<std::uint32_t, 3>> triangles,
     int threads, std::span<const char> chosen = {});
+
+/// True for a mesh without degenerate triangles and self-intersections whose coordinates are as
+/// vertex_lattice.h says, as those of the meshes that mrsim makes; false of all others.
+bool is_sound(const TriMesh& mesh, int threads);
 
 }  // namespace mrsim::detail

@@ -24,6 +24,12 @@ inline double snap(double x) {
 }
 inline Vec3 snap(const Vec3& p) { return {snap(p.x), snap(p.y), snap(p.z)}; }
 
+/// Whether a vertex may lie at p, and predicates on it are exact.
+inline bool is_vertex(const Vec3& p) {
+  constexpr double kMost = 4096;  // mm
+  return p == snap(p) && std::abs(p.x) < kMost && std::abs(p.y) < kMost && std::abs(p.z) < kMost;
+}
+
 /// More than the distance of two neighbouring coordinates about x.
 inline double coordinate_step(double x) {
   const double a = x < 0 ? -x : x;

@@ -6,7 +6,6 @@
 #include "mesh/cells/mesh_memory.h"
 #include "mesh/cells/step_timer.h"
 #include "mesh/solid/check.h"
-#include "mesh/solid/exact_predicates.h"
 #include "mesh/solid/self_intersection.h"
 #include "mesh/solid/vertex_lattice.h"
 #include "mesh/turned/turned_chords.h"
@@ -181,16 +180,6 @@ class Turner {
   const Rings& rings_;
   TriMesh mesh_;
 };
-
-// No triangle without area, none that meets another one, exactly.
-bool is_sound(const TriMesh& mesh, int threads) {
-  std::vector<Vec3> vertices;
-  vertices.reserve(mesh.vertices.size());
-  for (const auto& v : mesh.vertices) vertices.push_back({v[0], v[1], v[2]});
-  for (const auto& t : mesh.triangles)
-    if (is_degenerate(vertices[t[0]], vertices[t[1]], vertices[t[2]])) return false;
-  return self_intersections(vertices, mesh.triangles, threads).empty();
-}
 
 // The mesh's volume less that of the part, by Pappus.
 double volume_excess(const std::vector<Outline>& outlines, const TriMesh& mesh) {
