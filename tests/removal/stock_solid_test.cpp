@@ -111,10 +111,14 @@ TEST(StockSolid, FacetsAreWhatIsNotFlat) {
   shape.kind = StockShape::Kind::mesh;
   shape.mesh = testing::box_mesh({0, 0, 0}, {30, 20, 10});
   shape.box = {{0, 0, 0}, {30, 20, 10}};
-  EXPECT_EQ(StockSolid(shape).facet_area(), 0);
+  EXPECT_EQ(StockSolid(shape).facets().area, 0);
+  EXPECT_EQ(StockSolid(shape).facets().edges, 0);
   shape.mesh = testing::cylinder_mesh(200, 10, 0, 5);
   shape.box = {{-10, -10, 0}, {10, 10, 5}};
-  EXPECT_NEAR(StockSolid(shape).facet_area(), 100 * kPi, 0.1);
+  const StockFacets wall = StockSolid(shape).facets();
+  EXPECT_NEAR(wall.area, 100 * kPi, 0.1);
+  EXPECT_EQ(wall.edges, 200);
+  EXPECT_NEAR(wall.bend, 5 * kTwoPi, 0.01);  // height times the whole turn
 }
 
 TEST(StockSolid, RefusesWhatHasNoVolume) {

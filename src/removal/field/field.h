@@ -55,6 +55,13 @@ struct FaceRange {
 
 using Candidates = std::vector<std::uint32_t>;  ///< indices of sweeps, ascending
 
+/// The curved faces of a stock that is a mesh, as its triangles draw them.
+struct StockFacets {
+  double area = 0;   ///< mm^2, without large flat faces
+  double bend = 0;   ///< mm: length times angle, radians, of all edges of less than 30 degrees
+  double edges = 0;  ///< how many these are
+};
+
 class ExactField {
  public:
   enum class Region : std::uint8_t { air, material, mixed };
@@ -163,8 +170,8 @@ class ExactField {
 
   /// Whether the stock before the first cut is a box with sides along the axes.
   virtual bool has_box_stock() const { return false; }
-  /// mm^2 of a stock that is a mesh, but for its large flat faces.
-  virtual double facet_area() const { return 0; }
+  /// Those of a stock that is a mesh.
+  virtual StockFacets facets() const { return {}; }
 
   /// A box that holds the whole part.
   virtual Box3 bounds() const = 0;

@@ -61,7 +61,7 @@ class PartField final : public ExactField {
             (candidates.front() >= sweeps_.size() && candidates.back() < kFirstPack));
   }
   bool has_box_stock() const override { return solid_.is_box(); }
-  double facet_area() const override { return solid_.facet_area(); }
+  StockFacets facets() const override { return solid_.facets(); }
   Box3 bounds() const override { return solid_.bounds(); }
 
   const StockSolid& solid() const { return solid_; }

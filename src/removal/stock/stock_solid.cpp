@@ -17,6 +17,8 @@ namespace {
 constexpr double kFlatCosine = 1 - 0.5e-8;
 
 constexpr double kLargeFace = 0.01;  ///< of a mesh's area
+constexpr double kSmoothBend =
+    0.52;  ///< radians, 30 degrees: up to it, an edge draws a curved face
 
 }  // namespace
 
@@ -32,22 +34,25 @@ StockSolid::StockSolid(StockShape shape) : shape_(std::move(shape)) {
   number_ = ++count;
   tree_ = std::make_shared<TriangleTree>(shape_.mesh, TriangleTree::Boxes::pieces);
   find_flat_faces();
-  bent_edges_ = find_bent_edges();
-  facet_area_ = find_facet_area();
+  find_bends();
+  facets_.area = find_facet_area();
 }
 
-double StockSolid::find_bent_edges() const {
-  double sum = 0;
+void StockSolid::find_bends() {
   for (std::uint32_t t = 0; t < tree_->size(); ++t) {
     const TriangleTree::Corners k = tree_->corners(t);
     const Vec3 ends[4] = {k.a, k.b, k.c, k.a};
     for (std::size_t i = 0; i < 3; ++i) {
       const std::uint32_t next = tree_->neighbors(t)[i];
-      if (next < t && faces_[next] != faces_[t])
-        sum += length(ends[i + 1] - ends[i]) * length(tree_->normal(t) - tree_->normal(next)) / 2;
+      if (next >= t || faces_[next] == faces_[t]) continue;
+      const double edge = length(ends[i + 1] - ends[i]);
+      const double bend = length(tree_->normal(t) - tree_->normal(next));
+      bent_edges_ += edge * bend / 2;
+      if (bend > kSmoothBend) continue;
+      facets_.bend += edge * bend;
+      ++facets_.edges;
     }
   }
-  return sum;
 }
 
 double StockSolid::find_facet_area() const {

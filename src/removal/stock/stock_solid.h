@@ -74,8 +74,8 @@ class StockSolid {
   double area() const;
   /// mm of edges of a mesh, by the sine of half the angle of their faces; 0 where it is no mesh.
   double bent_edges() const { return bent_edges_; }
-  /// mm^2 of a mesh but for flat faces of more than a hundredth of it; 0 where it is no mesh.
-  double facet_area() const { return facet_area_; }
+  /// Of a mesh; flat faces of more than a hundredth of it are large.
+  const StockFacets& facets() const { return facets_; }
 
  private:
   Sample sample_box(const Vec3& p) const;
@@ -83,7 +83,7 @@ class StockSolid {
   Sample sample_mesh(const Vec3& p, double least) const;
   double radius_at(const Vec3& p) const;
   void find_flat_faces();
-  double find_bent_edges() const;
+  void find_bends();
   double find_facet_area() const;
 
   StockShape shape_;
@@ -95,7 +95,8 @@ class StockSolid {
     double offset;  // dot(normal, point of the plane)
   };
   std::vector<Plane> planes_;  // mesh: of each flat face
-  double bent_edges_ = 0, facet_area_ = 0;
+  double bent_edges_ = 0;
+  StockFacets facets_;
 };
 
 }  // namespace mrsim
