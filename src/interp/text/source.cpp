@@ -102,6 +102,9 @@ void LineSource::seek(std::uint64_t offset, int line_number) {
 }
 
 bool LineSource::refill() {
+  // At the end all stays where it is, so that a subprogram in the last lines is not read again for
+  // each call. Some files of the system have a size of 0 and a text.
+  if (size_ > 0 && buffer_offset_ + end_ >= size_) return false;
   if (begin_ > 0) {
     std::memmove(buffer_.data(), buffer_.data() + begin_, end_ - begin_);
     buffer_offset_ += begin_;
