@@ -195,6 +195,23 @@ TEST(FanucRegisters, CutsMustNotBeWithAndWithoutTheLength) {
   EXPECT_EQ(told("G49\nG0 Z5.\nG1 Z-2.\n", true), "") << "the table tells it";
 }
 
+// #4012 is group 12: the work offset on Haas and Mitsubishi, G66 and G67 on FANUC, which no program
+// reads.
+TEST(Macro, Group12IsTheWorkOffset) {
+  const std::string text = "G55\n#33=#4012\nG54 G1 X#33 F9\nX#4012\nM30\n";
+  EXPECT_EQ(path_text(read_text(text, at_origin(Dialect::fanuc))), "l55,0,0 l54,0,0 | modal-group");
+  InterpOptions given = at_origin(Dialect::fanuc);
+  given.variables = {{"#4012", "67"}};
+  EXPECT_EQ(path_text(read_text(text, given)), "l67,0,0");
+}
+
+TEST(Macro, ABlankBehindTheSlashMeansNothing) {
+  InterpOptions options = at_origin(Dialect::fanuc);
+  options.block_skip = 0b100;
+  EXPECT_EQ(path_text(read_text("/ 2 G1 X1 F9\n/ 3 G1 X2 F9\nN5 / 2 X3\n/ X4\nM30\n", options)),
+            "l2,0,0 l4,0,0");
+}
+
 // The blocks behind it ran.
 TEST(FanucRegisters, AnAlarmEndsTheProgram) {
   const Program p =

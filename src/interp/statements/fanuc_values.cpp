@@ -26,6 +26,13 @@ bool FanucValues::modal(int number, double& out) const {
     case 7:
       out = comp_number(modal_.comp);
       return true;
+    case 12:
+      reporter_.once(
+          Severity::warning, "modal-group",
+          "#4012 is read as the work offset, as Haas and Mitsubishi have it; on FANUC it "
+          "is G66 or G67, and #4014 the work offset",
+          Word{}, "4012");
+      [[fallthrough]];
     case 14:
       out = frames_.work_name.starts_with("G54.1P") ? 54.1 : work_number();
       return true;

@@ -181,6 +181,9 @@ bool WordReader::head_of_block(Block& block) {
                    word, "simulator-line");
   } else if (c == '/' && block.skip_level < 0) {
     ++p_;
+    std::size_t level = p_;
+    while (blank(at(level)) && level < line_.size()) ++level;
+    if (is_digit(at(level))) p_ = level;
     block.skip_level = is_digit(at(p_)) ? at(p_++) - '0' : 0;
     if (skips_level(skip_, block.skip_level)) p_ = line_.size();
   } else if (const std::size_t end = end_of_wait(); end > 0) {
