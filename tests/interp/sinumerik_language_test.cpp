@@ -345,6 +345,18 @@ TEST(SinumerikLanguage, ModalCodesInForceAreRead) {
   EXPECT_EQ(path("R1=$P_GG[13]\nG1 X5 F9\n"), "l5,0,0 | variable-unset");
 }
 
+// $P_SUBPAR[n]: whether the call gives parameter n, or its default counts.
+TEST(SinumerikLanguage, ASubprogramKnowsWhichParametersItWasGiven) {
+  const Scratch scratch;
+  scratch.write("SUB.SPF",
+                "PROC SUB(REAL PA, REAL PB=7)\nIF $P_SUBPAR[1]\nX=PA\nENDIF\n"
+                "IF $P_SUBPAR[2]==TRUE\nY=PB\nELSE\nZ=PB\nENDIF\nM17\n");
+  const std::string main =
+      scratch.write("MAIN.MPF", "G1 F9\nSUB(1)\nSUB(2,3)\nSUB(,4)\nSUB\nX9\nM30\n");
+  EXPECT_EQ(path_text(read_program(main, at_origin(Dialect::sinumerik))),
+            "l1,0,0 l1,0,7 l2,0,7 l2,3,7 l2,4,7 l9,4,7");
+}
+
 // What stands behind a condition is an error whether the condition holds or not: "IF R1=5" would
 // ask whether R1 is 0, and words there would be lost.
 TEST(SinumerikStructures, NothingStandsBehindACondition) {

@@ -294,5 +294,17 @@ TEST(SinumerikCycles, ATextInThePlaceOfANumberIsNamed) {
       << p.diagnostics.back().text;
 }
 
+// $P_IFRAME = ... holds until a settable frame is chosen again.
+TEST(Sinumerik, TheSettableFrameInForceCanBeSet) {
+  const auto path = [](const std::string& text) {
+    return path_text(read_text(text, at_origin(Dialect::sinumerik)));
+  };
+  const std::string first = "$P_UIFR[2]=CTRANS(X,10,Y,20)\nG54 G1 F9\n";
+  EXPECT_EQ(path(first + "$P_IFRAME=$P_UIFR[2]\nX1 Y1\nG54 X1 Y1\n"), "l11,21,0 l1,1,0");
+  EXPECT_EQ(path(first + "$P_IFRAME[X,TR]=5\nX1\n$P_IFRAME[Z,RT]=90\nX1 Y0\nG500 X1\n"),
+            "l6,0,0 l5,1,0 l1,1,0");
+  EXPECT_EQ(path("G1 F9\n$P_IFRAME=CROT(X,30)\nX1\n"), "l1,0,0 | variable-unset");
+}
+
 }  // namespace
 }  // namespace mrsim

@@ -8,6 +8,7 @@
 #include "interp/text/source.h"
 
 #include <algorithm>
+#include <array>
 
 #include <fmt/format.h>
 
@@ -132,6 +133,7 @@ bool SinumerikProcedures::arguments_of(const Procedure& procedure,
   std::string why;
   for (std::size_t i = 0; i < procedure.parameters.size(); ++i) {
     Bound one{procedure.parameters[i], i < given.size() ? given[i] : ProcedureArgument{}};
+    one.is_given = one.argument.value || one.argument.array;
     const std::string& name = one.parameter.name;
     if (name.size() > 1 && name[0] == 'R' && is_digit(name[1]))
       return wrong(fmt::format("the parameter {} has the name of an R parameter", name));
@@ -148,8 +150,15 @@ bool SinumerikProcedures::arguments_of(const Procedure& procedure,
   return true;
 }
 
+// $P_SUBPAR[n] says whether the call gives the n-th parameter itself.
 void SinumerikProcedures::define_parameters(const std::vector<Bound>& bound) {
   std::string ignored;
+  if (!bound.empty())
+    variables_.define("$P_SUBPAR", VariableType::boolean, {static_cast<int>(bound.size()) + 1},
+                      false, ignored);
+  for (std::size_t i = 0; i < bound.size(); ++i)
+    variables_.assign("$P_SUBPAR", std::array{Value::of(double(i + 1))},
+                      Value::of(bound[i].is_given ? 1 : 0), ignored);
   for (const Bound& one : bound) {
     const ProcedureArgument& from = one.argument;
     variables_.define(one.parameter.name, one.parameter.type, {}, false, ignored);

@@ -55,6 +55,7 @@ class SinumerikProcedures : public ControlPart {
   struct Bound {
     Parameter parameter;
     ProcedureArgument argument;
+    bool is_given = false;  ///< by the call; else the argument is the default
   };
   bool arguments_of(const Procedure& procedure, const std::vector<ProcedureArgument>& given,
                     const Word& word, std::vector<Bound>& out);

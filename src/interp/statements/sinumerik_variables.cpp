@@ -222,7 +222,27 @@ bool turned_about_z(const Frame& frame, double& angle) {
 
 }  // namespace
 
-// Carries out $P_UIFR[1] = CTRANS(...):CROT(Z,...), $P_UIFR[1,X,TR] = 5, $P_UIFR[1,Z,RT] = 30.
+// Changes shift and angle as = CTRANS(...):CROT(Z,...), [X,TR] = 5 or [Z,RT] = 30 of a settable
+// frame say.
+bool SinumerikVariables::take_settable(std::span<const Value> part, const Value& value, Vec3& shift,
+                                       double& angle) const {
+  if (part.empty()) {
+    if (value.kind != Value::Kind::frame || !turned_about_z(*value.frame, angle)) return false;
+    shift = data_scale() * value.frame->shift;
+    return true;
+  }
+  const int axis = axis_named(part[0].text);
+  if (part.size() != 2 || !value.is_number() || axis < 0) return false;
+  if (part[1].text == "TR") {
+    component(shift, axis) = value.number * data_scale();
+    return true;
+  }
+  if (part[1].text != "RT" || (axis != 2 && value.number != 0)) return false;
+  if (axis == 2) angle = value.number;
+  return true;
+}
+
+// Carries out $P_UIFR[1] = CTRANS(...) and $P_UIFR[1,X,TR] = 5.
 bool SinumerikVariables::write_work_frame(std::span<const Value> indices, const Value& value) {
   if (indices.empty() || !indices[0].is_number() || indices[0].number < 1 ||
       indices[0].number >= 100)
@@ -231,21 +251,24 @@ bool SinumerikVariables::write_work_frame(std::span<const Value> indices, const 
   const std::string wanted = fmt::format("G{:g}", n < 5 ? 53 + n : 500 + n);
   Vec3 shift = work_shift(wanted);
   double angle = work_turn(wanted);
-  if (indices.size() == 3 && indices[2].text == "RT" && value.is_number()) {
-    const bool about_z = indices[1].text == "Z";
-    if (!about_z && (value.number != 0 || axis_named(indices[1].text) < 0)) return false;
-    if (about_z) angle = value.number;
-  } else if (indices.size() == 3 && indices[2].text == "TR" && value.is_number() &&
-             axis_named(indices[1].text) >= 0) {
-    component(shift, axis_named(indices[1].text)) = value.number * data_scale();
-  } else if (indices.size() == 1 && value.kind == Value::Kind::frame &&
-             turned_about_z(*value.frame, angle)) {
-    shift = data_scale() * value.frame->shift;
-  } else {
-    return false;
-  }
+  if (!take_settable(indices.subspan(1), value, shift, angle)) return false;
   control_.work_turns[wanted] = angle;
   set_work(wanted, shift);
+  return true;
+}
+
+// Carries out $P_IFRAME = $P_UIFR[2] and its kin: the settable frame in force has these values
+// until one is chosen again.
+bool SinumerikVariables::write_active_work(std::span<const Value> indices, const Value& value) {
+  Vec3 shift = frames_.work;
+  double angle = frames_.work_turn;
+  if (!take_settable(indices, value, shift, angle)) return false;
+  FrameChain frames(control_);
+  frames.save();
+  frames_.work = shift;
+  frames_.work_turn = angle;
+  frames_.work_given = true;
+  frames.rebuild();
   return true;
 }
 
@@ -254,6 +277,7 @@ bool SinumerikVariables::write(std::string_view name, std::span<const Value> ind
   const std::string key = upper_case(name);
   if (key == "$P_PFRAME" && write_program_frame(indices, value)) return true;
   if (key == "$P_UIFR" && write_work_frame(indices, value)) return true;
+  if (key == "$P_IFRAME" && write_active_work(indices, value)) return true;
   if (write_tool(key, indices, value)) return true;
   if (key == "$AC_TIMER") return true;
   if (const std::string kept = kept_name(key, indices); !kept.empty() && value.is_number()) {
@@ -261,7 +285,9 @@ bool SinumerikVariables::write(std::string_view name, std::span<const Value> ind
     return true;
   }
   why = fmt::format("the system variable {} cannot be set here{}", to_utf8(name.substr(0, 60)),
-                    key == "$P_UIFR" ? " (a settable frame shifts, and turns about Z)" : "");
+                    key == "$P_UIFR" || key == "$P_IFRAME"
+                        ? " (a settable frame shifts, and turns about Z)"
+                        : "");
   return false;
 }
 

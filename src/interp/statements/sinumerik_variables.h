@@ -30,7 +30,10 @@ class SinumerikVariables : public StateValues {
   bool frame_value(std::string_view name, std::span<const Value> indices, Value& out) const;
   bool write_tool(std::string_view key, std::span<const Value> indices, const Value& value);
   bool write_program_frame(std::span<const Value> indices, const Value& value);
+  bool take_settable(std::span<const Value> part, const Value& value, Vec3& shift,
+                     double& angle) const;
   bool write_work_frame(std::span<const Value> indices, const Value& value);
+  bool write_active_work(std::span<const Value> indices, const Value& value);
 };
 
 }  // namespace mrsim
