@@ -179,6 +179,40 @@ TEST_F(ShapeOfCuts, SlotsAreCutByHalfOfTheCutter) {
   expect_shapes("l.MPF" + run + "--tool 1=lollipop:d=8,n=4 ", {{5, 4 + 2 * std::sqrt(3), 8, 180}});
 }
 
+// A program with a T-slot mill is measured by voxels: so are the plunges of its other mills, here
+// over the edge of the stock (a segment) and into the full material, and beside a hole.
+TEST_F(ShapeOfCuts, PlungesByVoxelsHaveTheirShareOfTheCircle) {
+  const std::string plunges =
+      "G17 G90 G71\nT1 M6\nS5000 M3\nG0 X-1 Y10 Z5\nG1 Z-2 F100\nG0 Z5\nG0 X20 Y20\nG1 Z-4\n"
+      "G0 Z5\nG0 X25\nG1 Z-4\nG0 Z20\n";
+  write("p.MPF", plunges + "T2 M6\nS500 M3\nG0 X60 Y-10\nG1 Z-5\nG1 Y0\nG1 Y-10\nG0 Z20\nM30\n");
+  write("ball.MPF", plunges + "T2 M6\nS500 M3\nG0 X60 Y-10\nG1 Z-5\nG0 Z20\nM30\n");
+  const double angle = std::acos(0.2), pi = 3.14159265;  // 4 of 10 mm are over the material
+  const double segment = (angle - 0.2 * std::sin(angle)) / pi * 360;
+  const double lens = (2 * std::acos(0.5) - 0.5 * std::sqrt(3)) / pi;  // of two circles, r apart
+  expect_shapes(
+      "p.MPF --machine mill --stock box:0,0,-10,50,40,0 --tool 1=endmill:d=10 "
+      "--tool 2=tslot:d=8,w=2,n=3 ",
+      {{5, 2, 4, segment}, {8, 4, 10, 360}, {11, 4, -1, 360 * (1 - lens)}});
+  expect_shapes(
+      "ball.MPF --machine mill --stock box:0,0,-10,50,40,0 --tool 1=ballmill:d=8 "
+      "--tool 2=lollipop:d=8,n=3 ",
+      {{8, 4, 8, 360}});
+}
+
+// An arc of a radius below the cutter's: a helix into the full material is cut by half of the
+// cutter, and so is a circle that widens a bore by a millimetre by a sixth.
+TEST_F(ShapeOfCuts, NarrowArcsAreCutByTheFrontOfTheCutter) {
+  const std::string head = "G17 G90 G71\nT1 M6\nS5000 M3\n";
+  write("helix.MPF", head + "G0 X3 Y0 Z1\nG1 Z0 F300\nG3 X3 Y0 Z-2 I-3\nG3 Z-4 I-3\nM30\n");
+  write("bore.MPF", head + "G0 X0 Y0 Z-5\nG1 X3 F600\nG3 I-3\nM30\n");
+  const std::string block = "helix.MPF --machine mill --stock box:-9,-9,-6,9,9,0 ";
+  for (const char* const flutes : {" ", ",l=30 "})
+    expect_shapes(block + "--tool 1=endmill:d=10" + flutes, {{6, -1, 10, 180}, {7, -1, 10, 180}});
+  expect_shapes("bore.MPF --machine mill --stock tube:24,14,-8,0 --tool 1=endmill:d=10 ",
+                {{6, 5, 1, 60}});
+}
+
 // In the half plane of a turned part. The second drill widens the hole of the first; where that is
 // 6 mm wide, the point of a drill of 118 degrees is 1.803 mm high.
 TEST_F(ShapeOfCuts, DrillsOnTheAxisOfALatheCutAllRound) {

@@ -75,7 +75,7 @@ Vec2 CutFrame::direction_across(const Vec3& p) const {
 // On an arc the front of the cutter at the angle a from the feed has the distance
 // sqrt(R^2 + r^2 + 2 R r sin a) from the axis of the arc.
 double CutFrame::angle(double across, double r) const {
-  if (kind_ != Kind::arc || !(radius_ > r)) return arcsine(across / r);
+  if (kind_ != Kind::arc || !(radius_ > 0)) return arcsine(across / r);
   const double from = radius_ + across;
   return arcsine((from * from - radius_ * radius_ - r * r) / (2 * radius_ * r));
 }
@@ -126,10 +126,10 @@ CutShape cut_shape(const CutFrame& frame, const CutExtent& extent, const Profile
     if (mill->is_rising()) out.engagement = kTwoPi * std::min(extent.area / circle, 1.0);
     return out;
   }
-  const auto at_edge = [&](double across, double edge) {
-    return std::abs(across - edge) <= error ? edge : across;
-  };
-  const double left = at_edge(extent.left, -r), right = at_edge(extent.right, r);
+  const bool is_inner_end = frame.inner_end(r) > -r ? extent.left <= frame.inner_end(r) + error
+                                                    : std::abs(extent.left + r) <= error;
+  const double left = is_inner_end ? -r : extent.left;
+  const double right = std::abs(extent.right - r) <= error ? r : extent.right;
   out.width = right - left;
   out.engagement = frame.angle(right, r) - frame.angle(left, r);
   return out;

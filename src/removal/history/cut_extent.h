@@ -37,6 +37,11 @@ class CutFrame {
   /// The angle about the axis of a cutter of radius r, from the feed, of a place that lies so far
   /// across it, at the cutter's front.
   double angle(double across, double r) const;
+  /// Least distance across the feed of the front of a cutter of radius r. On an arc of a radius R
+  /// below r the front runs from r - R to r + R about the arc's axis.
+  double inner_end(double r) const {
+    return kind_ == Kind::arc && radius_ < r ? r - 2 * radius_ : -r;
+  }
 
  private:
   enum class Kind : std::uint8_t { line, arc, plunge, turning };
@@ -61,7 +66,7 @@ double share_within(const Vec2& half, const Vec2& out, double d);
 struct CutExtent {
   double low = std::numeric_limits<double>::infinity(), high = -low;     ///< along the axis, mm
   double left = std::numeric_limits<double>::infinity(), right = -left;  ///< across, mm
-  double area = 0;  ///< mm^2 in plan; of upright cutters alone
+  double area = 0;  ///< mm^2 in plan; 0 where voxels give the extent
 
   bool is_empty() const { return !(low < high); }
   void add(const CutExtent& o) {

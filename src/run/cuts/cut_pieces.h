@@ -4,6 +4,7 @@
 #include "run/cuts/cuts.h"
 
 #include <cstddef>
+#include <span>
 #include <vector>
 
 namespace mrsim {
@@ -27,6 +28,11 @@ struct PieceRule {
 struct CutPieces {
   std::vector<Motion> motions;
   std::vector<std::size_t> first;  ///< #motions of the list + 1: first piece of each, and the end
+
+  /// The pieces, where the motions of the list are whole, too.
+  std::span<const Motion> of(const CutList& cuts) const {
+    return motions.empty() ? cuts.motions() : std::span<const Motion>(motions);
+  }
 };
 
 /// Of the tool's way, mm.

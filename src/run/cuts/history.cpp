@@ -1,6 +1,7 @@
 #include "run/cuts/history.h"
 
 #include "core/numbers/motions.h"
+#include "core/numbers/units.h"
 #include "core/numbers/vec.h"
 #include "removal/history/cut_heights.h"
 #include "removal/history/removed_volumes.h"
@@ -155,6 +156,20 @@ std::vector<CutFrame> frames_of(std::span<const Motion> motions, std::span<const
   return frames;
 }
 
+// mm^2 in plan that a plunge clears: the share of its circle is that of the mm^3 which it would
+// remove in full material, as voxels do not tell which of them lie above each other. Simpson's rule
+// is exact for flat mills, balls and cones.
+double cleared_area(double removed, const Motion& plunge, const CutExtent& extent,
+                    const Profile& mill) {
+  const double depth = extent.high - extent.low, way = std::min(length_of(plunge), depth);
+  const auto circle = [&](double z) {
+    const double r = mill.max_radius_below(z);
+    return kPi * r * r;
+  };
+  const double mean = (circle(depth - way) + 4 * circle(depth - way / 2) + circle(depth)) / 6;
+  return removed / (mean * way) * circle(depth);
+}
+
 // The largest figures of the pieces of each motion. `is_turned`: extents lie in the half plane.
 void measure_shapes(const CutPieces& pieces, const CutExtents& extents,
                     const std::vector<double>& removed, const CutList& cuts, const Mills& mills,
@@ -166,10 +181,11 @@ void measure_shapes(const CutPieces& pieces, const CutExtents& extents,
     for (std::size_t k = pieces.first[i]; k < pieces.first[i + 1]; ++k) {
       if (!(removed[k] > nothing)) continue;
       const CutFrame& frame = extents.frames[k];
-      const CutExtent extent = is_turned && frame.is_plunge()
-                                   ? turned_about_axis(extents.extents[k])
-                                   : extents.extents[k];
+      CutExtent extent = extents.extents[k];
+      if (frame.is_plunge() && is_turned) extent = turned_about_axis(extent);
       const auto& mill = mills[static_cast<std::size_t>(cuts.motions()[i].tool)];
+      if (frame.is_plunge() && extent.area == 0 && !extent.is_empty() && mill)
+        extent.area = cleared_area(removed[k], pieces.of(cuts)[k], extent, *mill);
       shape += cut_shape(frame, extent, mill ? &*mill : nullptr, kWidthError * history.voxel);
       if (frame.is_plunge()) plunge.add(extent);
     }
