@@ -72,6 +72,20 @@ TEST_F(HistoryOfRun, ToolsThatRemoveNothingAreWarnedOf) {
   EXPECT_FALSE(contains(run(std::string(kRun) + "--until 11").err, "tool-cuts-air"));
 }
 
+// A thread is not cut into the part (thread-not-cut), which makes its passes no air.
+TEST_F(HistoryOfRun, PassesOfThreadsAreNoAir) {
+  write("thread.MPF",
+        "G18 G90 G95 DIAMON\nT1 D1\nG97 S500 M3\nG0 X22 Z5\nG0 X19\nG33 Z-20 K1.5\nG0 X22\nM30\n");
+  ASSERT_EQ(run("thread.MPF --machine lathe --stock cylinder:20,-40,0 --tool 1=threading:a=60 "
+                "--history h.json")
+                .code,
+            0);
+  const Json row = history()["rows"][0];
+  EXPECT_EQ(row["removed"], 0);
+  EXPECT_EQ(row["air"], 0);
+  EXPECT_TRUE(row["depth"].is_null()) << row;
+}
+
 // A face mill at the zero of a run without --stock: the stock that the user may mean is told.
 TEST_F(HistoryOfRun, AFacingPassAtTheZeroIsToldTheRawFace) {
   write("face.nc",

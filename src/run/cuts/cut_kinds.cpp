@@ -146,4 +146,9 @@ CutKinds kinds_of(const CutList& cuts, double stock_top) {
   return KindFinder(cuts, stock_top).find();
 }
 
+bool is_thread_pass(const Motion& motion, std::span<const Tool> tools) {
+  return motion.lead != 0 && is_cut(motion) && motion.tool >= 0 &&
+         is_turning(tools[static_cast<std::size_t>(motion.tool)].type);
+}
+
 }  // namespace mrsim

@@ -3,6 +3,8 @@
 
 #include "run/cuts/cuts.h"
 
+#include <span>
+
 namespace mrsim {
 
 /// Mills along Z are meant where depths count; other tools reach any depth.
@@ -19,6 +21,9 @@ struct CutKinds {
   bool have_many_upright_arcs = false;  ///< more than a quarter, by tools that are no balls
   bool have_winding_helix = false;      ///< one of several turns leaves crests between them
 };
+
+/// A pass of a thread by a turning tool, which is not cut into the part.
+bool is_thread_pass(const Motion& motion, std::span<const Tool> tools);
 
 /// `stock_top`: mm. Cost: each cut is looked at some times.
 CutKinds kinds_of(const CutList& cuts, double stock_top);

@@ -8,6 +8,7 @@
 #include "removal/part/memory_plan.h"
 #include "removal/part/stock_grid.h"
 #include "removal/tool/tool.h"
+#include "run/cuts/cut_kinds.h"
 #include "run/cuts/cut_pieces.h"
 
 #include <algorithm>
@@ -114,6 +115,16 @@ void sum_pieces(const CutPieces& pieces, const std::vector<double>& removed, std
       volume += removed[k], air += removed[k] > nothing ? 0 : 1;
     history.removed.push_back(volume);
     history.air.push_back(air / static_cast<double>(pieces.first[i + 1] - pieces.first[i]));
+  }
+}
+
+// A thread is not cut into the part, but its passes are no air: nothing is known of what they do.
+void leave_out_threads(const CutList& cuts, History& history) {
+  for (std::size_t i = 0; i < history.air.size(); ++i) {
+    if (!is_thread_pass(cuts.motions()[cuts.inherited() + i], cuts.tools())) continue;
+    history.air[i] = 0;
+    const double unknown = std::numeric_limits<double>::quiet_NaN();
+    if (i < history.shapes.size()) history.shapes[i] = {unknown, unknown, unknown};
   }
 }
 
@@ -298,6 +309,7 @@ History make_history(const Job& job, const JobResult& result, const Stock& stock
                    history_lattice(field, history.voxel).half_plane, history);
   sum_pieces(pieces, removed, cuts.inherited(), history);
   close_short_gaps(cuts.motions().subspan(cuts.inherited()), history);
+  leave_out_threads(cuts, history);
   sum_tools(result, history);
   return history;
 }

@@ -1,6 +1,7 @@
 #include "run/findings/thread_passes.h"
 
 #include "core/numbers/motions.h"
+#include "run/cuts/cut_kinds.h"
 
 #include <cmath>
 
@@ -9,9 +10,7 @@
 namespace mrsim {
 
 void ThreadPasses::add(const Program& program, const Motion& m) {
-  if (m.lead == 0 || !is_cut(m) || m.tool < 0 ||
-      !is_turning(program.tools[static_cast<std::size_t>(m.tool)].type))
-    return;
+  if (!is_thread_pass(m, program.tools)) return;
   ++by_tool_.try_emplace(m.tool, Passes{m}).first->second.count;
 }
 
