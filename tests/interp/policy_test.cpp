@@ -314,6 +314,42 @@ TEST(Policy, LinesEndWithLfCrOrBoth) {
   EXPECT_EQ(gap.motions[1].line, 3);
 }
 
+// Rows of CR took time by the square of their length.
+TEST(Policy, AMillionEmptyLinesOfCrAreReadAtOnce) {
+  const std::string row(1'000'000, '\r');
+  const Program p = read_text("G1 X1 F1" + row + "X2\r\r\nX3" + row, at_origin(Dialect::iso));
+  ASSERT_EQ(p.motions.size(), 3U);
+  EXPECT_EQ(p.motions[1].line, 1'000'001);
+  EXPECT_EQ(p.motions[2].line, 1'000'002);
+}
+
+// Which loop it is, where the limit of steps has ended it: here each counter steps past its bound.
+TEST(Policy, TheLimitOfStepsNamesTheLoop) {
+  const struct {
+    Dialect dialect;
+    const char* text;
+    const char* told;
+  } cases[] = {
+      {Dialect::fanuc, "G1 X1 F1\n#1=0\nWHILE[#1NE10]DO1\nX#1\n#1=#1+3\nEND1\nM30\n", "line 3 "},
+      {Dialect::fanuc, "#1=0\nN1 #1=#1+3\nG1 X#1 F1\nIF[#1NE10]GOTO1\nM30\n", "line 2 "},
+      {Dialect::ngc, "G1 X1 F1\n#1=0\no1 while [#1 NE 10]\n#1=[#1+3]\no1 endwhile\nM2\n",
+       "line 3 "},
+      {Dialect::sinumerik, "G1 X1 F1\nR1=0\nWHILE R1<>10\nR1=R1+3\nENDWHILE\nM30\n", "line 3 "},
+      {Dialect::sinumerik, "G1 X1 F1\nR1=0\nREPEAT\nR1=R1+3\nUNTIL R1==10\nM30\n", "line 3 "},
+  };
+  for (const auto& one : cases) {
+    SCOPED_TRACE(one.text);
+    InterpOptions options = at_origin(one.dialect);
+    options.max_steps = 20'000;
+    const Program p = read_text(one.text, options);
+    EXPECT_EQ(codes(p, Severity::error), "program-endless");
+    ASSERT_FALSE(p.diagnostics.empty());
+    const std::string& text = p.diagnostics.back().text;
+    EXPECT_NE(text.find("the loop that begins in " + std::string(one.told)), std::string::npos)
+        << text;
+  }
+}
+
 TEST(Policy, LexicalFaultsNameTheirAlarm) {
   const std::tuple<Dialect, const char*, const char*> rows[] = {
       {Dialect::fanuc, "G1 X5 95", "blank"},

@@ -126,8 +126,8 @@ bool BlockReader::count_steps(std::uint64_t steps) {
   if (whole && steps_ <= options_.max_steps) return true;
   reporter_.add(
       Severity::error, "program-endless",
-      whole ? fmt::format("stopped after {} steps of loops and calls (--max-steps)",
-                          options_.max_steps)
+      whole ? fmt::format("stopped after {} steps of loops and calls (--max-steps){}",
+                          options_.max_steps, loop_.text(stack_.back().file, steps_))
             : fmt::format("stopped {} steps of loops and calls behind an error, which may be why "
                           "they do not end",
                           kStepsBehindAnError),
@@ -145,6 +145,7 @@ bool BlockReader::count_motions(std::size_t motions) {
 bool BlockReader::jump(const Place& to) {
   Activation& top = stack_.back();
   const bool back = to.offset <= top.line_offset;
+  if (back) loop_.come_back(top.file, to);
   if (!count_steps(1 + (back ? std::exchange(moved_, 0) : 0))) return false;
   if (to.offset == top.line_offset && top.has_line && !top.replaced) {
     top.position = std::min(to.position, top.line.size());

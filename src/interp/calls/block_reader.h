@@ -5,6 +5,7 @@
 #include "interp/calls/macros.h"
 #include "interp/calls/subprogram.h"
 #include "interp/control/control.h"
+#include "interp/language/last_loop.h"
 #include "interp/language/loop_watch.h"
 #include "interp/language/program_outline.h"
 #include "interp/text/parser.h"
@@ -144,6 +145,7 @@ class BlockReader : public ControlPart {
   std::size_t levels_ = 0;   ///< running calls
   std::uint64_t steps_ = 0;  ///< jumps, calls and repeats so far
   std::uint64_t steps_behind_error_ = 0;
+  LastLoop loop_;
   std::uint64_t moved_ = 0;       ///< blocks with motions since the last jump back
   std::set<std::string> called_;  ///< programs, "O2" or "ONAME"
   std::map<std::string, std::vector<std::unique_ptr<LineSource>>>

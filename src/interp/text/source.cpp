@@ -78,6 +78,7 @@ LineSource::LineSource(LineSource&& other) noexcept
       buffer_offset_(other.buffer_offset_),
       begin_(other.begin_),
       end_(other.end_),
+      lone_(other.lone_),
       size_(other.size_),
       line_(other.line_) {}
 
@@ -93,6 +94,7 @@ std::string_view LineSource::ahead(std::size_t bytes) {
 
 void LineSource::seek(std::uint64_t offset, int line_number) {
   line_ = line_number;
+  lone_ = 0;
   if (offset >= buffer_offset_ && offset <= buffer_offset_ + end_) {
     begin_ = static_cast<std::size_t>(offset - buffer_offset_);
     return;
@@ -136,9 +138,14 @@ bool LineSource::refill() {
 
 // Finds the length of the line that begins at begin_, and that of its end: \n, \r, or any \r before
 // \n. False: more must be read first. `searched`: so many bytes of the line have no end in them.
-bool LineSource::find_end(std::size_t& searched, std::size_t& length, std::size_t& end) const {
+bool LineSource::find_end(std::size_t& searched, std::size_t& length, std::size_t& end) {
   const char* from = buffer_.data() + begin_;
   const std::size_t available = end_ - begin_;
+  if (next_offset() < lone_) {
+    length = 0;
+    end = 1;
+    return true;
+  }
   if (available == searched) return false;
   const void* feed = std::memchr(from + searched, '\n', available - searched);
   const std::size_t limit =
@@ -156,6 +163,7 @@ bool LineSource::find_end(std::size_t& searched, std::size_t& length, std::size_
   while (behind < limit && from[behind] == '\r') ++behind;
   if (behind == available) return false;
   end = behind == limit ? behind + 1 - length : 1;
+  if (behind < limit) lone_ = next_offset() + behind;
   return true;
 }
 
@@ -168,6 +176,7 @@ bool LineSource::next(std::string_view& line) {
     length = available;  // the last line, with or without \r
     if (searched < available) length = searched;
     end = length < available ? 1 : 0;
+    lone_ = next_offset() + available;
     break;
   }
   line = std::string_view(buffer_.data() + begin_, length);

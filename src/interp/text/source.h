@@ -35,7 +35,7 @@ class LineSource {
 
  private:
   bool refill();
-  bool find_end(std::size_t& searched, std::size_t& length, std::size_t& end) const;
+  bool find_end(std::size_t& searched, std::size_t& length, std::size_t& end);
 
   int fd_ = -1;
   std::string path_;
@@ -43,6 +43,7 @@ class LineSource {
   std::vector<char> buffer_;
   std::uint64_t buffer_offset_ = 0;  ///< offset in the file of buffer_[0]
   std::size_t begin_ = 0, end_ = 0;  ///< unread part of the buffer
+  std::uint64_t lone_ = 0;           ///< offset behind a row of \r, each of which ends a line
   std::uint64_t size_ = 0;
   int line_ = 0;
 };
