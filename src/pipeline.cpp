@@ -131,7 +131,7 @@ StockShape load_stock(const std::string& spec, const StockOptions& options,
   TriMesh mesh = is_vdb(spec)    ? std::move(saved.surface)
                  : is_step(spec) ? read_step(spec, step_deflection({}), &found.step)
                                  : read_mesh(spec);
-  if (options.wrap.distance > 0) found.repair = wrap_stock(mesh, options.wrap);
+  if (options.wrap.distance > 0) found.repair = wrap_stock(mesh, options);
   if (findings != nullptr) *findings = found;
   release_freed_memory();  // what reading and wrapping took: the checks' blocks do not fit into it
   require_memory(kTriangleMemory * double(mesh.triangles.size()),

@@ -346,6 +346,13 @@ TEST_F(StockWrap, WhatItCannotDoIsSaid) {
   expect_failure("PRIMER_2F.MPF --stock block.off --stock-repair glue", 2, "wrap=0.2");
   expect_failure("PRIMER_2F.MPF --stock block.off --stock-repair wrap=0", 2, "--stock-repair");
   expect_failure("PRIMER_2F.MPF --stock block.off --stock-repair wrap=1e-5", 2, "triangles");
+  expect_failure("PRIMER_2F.MPF --stock block.off --stock-repair wrap=1e-300", 2, "a wrap of 0.03");
+  expect_failure("PRIMER_2F.MPF --stock block.off --stock-repair wrap=1,1e-9", 2, "a gap of 0.3");
+  // A needle has hardly any area, but the wrap goes round it.
+  const Facets needle = {{{0, 0, 0}, {1e6, 0, 0}, {0, 1e-4, 0}, {0, 0, 1e-4}},
+                         {{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {2, 0, 3}}};
+  write("needle.off", off_text(needle));
+  expect_failure("PRIMER_2F.MPF --stock needle.off --stock-repair wrap=0.1", 2, "triangles");
 }
 
 // Bodies that are nearly in one place cross by pairs of triangles, the square of their number: the

@@ -49,7 +49,7 @@ TEST_F(Stop, EndsALongRunWithinASecond) {
 
 // What takes more than ten seconds says so after its first ones, and is stopped then.
 TEST_F(Stop, ALongRunIsAnnounced) {
-  const std::string note = "note: meshing will take about ";
+  const std::string note = "will take about ";
   const std::string until_announced = "sh -c '\"$0\" \"$@\" & run=$!; for k in $(seq " +
                                       std::to_string(kAnnounced) + "); do sleep 1; grep -q \"" +
                                       note + "\" .err && break; done; kill -TERM $run; wait $run'";
@@ -58,8 +58,13 @@ TEST_F(Stop, ALongRunIsAnnounced) {
         run("PRIMER_2F.MPF --stock block.stl -o part.stl" + std::string(rest), until_announced);
     if (outcome.code == 0) continue;  // a machine that takes less
     EXPECT_EQ(outcome.code, 143) << rest;
-    EXPECT_TRUE(contains(outcome.err, note)) << rest << outcome.err;
+    EXPECT_TRUE(contains(outcome.err, "note: meshing " + note)) << rest << outcome.err;
   }
+  write("sheet.obj", "v 0 0 0\nv 200 0 0\nv 200 200 0\nv 0 200 0\nf 1 2 3\nf 1 3 4\n");
+  const Outcome wrap =
+      run("PRIMER_2F.MPF --stock sheet.obj --stock-repair wrap=0.1 -o part.stl", until_announced);
+  EXPECT_EQ(wrap.code, 143) << wrap.err;
+  EXPECT_TRUE(contains(wrap.err, "note: wrapping " + note)) << wrap.err;
 }
 
 // While a film is made: its pictures are temporary files, and ffmpeg is a program of its own.

@@ -111,20 +111,27 @@ void be_silent() {
   ::_exit(0);
 }
 
-// Reads until the other end closes the pipe. False: `seconds` were over before.
-bool collect(int fd, int seconds, const std::string& what, std::string& bytes) {
+// Reads until the other end closes the pipe. False: its time was over before.
+bool collect(int fd, const ChildLimits& limits, std::string& bytes) {
   using Clock = std::chrono::steady_clock;
-  const auto end = Clock::now() + std::chrono::seconds(seconds);
+  constexpr std::chrono::milliseconds kBetweenQuestions(200);
+  const auto begin = Clock::now(), end = begin + std::chrono::seconds(4 * limits.seconds);
   std::array<char, 65536> chunk;
   for (;;) {
-    const auto left = std::chrono::duration_cast<std::chrono::milliseconds>(end - Clock::now());
+    const auto now = Clock::now();
+    auto left = std::chrono::duration_cast<std::chrono::milliseconds>(end - now);
     if (left.count() <= 0) return false;
+    if (limits.goes_on) {
+      if (!limits.goes_on(std::chrono::duration<double>(now - begin).count()))
+        throw Error("cancelled", "the run was stopped");
+      left = std::min(left, kBetweenQuestions);
+    }
     pollfd wait{fd, POLLIN, 0};
     if (::poll(&wait, 1, static_cast<int>(left.count())) <= 0) continue;
     const ssize_t n = ::read(fd, chunk.data(), chunk.size());
     if (n == 0) return true;
     if (n > 0 && bytes.size() + chunk.size() > bytes.capacity())
-      require_memory(3.0 * double(bytes.capacity()), what);
+      require_memory(3.0 * double(bytes.capacity()), limits.what);
     if (n > 0) bytes.append(chunk.data(), static_cast<std::size_t>(n));
   }
 }
@@ -175,7 +182,7 @@ ChildOutcome run_in_child(const ChildLimits& given,
   bool in_time = false;
   std::exception_ptr fault;
   try {
-    in_time = collect(ends[0], 4 * limits.seconds, limits.what, out.bytes);
+    in_time = collect(ends[0], limits, out.bytes);
   } catch (const Error&) {
     fault = std::current_exception();
   } catch (...) {

@@ -15,6 +15,8 @@ struct ChildLimits {
   int seconds = 60;       ///< of processor time; four times as many by the clock
   std::size_t bytes = 0;  ///< of memory beyond what this process has, or what its limit leaves
   std::string what;       ///< what the process does, for messages: "reading a.step"
+  /// Asked now and then with the seconds by the clock so far. False: the work is given up.
+  std::function<bool(double seconds)> goes_on = {};
 };
 
 struct ChildOutcome {
@@ -26,7 +28,8 @@ struct ChildOutcome {
 /// Runs `work` in a copy of this process and collects the bytes that it writes. Whatever happens
 /// there, a crash or an endless loop, this process goes on. `work` must not use other threads.
 /// Throws Error "process" where the system gives no process, "memory" where the limit of this
-/// process (memory_limit.h) leaves less than the work or its bytes take.
+/// process (memory_limit.h) leaves less than the work or its bytes take, "cancelled" where it is
+/// given up.
 ChildOutcome run_in_child(const ChildLimits& limits,
                           const std::function<void(const ByteSink& sink)>& work);
 

@@ -34,6 +34,8 @@ using Face = std::array<std::size_t, 3>;
 
 constexpr double kUsualGap = 10;  // distances
 constexpr double kOffset = 0.5;   // of the distance: where the wrap is made
+constexpr double kFinest =
+    10;  // offsets: side of the triangles of a wrap, where no gap is narrower
 constexpr double kLeft = 0.02;  // of the offset: at least this stays, so that no triangle collapses
 constexpr double kMostTriangles = 2e6;
 constexpr std::size_t kMostCorners = 2000;  // of an opening: larger ones take long to triangulate
@@ -110,29 +112,66 @@ void close_openings(Soup& soup, Wrap& out) {
   throw Error("stock-wrap", "--stock-repair: no solid was found round the stock's surface");
 }
 
+double offset_of(const StockWrap& options) { return kOffset * options.distance; }
+
+double alpha_of(const StockWrap& options) {
+  return 0.5 * (options.gap > 0 ? options.gap : kUsualGap * options.distance);
+}
+
+// Side of the smallest triangles, mm.
+double finest_of(const StockWrap& options) {
+  return std::min(alpha_of(options), kFinest * offset_of(options));
+}
+
+// What decides how many triangles a wrap takes: its area, and its length, since a needle has hardly
+// any area.
+class Extent {
+ public:
+  explicit Extent(const TriMesh& mesh) : by_area_(4 * surface_area(mesh)) {
+    constexpr double kRound = 12;  // triangles round a needle
+    const Box3 box = mesh_bounds(mesh);
+    const Vec3 size = box.hi - box.lo;
+    by_length_ = kRound * std::max({size.x, size.y, size.z});
+  }
+  double triangles(double side) const { return by_area_ / (side * side) + by_length_ / side; }
+  // The side at which there are so many triangles.
+  double side(double triangles) const {
+    return (by_length_ + std::sqrt(by_length_ * by_length_ + 4 * by_area_ * triangles)) /
+           (2 * triangles);
+  }
+
+ private:
+  double by_area_, by_length_ = 0;
+};
+
+void require_few_triangles(const TriMesh& mesh, const StockWrap& options) {
+  const double side = Extent(mesh).side(kMostTriangles);
+  if (finest_of(options) >= side) return;
+  const bool by_gap = alpha_of(options) < kFinest * offset_of(options);
+  throw Error("stock-wrap",
+              fmt::format("--stock-repair wrap={:g} would take more than {:g} triangles: {} {:.2g} "
+                          "mm or more",
+                          options.distance, kMostTriangles, by_gap ? "a gap of" : "a wrap of",
+                          1.01 * (by_gap ? 2 * side : side / (kFinest * kOffset))),
+              Error::Kind::usage);
+}
+
 }  // namespace
+
+double wrapped_triangles(const TriMesh& mesh, const StockWrap& options) {
+  return Extent(mesh).triangles(finest_of(options));
+}
 
 Wrap wrap_surface(const TriMesh& mesh, const StockWrap& options) {
   Wrap out;
-  const double offset = kOffset * options.distance;
-  const double alpha = 0.5 * (options.gap > 0 ? options.gap : kUsualGap * options.distance);
   try {
     Soup soup = clean_soup(mesh);
     if (soup.faces.empty()) no_solid();
     close_openings(soup, out);
     out.closed = to_mesh(soup);
-    const double finest = std::min(alpha, 10 * offset);
-    if (const double count = 4 * surface_area(out.closed) / (finest * finest);
-        count > kMostTriangles)
-      throw Error(
-          "stock-wrap",
-          fmt::format("--stock-repair wrap={:g} would take some {:.2g} triangles; {:.2g} mm "
-                      "or more",
-                      options.distance, count,
-                      options.distance * std::sqrt(count / kMostTriangles)),
-          Error::Kind::usage);
+    require_few_triangles(out.closed, options);
     SurfaceMesh wrap;
-    CGAL::alpha_wrap_3(soup.points, soup.faces, alpha, offset, wrap);
+    CGAL::alpha_wrap_3(soup.points, soup.faces, alpha_of(options), offset_of(options), wrap);
     Soup wrapped;
     pmp::polygon_mesh_to_polygon_soup(wrap, wrapped.points, wrapped.faces);
     if (wrapped.faces.empty()) no_solid();

@@ -21,6 +21,9 @@ struct Wrap {
   double widest = 0;         ///< mm: of those, its largest side
 };
 
+/// About how many triangles the wrap of a mesh has.
+double wrapped_triangles(const TriMesh& mesh, const StockWrap& options);
+
 /// Throws Error "stock-wrap" (usage) for a distance that would take too many triangles, and where
 /// no solid is found.
 Wrap wrap_surface(const TriMesh& mesh, const StockWrap& options);

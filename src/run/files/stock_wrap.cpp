@@ -5,7 +5,9 @@
 #include "core/process/error.h"
 #include "mesh/solid/wrap.h"
 
+#include <algorithm>
 #include <cstddef>
+#include <functional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -20,6 +22,7 @@ constexpr double kWrapError = 0.02;  // of the wrap's distance: of what is measu
 // The work takes what the limit of memory leaves, and its two million triangles at most take
 // minutes.
 constexpr int kSeconds = 3600;
+constexpr double kSecondsATriangle = 6e-5;  // measured, on a core of its own
 constexpr std::size_t kAllMemory = std::size_t(1) << 46;
 
 ChildParcel wrap_parcel(const TriMesh& mesh, const StockWrap& options) {
@@ -30,6 +33,15 @@ ChildParcel wrap_parcel(const TriMesh& mesh, const StockWrap& options) {
            found.place.y, found.place.z},
           {},
           std::move(wrap.solid)};
+}
+
+// The work itself does not tell how far it is, so its time is expected from its size.
+std::function<bool(double)> progress_of(const Progress& progress, double triangles) {
+  if (!progress) return {};
+  return [&progress, expected = kSecondsATriangle * triangles](double seconds) {
+    constexpr double kLast = 0.98;  // as far as it seems until it is done
+    return progress("wrapping", std::min(kLast, seconds / expected));
+  };
 }
 
 [[noreturn]] void refuse_wrap(ChildOutcome::End end) {
@@ -43,12 +55,14 @@ ChildParcel wrap_parcel(const TriMesh& mesh, const StockWrap& options) {
 
 }  // namespace
 
-StockRepair wrap_stock(TriMesh& mesh, const StockWrap& options) {
+StockRepair wrap_stock(TriMesh& mesh, const StockOptions& options) {
+  const StockWrap& wrap = options.wrap;
   ChildLimits limits;
-  limits.what = fmt::format("--stock-repair wrap={:g}", options.distance);
+  limits.what = fmt::format("--stock-repair wrap={:g}", wrap.distance);
+  limits.goes_on = progress_of(options.progress, wrapped_triangles(mesh, wrap));
   limits.seconds = kSeconds;
   limits.bytes = kAllMemory;
-  ChildDelivery done = deliver_from_child(limits, [&] { return wrap_parcel(mesh, options); });
+  ChildDelivery done = deliver_from_child(limits, [&] { return wrap_parcel(mesh, wrap); });
   if (done.end != ChildOutcome::End::done) refuse_wrap(done.end);
   mesh = std::move(done.parcel.mesh);
   const std::vector<double>& n = done.parcel.numbers;

@@ -7,8 +7,9 @@
 
 namespace mrsim {
 
-/// Wraps `mesh` and measures how far that moves its surface. Throws Error "stock-wrap".
-StockRepair wrap_stock(TriMesh& mesh, const StockWrap& wrap);
+/// Wraps `mesh` and measures how far that moves its surface. Throws Error "stock-wrap",
+/// "cancelled".
+StockRepair wrap_stock(TriMesh& mesh, const StockOptions& options);
 
 /// What was done to the file `name`, a sentence.
 std::string wrap_text(const std::string& name, const StockRepair& repair);
