@@ -34,8 +34,7 @@ using Face = std::array<std::size_t, 3>;
 
 constexpr double kUsualGap = 10;  // distances
 constexpr double kOffset = 0.5;   // of the distance: where the wrap is made
-constexpr double kFinest =
-    10;  // offsets: side of the triangles of a wrap, where no gap is narrower
+constexpr double kFinest = 10;    // offsets: side of the triangles, where no gap is narrower
 constexpr double kLeft = 0.02;  // of the offset: at least this stays, so that no triangle collapses
 constexpr double kMostTriangles = 2e6;
 constexpr std::size_t kMostCorners = 2000;  // of an opening: larger ones take long to triangulate
@@ -148,11 +147,12 @@ void require_few_triangles(const TriMesh& mesh, const StockWrap& options) {
   const double side = Extent(mesh).side(kMostTriangles);
   if (finest_of(options) >= side) return;
   const bool by_gap = alpha_of(options) < kFinest * offset_of(options);
+  constexpr double kRounded = 1.06;  // so that two digits do not tell less
   throw Error("stock-wrap",
               fmt::format("--stock-repair wrap={:g} would take more than {:g} triangles: {} {:.2g} "
                           "mm or more",
                           options.distance, kMostTriangles, by_gap ? "a gap of" : "a wrap of",
-                          1.01 * (by_gap ? 2 * side : side / (kFinest * kOffset))),
+                          kRounded * (by_gap ? 2 * side : side / (kFinest * kOffset))),
               Error::Kind::usage);
 }
 
