@@ -231,7 +231,15 @@ TriangleTree::Hit TriangleTree::nearest(const Vec3& p, std::uint32_t hint) const
   Hit best;
   const auto& nodes = boxes_.nodes();
   const auto& order = boxes_.order();
+  // Pieces of one triangle lie in many leaves: those that were tested last are not tested again.
+  constexpr std::size_t kRecent = 8;
+  std::array<std::uint32_t, kRecent> recent;
+  recent.fill(kNoNeighbor);
+  std::size_t tested = 0;
   const auto test = [&](std::uint32_t t) {
+    for (const std::uint32_t r : recent)
+      if (r == t) return;
+    recent[tested++ % kRecent] = t;
     const Corners k = corners(t);
     const TrianglePoint point = nearest_on_triangle(p, k.a, k.b, k.c);
     if (point.distance2 > best.distance2 ||
