@@ -5,6 +5,7 @@
 #include "mesh/solid/exact_predicates.h"
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <utility>
 
@@ -218,26 +219,50 @@ class OverlapSearch {
   std::vector<Leaf> leaves_;
 };
 
+// The pairs of triangles that meet.
+class PairSearch {
+ public:
+  PairSearch(std::span<const Vec3> vertices, std::span<const Triangle> triangles, int threads,
+             std::span<const char> chosen)
+      : test_(vertices, triangles),
+        search_(boxes_of(vertices, triangles, threads), chosen),
+        chosen_(chosen) {}
+
+  /// Calls take(i, j) for the pairs whose first triangle is one of [begin, end), until it returns
+  /// false. Every triangle looks for the chosen ones; two chosen ones meet once.
+  template <class F>
+  void visit(std::size_t begin, std::size_t end, F&& take) const {
+    bool goes_on = true;
+    const auto look = [&](std::uint32_t i, std::uint32_t j) {
+      const bool is_chosen = chosen_.empty() || chosen_[i];
+      if (goes_on && (j > i || !is_chosen) && test_.meet(i, j)) goes_on = take(i, j);
+    };
+    for (std::size_t first = begin; first < end && goes_on; first += kBlock)
+      search_.visit(static_cast<std::uint32_t>(first),
+                    static_cast<std::uint32_t>(std::min(first + kBlock, end)), look);
+  }
+
+ private:
+  PairTest test_;
+  OverlapSearch search_;
+  std::span<const char> chosen_;
+};
+
 }  // namespace
 
 std::vector<std::pair<std::uint32_t, std::uint32_t>> self_intersections(
     std::span<const Vec3> vertices, std::span<const Triangle> triangles, int threads,
     std::span<const char> chosen) {
-  const PairTest test(vertices, triangles);
-  const OverlapSearch search(boxes_of(vertices, triangles, threads), chosen);
+  const PairSearch search(vertices, triangles, threads, chosen);
   const std::size_t count = triangles.size();
   std::vector<std::vector<std::pair<std::uint32_t, std::uint32_t>>> found((count + kPart - 1) /
                                                                           kPart);
-  // Every triangle looks for the chosen ones; two chosen ones meet once.
   parallel_for_chunks(count, threads, kPart, [&](std::size_t begin, std::size_t end) {
     auto& pairs = found[begin / kPart];
-    for (std::size_t first = begin; first < end; first += kBlock)
-      search.visit(static_cast<std::uint32_t>(first),
-                   static_cast<std::uint32_t>(std::min(first + kBlock, end)),
-                   [&](std::uint32_t i, std::uint32_t j) {
-                     const bool is_chosen = chosen.empty() || chosen[i];
-                     if ((j > i || !is_chosen) && test.meet(i, j)) pairs.emplace_back(i, j);
-                   });
+    search.visit(begin, end, [&](std::uint32_t i, std::uint32_t j) {
+      pairs.emplace_back(i, j);
+      return true;
+    });
     std::sort(pairs.begin(), pairs.end());
   });
   std::vector<std::pair<std::uint32_t, std::uint32_t>> all;
@@ -254,7 +279,17 @@ bool is_sound(const TriMesh& mesh, int threads) {
   }
   for (const Triangle& t : mesh.triangles)
     if (is_degenerate(vertices[t[0]], vertices[t[1]], vertices[t[2]])) return false;
-  return self_intersections(vertices, mesh.triangles, threads).empty();
+  const PairSearch search(vertices, mesh.triangles, threads, {});
+  std::atomic<bool> sound{true};
+  parallel_for_chunks(mesh.triangles.size(), threads, kPart,
+                      [&](std::size_t begin, std::size_t end) {
+                        if (!sound) return;
+                        search.visit(begin, end, [&](std::uint32_t, std::uint32_t) {
+                          sound = false;
+                          return false;
+                        });
+                      });
+  return sound;
 }
 
 }  // namespace mrsim::detail

@@ -22,7 +22,8 @@ std::vector<std::pair<std::uint32_t, std::uint32_t>> self_intersections(
     int threads, std::span<const char> chosen = {});
 
 /// True for a mesh without degenerate triangles and self-intersections whose coordinates are as
-/// vertex_lattice.h says, as those of the meshes that mrsim makes; false of all others.
+/// vertex_lattice.h says, as those of the meshes that mrsim makes; false of all others. Ends at the
+/// first pair: thousands of bodies in one place have more than fit into memory.
 bool is_sound(const TriMesh& mesh, int threads);
 
 }  // namespace mrsim::detail
