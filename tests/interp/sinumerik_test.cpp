@@ -294,6 +294,16 @@ TEST(SinumerikCycles, ATextInThePlaceOfANumberIsNamed) {
       << p.diagnostics.back().text;
 }
 
+// With zeros of the machine, $P_IFRAME counts from the machine's zero, as $P_UIFR does.
+TEST(Sinumerik, TheSettableFrameInForceCountsFromTheMachinesZero) {
+  InterpOptions options = at_origin(Dialect::sinumerik);
+  options.places.zero = {{"G54", {-200, -100, -300}}, {"G55", {-150, -100, -300}}};
+  const auto path = [&](const std::string& text) { return path_text(read_text(text, options)); };
+  EXPECT_EQ(path("G54 G1 F9\n$P_IFRAME=$P_UIFR[2]\nX1\n"), "l51,0,0");
+  EXPECT_EQ(path("G54 G1 F9\n$P_IFRAME[X,TR]=$P_IFRAME[X,TR]+50\nX1\n"), "l51,0,0");
+  EXPECT_EQ(path("G55 G1 F9\nR1=$P_IFRAME[X,TR]-$P_UIFR[2,X,TR]\nX=R1+1\n"), "l51,0,0");
+}
+
 // $P_IFRAME = ... holds until a settable frame is chosen again.
 TEST(Sinumerik, TheSettableFrameInForceCanBeSet) {
   const auto path = [](const std::string& text) {

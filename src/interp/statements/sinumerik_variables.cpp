@@ -122,7 +122,8 @@ bool SinumerikVariables::frame_value(std::string_view name, std::span<const Valu
   const bool programmed = name == "$P_PFRAME" || name == "$P_ACTFRAME";
   const double unit = programmed ? scale() : data_scale();
   if (name == "$P_IFRAME") {
-    frame = compose(shift_frame(frames_.work), rotation_frame(2, frames_.work_turn));
+    frame =
+        compose(shift_frame(frames_.work - active_zero()), rotation_frame(2, frames_.work_turn));
   } else if (name == "$P_PFRAME") {
     frame = frames_.program;
   } else if (name == "$P_ACTFRAME") {
@@ -257,15 +258,20 @@ bool SinumerikVariables::write_work_frame(std::span<const Value> indices, const 
   return true;
 }
 
+// What the settable frame in force counts from, as the others do: the machine's zero.
+Vec3 SinumerikVariables::active_zero() const {
+  return control_.machine_shift + (frames_.work_name.empty() ? Vec3{} : work_shift("EXT"));
+}
+
 // Carries out $P_IFRAME = $P_UIFR[2] and its kin: the settable frame in force has these values
 // until one is chosen again.
 bool SinumerikVariables::write_active_work(std::span<const Value> indices, const Value& value) {
-  Vec3 shift = frames_.work;
+  Vec3 shift = frames_.work - active_zero();
   double angle = frames_.work_turn;
   if (!take_settable(indices, value, shift, angle)) return false;
   FrameChain frames(control_);
   frames.save();
-  frames_.work = shift;
+  frames_.work = shift + active_zero();
   frames_.work_turn = angle;
   frames_.work_given = true;
   frames.rebuild();

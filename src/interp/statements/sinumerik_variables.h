@@ -33,6 +33,7 @@ class SinumerikVariables : public StateValues {
   bool take_settable(std::span<const Value> part, const Value& value, Vec3& shift,
                      double& angle) const;
   bool write_work_frame(std::span<const Value> indices, const Value& value);
+  Vec3 active_zero() const;
   bool write_active_work(std::span<const Value> indices, const Value& value);
 };
 
