@@ -378,7 +378,7 @@ std::string make_solid(TriMesh& mesh, const std::string& name) {
 }
 
 void require_clean_bodies(const TriMesh& mesh, const std::string& name) {
-  // CGAL takes ten times as long, but knows all coordinates, and bodies that touch.
+  // CGAL takes longer, but knows all coordinates, and bodies that touch.
   if (!detail::is_sound(mesh, 1)) refuse_self_intersections(to_surface(mesh), name);
   const std::optional<MisplacedBody> body = find_misplaced_body(mesh);
   if (!body) return;
