@@ -58,6 +58,21 @@ TEST_F(HistoryOfRun, FilesTellMotionsLinesToolsAndTheProgram) {
   EXPECT_NEAR(program["removed"], lines, 1e-6);
 }
 
+// The head of 3 mm on its helices is measured by voxels, 15 of the run's to the diameter.
+TEST_F(HistoryOfRun, SumsOfASmallToolInVoxelsAreStockLessPart) {
+  write("slots.nc",
+        "G17 G90 G71\nT1 M6\nS3000 M3\nG0 X0 Y0 Z5\nG1 Z-3 F200\nG1 X3\nG3 X3 Y0 Z-4 I-3 J0\n"
+        "G3 X3 Y0 Z-5 I-3 J0\nG1 X0\nG0 Z5\nM30\n");
+  ASSERT_EQ(run("slots.nc --dialect sinumerik --machine mill --stock box:-9,-9,-10,40,9,0 "
+                "--tool 1=tslot:d=3,w=1,n=2,l=30 -o part.stl --voxel 0.2 --json r.json "
+                "--history h.json")
+                .code,
+            0);
+  const Json j = Json::parse(read("r.json"), nullptr, false);
+  const double removed = j["volume"]["removed"];
+  EXPECT_NEAR(history()["rows"].back()["removed"], removed, 1e-3 * removed);
+}
+
 // The second tool is told from a program whose length offset is wrong.
 TEST_F(HistoryOfRun, ToolsThatRemoveNothingAreWarnedOf) {
   write_slots();
@@ -230,7 +245,10 @@ TEST_F(HistoryOfRun, OffLeavesItOut) {
   const Outcome outcome = run(std::string(kRun) + "--history off --json r.json");
   ASSERT_EQ(outcome.code, 0) << outcome.err;
   EXPECT_FALSE(contains(outcome.out, "in air")) << outcome.out;
-  EXPECT_EQ(Json::parse(read("r.json"), nullptr, false)["history"]["voxel"], 0.0);
+  const Json history = Json::parse(read("r.json"), nullptr, false)["history"];
+  EXPECT_TRUE(history["voxel"].is_null());
+  for (const char* figure : {"removed", "seconds", "rate", "air"})
+    EXPECT_TRUE(history["total"][figure].is_null()) << figure;
 }
 
 TEST_F(HistoryOfRun, OtherFormatsAreWrongUsage) {

@@ -213,8 +213,11 @@ Json removals_json(const JobResult& r) {
         tool.tool < 0 ? "" : to_utf8(r.program.tools[static_cast<std::size_t>(tool.tool)].id);
     tools.push_back(std::move(one));
   }
-  return {{"voxel", number(r.history.voxel)},
-          {"total", removal_json(r.history.total)},
+  Json total = removal_json(r.history.total);
+  if (!(r.history.voxel > 0))  // no history was made
+    for (Json& figure : total) figure = nullptr;
+  return {{"voxel", positive(r.history.voxel)},
+          {"total", std::move(total)},
           {"tools", std::move(tools)}};
 }
 

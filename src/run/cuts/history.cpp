@@ -26,6 +26,10 @@ constexpr double kSummaryVoxels = 200;  // along the longest side
 // cores, and a share of what the sweeps of a long program take anyway.
 constexpr double kMostColumns = 1.5e6, kColumnsPerCut = 15;
 
+// Columns of the same kind below which a file of the history takes a voxel finer than that of the
+// run, and its least share of that.
+constexpr double kFullColumns = 10 * kMostColumns, kFinest = 4;
+
 // Cost, in plain columns, of a column below a cutter whose head is wider than what is above it, on
 // a helix or a tilted arc: each distance is a search.
 constexpr double kSearchedColumns = 100;
@@ -101,6 +105,25 @@ double columns_of(const Motion& m, const Tool& tool) {
   if (!has_head) return 1;
   const bool is_level = m.rise == 0 && std::fabs(m.axis.z) == 1;
   return m.kind == MotionKind::arc && !is_level ? kSearchedColumns : kHeadColumns;
+}
+
+// mm, of a history by voxels that may evaluate some `columns`. Pieces are those of `rule_voxel`.
+double affordable_voxel(const CutList& cuts, double rule_voxel, double columns) {
+  double area = 0, count = 0;
+  for (const Motion& motion : cuts.motions()) {
+    if (!is_cut(motion) || motion.tool < 0) continue;
+    const Tool& tool = cuts.tools()[static_cast<std::size_t>(motion.tool)];
+    if (is_turning(tool.type)) continue;
+    area += columns_of(motion, tool) * swept_area(motion, tool, rule_voxel, kPieces);
+    ++count;
+  }
+  return std::sqrt(area / (columns + kColumnsPerCut * count));
+}
+
+// Sums err by the square of the voxel, so one finer than that of the run is taken where that is
+// cheap.
+double full_voxel(const CutList& cuts, double voxel) {
+  return std::clamp(affordable_voxel(cuts, voxel, kFullColumns), voxel / kFinest, voxel);
 }
 
 double mm3_of_nothing(double voxel) { return kNothing * voxel * voxel * voxel; }
@@ -239,16 +262,7 @@ CutShape& CutShape::operator+=(const CutShape& other) {
 double summary_voxel(const StockShape& shape, const CutList& cuts, double voxel) {
   const Vec3 size = shape.box.hi - shape.box.lo;
   const double usual = std::max({size.x, size.y, size.z}) / kSummaryVoxels;
-  double area = 0, count = 0;
-  for (const Motion& motion : cuts.motions()) {
-    if (!is_cut(motion) || motion.tool < 0) continue;
-    const Tool& tool = cuts.tools()[static_cast<std::size_t>(motion.tool)];
-    if (is_turning(tool.type)) continue;
-    area += columns_of(motion, tool) * swept_area(motion, tool, std::max(usual, voxel), kPieces);
-    ++count;
-  }
-  const double coarser = std::sqrt(area / (kMostColumns + kColumnsPerCut * count));
-  return std::max({usual, coarser, voxel});
+  return std::max({usual, affordable_voxel(cuts, std::max(usual, voxel), kMostColumns), voxel});
 }
 
 // Where cutters with slow bottoms pass, each place of the stock costs more; where nothing passes,
@@ -280,19 +294,21 @@ History make_history(const Job& job, const JobResult& result, const Stock& stock
   History history;
   if (job.history == HistoryDetail::off) return history;
   const PartField& field = *stock.grid().field;
-  history.voxel = job.history == HistoryDetail::full ? stock.voxel()
-                  : has_height_history(field)        ? summary_column(result.stock, cuts)
-                                              : summary_voxel(result.stock, cuts, stock.voxel());
+  const bool has_shapes = job.history == HistoryDetail::full,
+             by_heights = has_height_history(field);
+  history.voxel = by_heights && has_shapes ? stock.voxel()
+                  : by_heights             ? summary_column(result.stock, cuts)
+                  : has_shapes             ? full_voxel(cuts, stock.voxel())
+                                           : summary_voxel(result.stock, cuts, stock.voxel());
   const int threads = job.carve.threads;
   CutExtents extents;
-  const bool has_shapes = job.history == HistoryDetail::full;
   const Mills mills = has_shapes ? mills_of(cuts) : Mills();
   const auto removed_by = [&](const PartField& of, std::span<const Motion> motions) {
     if (has_shapes) extents.frames = frames_of(motions, cuts.tools(), mills);
     return removed_volumes(of, history_lattice(of, history.voxel), motions.size(), threads, nullptr,
                            job.carve.progress, has_shapes ? &extents : nullptr);
   };
-  const PieceRule& rule = has_height_history(field) ? kHeightPieces : kPieces;
+  const PieceRule& rule = by_heights ? kHeightPieces : kPieces;
   const double piece = piece_voxel(cuts, history.voxel, rule);
   const bool whole = !std::isfinite(piece);
   const CutPieces pieces = divide_cuts(cuts, piece, rule);
