@@ -2,13 +2,16 @@
 
 #include "core/numbers/units.h"
 #include "core/numbers/vec.h"
+#include "core/numbers/wide_box_tree.h"
 #include "support/random.h"
 #include "support/shapes.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdint>
 #include <random>
+#include <vector>
 
 #include <gtest/gtest.h>
 
@@ -47,6 +50,43 @@ TEST(TriangleTree, TrianglesWithoutAreaHaveDistances) {
     const double t = std::min(std::max(dot(p - a, way) / square, 0.0), most);
     const TrianglePoint found = nearest_on_triangle(p, corners[0], corners[1], corners[2]);
     ASSERT_NEAR(std::sqrt(found.distance2), distance(p, a + t * way), 1e-6) << i;
+  }
+}
+
+// Any count of boxes, with places as far away as they are large and others: nothing is overlooked.
+TEST(WideBoxTree, SearchesAndVisitsMissNothing) {
+  std::mt19937_64 random(testing::salted(4));
+  std::uniform_real_distribution<double> u(-5, 5), size(0, 1);
+  for (std::uint32_t count = 1; count < 90; ++count) {
+    std::vector<FloatBox> boxes(count);
+    std::vector<std::uint32_t> names(count);
+    for (std::uint32_t k = 0; k < count; ++k) {
+      names[k] = 2 * k;
+      for (std::size_t axis = 0; axis < 3; ++axis) {
+        boxes[k].lo[axis] = static_cast<float>(u(random));
+        boxes[k].hi[axis] = boxes[k].lo[axis] + static_cast<float>(size(random));
+      }
+    }
+    const WideBoxTree tree(boxes, names);
+    const Vec3 p{u(random), u(random), u(random)};
+    const double most = std::fabs(u(random)) * std::fabs(u(random));
+    std::vector<std::uint32_t> found, near, plan, near_in_plan, met, touching;
+    tree.search(p, most, [&](std::uint32_t name) { return found.push_back(name), most; });
+    tree.search_in_plan(p, most, [&](std::uint32_t name) { return plan.push_back(name), most; });
+    const Box3 box{p, p + Vec3{1, 2, 3}};
+    tree.visit(box, [&](std::uint32_t name) { return met.push_back(name), true; });
+    for (std::uint32_t k = 0; k < count; ++k) {
+      const FloatBox& b = boxes[k];
+      const Vec3 lo{b.lo[0], b.lo[1], b.lo[2]}, hi{b.hi[0], b.hi[1], b.hi[2]};
+      const Vec3 out = max(max(lo - p, p - hi), {0, 0, 0});
+      if (dot(out, out) <= most) near.push_back(names[k]);
+      if (out.x * out.x + out.y * out.y <= most && hi.z > p.z) near_in_plan.push_back(names[k]);
+      if (box_distance({lo, hi}, min(max(lo, box.lo), box.hi)) <= 0) touching.push_back(names[k]);
+    }
+    for (auto* list : {&found, &plan, &met}) std::sort(list->begin(), list->end());
+    EXPECT_EQ(found, near) << count;
+    EXPECT_EQ(plan, near_in_plan) << count;
+    EXPECT_EQ(met, touching) << count;
   }
 }
 

@@ -52,10 +52,6 @@ class BoxTree {
 
   const std::vector<Node>& nodes() const { return nodes_; }  ///< the first one is the root
   const std::vector<std::uint32_t>& order() const { return order_; }
-  /// Gives box k the number names[k], in order() as well; several may have the same.
-  void rename(std::span<const std::uint32_t> names) {
-    for (std::uint32_t& k : order_) k = names[k];
-  }
   std::size_t memory() const {
     return nodes_.capacity() * sizeof(Node) + order_.capacity() * sizeof(order_[0]);
   }

@@ -9,12 +9,10 @@
 #include <array>
 #include <cmath>
 #include <limits>
-#include <numeric>
 
 namespace mrsim {
 namespace {
 
-constexpr std::uint32_t kLeafSize = 4;
 constexpr std::uint32_t kNoNeighbor = 0xFFFFFFFFu;
 constexpr double kPieceLength = 0.5;  ///< of the mean length of the triangles' boxes, or more
 constexpr double kNeedle = 1e-12;     ///< squared sine of an angle: the triangle is its sides
@@ -137,12 +135,14 @@ TrianglePoint nearest_on_triangle(const Vec3& p, const Vec3& a, const Vec3& b, c
                                                                    : nearest_on_sides(p, {a, b, c});
 }
 
-TriangleTree::TriangleTree(const TriMesh& mesh, Boxes boxes)
-    : vertices_(mesh.vertices), triangles_(mesh.triangles) {
+TriangleTree::TriangleTree(const TriMesh& mesh, Boxes boxes) : triangles_(mesh.triangles) {
   MRSIM_ASSERT(!triangles_.empty());
-  for (const auto& v : vertices_) extend(bounds_, to_vec(v));
+  for (const auto& v : mesh.vertices) extend(bounds_, to_vec(v));
+  corners_.reserve(triangles_.size());
+  for (const auto& t : triangles_)
+    corners_.push_back({mesh.vertices[t[0]], mesh.vertices[t[1]], mesh.vertices[t[2]]});
   build_boxes(boxes);
-  build_normals();
+  build_normals(mesh.vertices.size());
 }
 
 // The boxes of long triangles side by side overlap everywhere; those of their pieces do not.
@@ -150,7 +150,7 @@ void TriangleTree::build_boxes(Boxes kind) {
   std::vector<FloatBox> whole(triangles_.size());
   double sum = 0;
   for (std::size_t t = 0; t < whole.size(); ++t) {
-    for (const std::uint32_t v : triangles_[t]) whole[t].extend({vertices_[v], vertices_[v]});
+    for (const auto& v : corners_[t]) whole[t].extend({v, v});
     sum += extent(whole[t], whole[t].longest_axis());
   }
   const double piece =
@@ -161,15 +161,12 @@ void TriangleTree::build_boxes(Boxes kind) {
     add_pieces(corners(t), whole[t], piece, boxes);
     owners.resize(boxes.size(), t);
   }
-  std::vector<std::uint32_t> order(boxes.size());
-  std::iota(order.begin(), order.end(), 0u);
-  boxes_ = BoxTree(boxes, std::move(order), kLeafSize);
-  boxes_.rename(owners);
+  boxes_ = WideBoxTree(boxes, owners);
 }
 
 TriangleTree::Corners TriangleTree::corners(std::uint32_t triangle) const {
-  const auto& t = triangles_[triangle];
-  return {to_vec(vertices_[t[0]]), to_vec(vertices_[t[1]]), to_vec(vertices_[t[2]])};
+  const auto& k = corners_[triangle];
+  return {to_vec(k[0]), to_vec(k[1]), to_vec(k[2])};
 }
 
 Vec3 TriangleTree::normal(std::uint32_t triangle) const {
@@ -182,8 +179,8 @@ double TriangleTree::area(std::uint32_t triangle) const {
   return length(cross(k.b - k.a, k.c - k.a)) / 2;
 }
 
-void TriangleTree::build_normals() {
-  vertex_normals_.assign(vertices_.size(), {});
+void TriangleTree::build_normals(std::size_t vertices) {
+  vertex_normals_.assign(vertices, {});
   neighbors_.assign(triangles_.size(), {kNoNeighbor, kNoNeighbor, kNoNeighbor});
   struct Edge {
     std::uint32_t low, high, triangle, corner;
@@ -193,10 +190,9 @@ void TriangleTree::build_normals() {
   for (std::uint32_t t = 0; t < triangles_.size(); ++t) {
     const Vec3 n = normal(t);
     for (std::uint32_t i = 0; i < 3; ++i) {
-      const std::uint32_t v = triangles_[t][i], next = triangles_[t][(i + 1) % 3],
-                          last = triangles_[t][(i + 2) % 3];
-      const Vec3 u = to_vec(vertices_[next]) - to_vec(vertices_[v]),
-                 w = to_vec(vertices_[last]) - to_vec(vertices_[v]);
+      const std::uint32_t v = triangles_[t][i], next = triangles_[t][(i + 1) % 3];
+      const Vec3 corner = to_vec(corners_[t][i]), u = to_vec(corners_[t][(i + 1) % 3]) - corner,
+                 w = to_vec(corners_[t][(i + 2) % 3]) - corner;
       vertex_normals_[v] += mrsim::atan2(length(cross(u, w)), dot(u, w)) * n;
       edges.push_back({std::min(v, next), std::max(v, next), t, i});
     }
@@ -214,23 +210,8 @@ void TriangleTree::build_normals() {
   }
 }
 
-double TriangleTree::plan_distance2(const FloatBox& box, const Vec3& p) {
-  const double x = std::max({box.lo[0] - p.x, p.x - box.hi[0], 0.0}),
-               y = std::max({box.lo[1] - p.y, p.y - box.hi[1], 0.0});
-  return x * x + y * y;
-}
-
-double TriangleTree::box_distance2(const FloatBox& box, const Vec3& p) {
-  const double x = std::max({box.lo[0] - p.x, p.x - box.hi[0], 0.0}),
-               y = std::max({box.lo[1] - p.y, p.y - box.hi[1], 0.0}),
-               z = std::max({box.lo[2] - p.z, p.z - box.hi[2], 0.0});
-  return x * x + y * y + z * z;
-}
-
 TriangleTree::Hit TriangleTree::nearest(const Vec3& p, std::uint32_t hint) const {
   Hit best;
-  const auto& nodes = boxes_.nodes();
-  const auto& order = boxes_.order();
   // Pieces of one triangle lie in many leaves: those that were tested last are not tested again.
   constexpr std::size_t kRecent = 8;
   std::array<std::uint32_t, kRecent> recent;
@@ -238,80 +219,40 @@ TriangleTree::Hit TriangleTree::nearest(const Vec3& p, std::uint32_t hint) const
   std::size_t tested = 0;
   const auto test = [&](std::uint32_t t) {
     for (const std::uint32_t r : recent)
-      if (r == t) return;
+      if (r == t) return best.distance2;
     recent[tested++ % kRecent] = t;
     const Corners k = corners(t);
     const TrianglePoint point = nearest_on_triangle(p, k.a, k.b, k.c);
-    if (point.distance2 > best.distance2 ||
-        (point.distance2 == best.distance2 && t >= best.triangle))
-      return;
-    static_cast<TrianglePoint&>(best) = point;
-    best.triangle = t;
+    if (point.distance2 < best.distance2 ||
+        (point.distance2 == best.distance2 && t < best.triangle)) {
+      static_cast<TrianglePoint&>(best) = point;
+      best.triangle = t;
+    }
+    return best.distance2;
   };
   test(hint < triangles_.size() ? hint : 0);
-  struct Entry {
-    std::uint32_t node;
-    double distance2;
-  };
-  Entry stack[64];  // depth of a median tree: at most 32
-  int top = 0;
-  stack[top++] = {0, box_distance2(nodes[0], p)};
-  while (top > 0) {
-    const Entry entry = stack[--top];
-    if (entry.distance2 > best.distance2) continue;
-    const BoxTree::Node& node = nodes[entry.node];
-    if (node.count > 0) {
-      for (std::uint32_t i = node.first; i < node.first + node.count; ++i) test(order[i]);
-      continue;
-    }
-    Entry near{entry.node + 1, box_distance2(nodes[entry.node + 1], p)},
-        far{node.first, box_distance2(nodes[node.first], p)};
-    if (far.distance2 < near.distance2) std::swap(near, far);
-    stack[top++] = far;
-    stack[top++] = near;
-  }
+  boxes_.search(p, best.distance2, test);
   return best;
 }
 
 bool TriangleTree::is_near(const Vec3& p, double most) const {
-  const double most2 = most * most;
-  const auto& nodes = boxes_.nodes();
-  const auto& order = boxes_.order();
-  std::uint32_t stack[64] = {0};  // depth of a median tree: at most 32
-  for (int top = 1; top > 0;) {
-    const std::uint32_t at = stack[--top];
-    const BoxTree::Node& node = nodes[at];
-    if (box_distance2(node, p) > most2) continue;
-    for (std::uint32_t i = node.first; i < node.first + node.count; ++i) {
-      const Corners k = corners(order[i]);
-      if (nearest_on_triangle(p, k.a, k.b, k.c).distance2 <= most2) return true;
-    }
-    if (node.count > 0) continue;
-    stack[top++] = node.first;
-    stack[top++] = at + 1;
-  }
-  return false;
+  bool found = false;
+  boxes_.search(p, most * most, [&](std::uint32_t t) {
+    const Corners k = corners(t);
+    found = found || nearest_on_triangle(p, k.a, k.b, k.c).distance2 <= most * most;
+    return found ? -1.0 : most * most;
+  });
+  return found;
 }
 
 TrianglePoint TriangleTree::nearest_in_plan(const Vec3& p, double most) const {
   TrianglePoint best;
   double best2 = most * most;
-  const auto& nodes = boxes_.nodes();
-  const auto& order = boxes_.order();
-  std::uint32_t stack[64] = {0};  // depth of a median tree: at most 32
-  for (int top = 1; top > 0;) {
-    const std::uint32_t at = stack[--top];
-    const BoxTree::Node& node = nodes[at];
-    if (node.hi[2] <= p.z || plan_distance2(node, p) >= best2) continue;
-    for (std::uint32_t i = node.first; i < node.first + node.count; ++i) {
-      const TrianglePoint point = nearest_in_plan_on(corners(order[i]), p);
-      if (point.distance2 < best2) best = point, best2 = point.distance2;
-    }
-    if (node.count > 0) continue;
-    const bool swap = plan_distance2(nodes[node.first], p) < plan_distance2(nodes[at + 1], p);
-    stack[top++] = swap ? at + 1 : node.first;
-    stack[top++] = swap ? node.first : at + 1;
-  }
+  boxes_.search_in_plan(p, best2, [&](std::uint32_t t) {
+    const TrianglePoint point = nearest_in_plan_on(corners(t), p);
+    if (point.distance2 < best2) best = point, best2 = point.distance2;
+    return best2;
+  });
   return best;
 }
 
@@ -329,9 +270,9 @@ double TriangleTree::signed_distance(const Vec3& p, const Hit& hit) const {
 }
 
 std::size_t TriangleTree::memory() const {
-  return vertices_.capacity() * sizeof(vertices_[0]) +
-         triangles_.capacity() * sizeof(triangles_[0]) + boxes_.memory() +
-         neighbors_.capacity() * sizeof(neighbors_[0]) + vertex_normals_.capacity() * sizeof(Vec3);
+  return corners_.capacity() * sizeof(corners_[0]) + triangles_.capacity() * sizeof(triangles_[0]) +
+         boxes_.memory() + neighbors_.capacity() * sizeof(neighbors_[0]) +
+         vertex_normals_.capacity() * sizeof(Vec3);
 }
 
 }  // namespace mrsim

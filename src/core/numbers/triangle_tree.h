@@ -7,7 +7,7 @@
 // about log n.
 #pragma once
 
-#include "core/numbers/box_tree.h"
+#include "core/numbers/wide_box_tree.h"
 #include <mrsim/types.h>
 
 #include <cstdint>
@@ -59,7 +59,9 @@ class TriangleTree {
   /// Calls visit(triangle) for all triangles that may touch the box, in a fixed order, until it
   /// returns false; a triangle that has pieces may come more than once.
   template <class Visit>
-  void visit(const Box3& box, Visit&& visit) const;
+  void visit(const Box3& box, Visit&& visit) const {
+    boxes_.visit(box, visit);
+  }
   /// Outward pseudonormal of the feature that was hit, not of unit length.
   Vec3 pseudonormal(const Hit& hit) const;
   /// Distance with its sign, negative inside.
@@ -79,36 +81,15 @@ class TriangleTree {
 
  private:
   void build_boxes(Boxes boxes);
-  void build_normals();
-  static double plan_distance2(const FloatBox& box, const Vec3& p);
-  static double box_distance2(const FloatBox& box, const Vec3& p);
+  void build_normals(std::size_t vertices);
 
-  std::vector<std::array<float, 3>> vertices_;
+  std::vector<std::array<std::array<float, 3>, 3>> corners_;  ///< by triangle, in one place
   std::vector<std::array<std::uint32_t, 3>> triangles_;
-  BoxTree boxes_;
+  WideBoxTree boxes_;
   std::vector<std::array<std::uint32_t, 3>>
       neighbors_;  ///< across the edge from corner i to the next
   std::vector<Vec3> vertex_normals_;
   Box3 bounds_;
 };
-
-template <class Visit>
-void TriangleTree::visit(const Box3& box, Visit&& visit) const {
-  std::uint32_t stack[64] = {0};  // depth of a median tree: at most 32
-  for (int top = 1; top > 0;) {
-    const std::uint32_t at = stack[--top];
-    const BoxTree::Node& node = boxes_.nodes()[at];
-    if (node.lo[0] > box.hi.x || node.hi[0] < box.lo.x || node.lo[1] > box.hi.y ||
-        node.hi[1] < box.lo.y || node.lo[2] > box.hi.z || node.hi[2] < box.lo.z)
-      continue;
-    if (node.count == 0) {
-      stack[top++] = node.first;
-      stack[top++] = at + 1;
-      continue;
-    }
-    for (std::uint32_t i = node.first; i < node.first + node.count; ++i)
-      if (!visit(boxes_.order()[i])) return;
-  }
-}
 
 }  // namespace mrsim
