@@ -77,5 +77,23 @@ TEST(Discs, PlacesAndPiecesAgree) {
   }
 }
 
+// A path of whole quarter turns has a last branch of one position, where the cutter stands still.
+TEST(Discs, BranchesOfOnePositionAreTheCutter) {
+  Random r(25);
+  for (int round = 0; round < 100; ++round) {
+    Motion m = any_helix(r);
+    const Profile cutter = make_cutter(any_disc(r));
+    ToolPath path = path_of(m);
+    path.horizontal = true, path.sweep = 4 * (kPi / 2), path.rise = {0, 0, m.rise / path.sweep};
+    path.disc = true;
+    for (int k = 0; k < 10; ++k) {
+      const Vec3 end = path_point(path, path.sweep).position;
+      const Vec3 q{r(-6, 6), r(-6, 6), r(-1, 2) * cutter.top()};
+      EXPECT_NEAR(branch_distance(cutter, path, end + q, 4).distance,
+                  cutter.distance({std::hypot(q.x, q.y), q.z}), 1e-9);
+    }
+  }
+}
+
 }  // namespace
 }  // namespace mrsim

@@ -34,12 +34,13 @@ class DiscPath {
         middle_(0.5 * disc.top) {}
 
   PathSample least(double begin, double end) const {
-    const double passed = std::clamp((p_.z - middle_ - first_) / rise_, begin, end);
+    const double level = (p_.z - middle_ - first_) / rise_, passed = std::clamp(level, begin, end);
     const DiscSide &before = rise_ > 0 ? high_ : low_, &after = rise_ > 0 ? low_ : high_;
+    if (begin == end) return turn(level > end ? before : after, begin, end);
     PathSample best;
     best.distance = std::numeric_limits<double>::infinity();
     // Towards the position where the tool passes p.
-    if (passed > begin || end == begin) best = turn(before, begin, passed);
+    if (passed > begin) best = turn(before, begin, passed);
     if (passed < end) {
       const PathSample other = turn(after, end, passed);
       if (other.distance < best.distance) best = other;
