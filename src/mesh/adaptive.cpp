@@ -106,6 +106,7 @@ class AdaptiveMesher {
     report_.cells = surface_->loops().size();
     surface_.reset();
     passed_ = detail::FlatMap();
+    tree_.shorten_lists();
     mesh = detail::cut_owner_borders(field_, tree_, mesh, border_room(), options_.threads);
     timer_.step("borders");
     report_.triangles_before = mesh.triangles.size();

@@ -50,6 +50,15 @@ Box3 CellOctree::box(std::int32_t n) const {
           lattice().position({a.origin.x + a.size, a.origin.y + a.size, a.origin.z + a.size})};
 }
 
+FieldSample CellOctree::sample_at(const Vec3& p, std::int32_t cell) const {
+  const Candidates* few = short_lists_.empty() ? nullptr : short_lists_.at(p, cell, box(cell));
+  if (few != nullptr) {
+    const FieldSample near = field_.sample(p, *few);
+    if (std::abs(near.distance) <= surface_band(p)) return near;
+  }
+  return field_.sample(p, candidates(cell));
+}
+
 std::int32_t CellOctree::locate(const Vec3& p, std::int32_t near) const {
   const LatticePoint at = lattice().floor(p);
   const auto holds = [&](const OctreeNode& a) {
@@ -91,6 +100,7 @@ std::size_t CellOctree::split(std::vector<std::int32_t> leaves) {
                tolerance_ > 0);
   std::erase_if(leaves, [&](std::int32_t n) { return node(n).child >= 0 || !can_split(n); });
   make_room(leaves.size());
+  short_lists_ = SurfaceLists();
   std::vector<std::int32_t> pending;
   for (const std::int32_t n : leaves) add_children(n, pending);
   refine(std::move(pending));

@@ -6,6 +6,7 @@
 #include "mesh/cells/cells.h"
 #include "mesh/cells/common_lists.h"
 #include "mesh/cells/flat_map.h"
+#include "mesh/cells/surface_lists.h"
 #include "removal/field/field.h"
 
 #include <cstdint>
@@ -60,6 +61,10 @@ class CellOctree final : public SurfaceCells {
   std::span<const std::uint32_t> candidates(std::int32_t node) const override {
     return lists_[static_cast<std::size_t>(node)];
   }
+  /// What decides d at p, in the leaf.
+  FieldSample sample_at(const Vec3& p, std::int32_t cell) const;
+  /// Makes sample_at() faster on surface that many sweeps share, until leaves are split.
+  void shorten_lists() { short_lists_ = SurfaceLists(field_, *this, threads_); }
   /// The leaf that holds p; on a plane of the grid, up to rounding, one of the two. Faster where
   /// `near` is a cell close to it.
   std::int32_t locate(const Vec3& p, std::int32_t near = 0) const;
@@ -134,6 +139,7 @@ class CellOctree final : public SurfaceCells {
   std::vector<OctreeNode> nodes_;
   std::vector<std::int32_t> new_leaves_;
   std::vector<Candidates> lists_;  ///< by node
+  SurfaceLists short_lists_;
   std::vector<FieldSample> samples_;
   FlatMap sample_of_;
 };

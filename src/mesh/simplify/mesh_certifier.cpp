@@ -27,7 +27,7 @@ void add_ahead(const ExactField& field, const CellOctree& tree, const FieldSampl
     const std::int32_t c = cells[k];
     const Box3 box = tree.box(c);
     const Vec3 center = 0.5 * (box.lo + box.hi);
-    const FieldSample other = field.sample(center, tree.candidates(c));
+    const FieldSample other = tree.sample_at(center, c);
     const int axis =
         longest_axis(cross(field.gradient(center, face), field.gradient(center, other)));
     for (const int way : {-1, 1})
@@ -134,7 +134,7 @@ std::optional<FieldSample> nearer_face(const ExactField& field, const CellOctree
       most = std::max(most, std::abs(field.patch_distance(mesh.vertices[v], face)));
     return most;
   };
-  const FieldSample beside = field.sample(middle, tree.candidates(tree.locate(middle)));
+  const FieldSample beside = tree.sample_at(middle, tree.locate(middle));
   if (farthest(beside) < farthest(mesh.faces[mesh.labels[t]])) return beside;
   return {};
 }

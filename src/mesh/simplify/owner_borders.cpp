@@ -62,7 +62,7 @@ class BorderCutter {
   // The sample that names the face at p; nothing if the surface does not pass p.
   std::optional<FieldSample> face_at(const Vec3& p, std::int32_t& cell) const {
     cell = tree_.locate(p, cell);
-    const FieldSample s = field_.sample(p, tree_.candidates(cell));
+    const FieldSample s = tree_.sample_at(p, cell);
     if (std::abs(s.distance) > surface_band(p)) return {};
     return s;
   }

@@ -123,7 +123,7 @@ double crease_distance(FaceDistances& distances, const CellOctree& tree, const V
   const Vec3 out = field.gradient(p, across);
   if (!(dot(normal, out) > kTaper * length(normal))) return kNoDistance;
   const Vec3 beneath = p - (std::max(across.distance, 0.0) + depth) * out;
-  const FieldSample along = field.sample(beneath, tree.candidates(tree.locate(beneath)));
+  const FieldSample along = tree.sample_at(beneath, tree.locate(beneath));
   if (!(dot(normal, field.gradient(beneath, along)) > kNearlySmooth * length(normal)))
     return kNoDistance;
   return std::copysign(crease_bound(distances, along, across, p, p), distances(p, along));
@@ -149,7 +149,7 @@ double largest_distance(const ExactField& field, const CellOctree& tree, const F
     const Vec3 p = node_at(a, b, c, kOrder[k][0], kOrder[k][1]);
     cell = tree.locate(p, cell);
     if (tree.node(cell).plain && same_face(tree.node(cell).face, face)) continue;
-    const FieldSample s = field.sample(p, tree.candidates(cell));
+    const FieldSample s = tree.sample_at(p, cell);
     // Another face may reach farther in between the samples, unless it is the same surface here.
     const bool same = same_face(s, face) || std::abs(s.distance - field.patch_distance(p, face)) <
                                                 0.25 * std::abs(s.distance);
@@ -198,7 +198,7 @@ double part_bound(FaceDistances& distances, const CellOctree& tree, const Vec3& 
       const auto [i, j] = kOrder[k];
       const Vec3 p = node_at(a, b, c, i, j);
       cell = tree.locate(p, cell);
-      const FieldSample s = field.sample(p, tree.candidates(cell));
+      const FieldSample s = tree.sample_at(p, cell);
       double& value = nodes.value[i][j];
       value = s.distance;
       if (dot(normal, field.gradient(p, s)) > kNearlySmooth * area) {
@@ -235,7 +235,7 @@ double excess_over(const ExactField& field, const CellOctree& tree, const FieldS
       double d = field.patch_distance(x, face);
       if (std::abs(d) > limit) {
         cell = tree.locate(x, cell);
-        d = field.sample(x, tree.candidates(cell)).distance;
+        d = tree.sample_at(x, cell).distance;
       }
       mean += orbit.weight * d;
     }
