@@ -45,7 +45,7 @@ void ColumnWalker::walk(const std::array<std::int32_t, 3>& origin,
                         std::span<const std::uint32_t> sweeps, CutSink* sink,
                         std::span<double> removed) {
   sweeps_ = sweeps, removed_ = removed, sink_ = sink;
-  Part block{.origin = origin, .list = List(sweeps.size())};
+  Square block{.origin = origin, .list = List(sweeps.size())};
   lowest_.resize(sweeps.size());
   for (std::size_t i = 0; i < sweeps.size(); ++i) {
     block.list[i] = static_cast<std::uint32_t>(i);
@@ -57,54 +57,54 @@ void ColumnWalker::walk(const std::array<std::int32_t, 3>& origin,
   visit(block, kBlockVoxels, 0);
 }
 
-void ColumnWalker::visit(const Part& part, int size, std::size_t depth) {
-  if (size == kSide) return carve(part.origin, part.list);
-  std::array<Part, 4>& parts = levels_[depth];
+void ColumnWalker::visit(const Square& square, int size, std::size_t depth) {
+  if (size == kSide) return carve(square.origin, square.list);
+  std::array<Square, 4>& squares = levels_[depth];
   const int half = size / 2;
   const double middle = 0.5 * (half - 1) * voxel_;
-  for (std::size_t k = 0; k < parts.size(); ++k) {
-    parts[k].origin = {part.origin[0] + (k & 2 ? half : 0), part.origin[1] + (k & 1 ? half : 0),
-                       part.origin[2]};
-    parts[k].list.clear();
-    parts[k].clear = height(kDeep - 1), parts[k].floor = kInfinity, parts[k].closed = false;
-    const Vec3 corner = lattice_.position(parts[k].origin);
+  for (std::size_t k = 0; k < squares.size(); ++k) {
+    squares[k].origin = {square.origin[0] + (k & 2 ? half : 0),
+                         square.origin[1] + (k & 1 ? half : 0), square.origin[2]};
+    squares[k].list.clear();
+    squares[k].clear = height(kDeep - 1), squares[k].floor = kInfinity, squares[k].closed = false;
+    const Vec3 corner = lattice_.position(squares[k].origin);
     points_.x[k] = corner.x + middle, points_.y[k] = corner.y + middle;
-    points_.z[k] = parts[k].clear;
+    points_.z[k] = squares[k].clear;
   }
-  points_.count = parts.size();
+  points_.count = squares.size();
   pad(points_);
-  distribute(part.list, middle * kRootTwo, parts);
-  for (const Part& child : parts) visit(child, half, depth + 1);
+  distribute(square.list, middle * kRootTwo, squares);
+  for (const Square& child : squares) visit(child, half, depth + 1);
 }
 
-void ColumnWalker::distribute(const List& list, double radius, std::array<Part, 4>& parts) {
+void ColumnWalker::distribute(const List& list, double radius, std::array<Square, 4>& squares) {
   const double reach = radius + band_;
   for (const std::uint32_t index : list) {
     bool closed = true;
-    for (const Part& part : parts) closed = closed && part.closed;
+    for (const Square& square : squares) closed = closed && square.closed;
     if (closed) return;
     measure(index, points_);
-    for (std::size_t k = 0; k < parts.size(); ++k) {
-      Part& part = parts[k];
+    for (std::size_t k = 0; k < squares.size(); ++k) {
+      Square& square = squares[k];
       const Vec3 center{points_.x[k], points_.y[k], points_.z[k]};
-      if (part.closed || !reaches(index, points_.least[k], reach, center, part)) continue;
-      part.list.push_back(index);
-      points_.z[k] = part.clear;
-      part.closed = part.clear < bottom_;
+      if (square.closed || !reaches(index, points_.least[k], reach, center, square)) continue;
+      square.list.push_back(index);
+      points_.z[k] = square.clear;
+      square.closed = square.clear < bottom_;
     }
   }
 }
 
-// Whether a sweep, at distance d from the centre of a part, can remove anything of what is left of
-// the part. Notes in `part` what is left after the sweep. Distances are 1-Lipschitz and do not grow
-// upwards.
+// Whether a sweep, at distance d from the centre of a square, can remove anything of what is left
+// of the square. Notes in `square` what is left after the sweep. Distances are 1-Lipschitz and do
+// not grow upwards.
 bool ColumnWalker::reaches(std::uint32_t index, double d, double reach, const Vec3& center,
-                           Part& part) const {
-  if (d > reach || lowest_[index] >= part.floor) return false;
-  if (d < -reach) part.clear -= -reach - d;
+                           Square& square) const {
+  if (d > reach || lowest_[index] >= square.floor) return false;
+  if (d < -reach) square.clear -= -reach - d;
   if (const auto flat = field_.sweeps().flat_floor(sweeps_[index], center))
     if (flat->inside > reach && std::isinf(flat->top))
-      part.floor = std::min(part.floor, flat->z - slack_);
+      square.floor = std::min(square.floor, flat->z - slack_);
   return true;
 }
 

@@ -33,11 +33,11 @@ class ColumnWalker {
 
   using List = std::vector<std::uint32_t>;  // indices into sweeps_, ascending
   // A square of columns.
-  struct Part {
+  struct Square {
     std::array<std::int32_t, 3> origin{};
     List list;
     double clear = 0;  // everything at this height and above has gone
-    double floor = 0;  // a sweep with a flat end, wider than the part, has been as low as this
+    double floor = 0;  // a sweep with a flat end, wider than the square, has been as low as this
     bool closed = false;
   };
   // A column that a sweep is cutting down.
@@ -48,9 +48,10 @@ class ColumnWalker {
     double distance = 0;  // there
   };
 
-  void visit(const Part& part, int size, std::size_t depth);
-  void distribute(const List& list, double radius, std::array<Part, 4>& parts);
-  bool reaches(std::uint32_t index, double d, double reach, const Vec3& center, Part& part) const;
+  void visit(const Square& square, int size, std::size_t depth);
+  void distribute(const List& list, double radius, std::array<Square, 4>& squares);
+  bool reaches(std::uint32_t index, double d, double reach, const Vec3& center,
+               Square& square) const;
   void carve(const std::array<std::int32_t, 3>& origin, const List& list);
   void fill_from_stock(const std::array<std::int32_t, 3>& origin);
   void fill_cell(const std::array<std::int32_t, 3>& origin, int low);
@@ -73,7 +74,7 @@ class ColumnWalker {
   std::span<double> removed_;
   CutSink* sink_ = nullptr;
   std::vector<double> lowest_;  // of each sweep, mm
-  std::array<std::array<Part, 4>, 4> levels_;
+  std::array<std::array<Square, 4>, 4> levels_;
   PointColumns points_, below_;
   std::size_t open_ = 0;                    // lanes with something left
   std::array<std::uint8_t, kLanes> lanes_;  // of points_
