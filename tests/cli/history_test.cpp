@@ -73,6 +73,20 @@ TEST_F(HistoryOfRun, SumsOfASmallToolInVoxelsAreStockLessPart) {
   EXPECT_NEAR(history()["rows"].back()["removed"], removed, 1e-3 * removed);
 }
 
+// A wall that twelve turns share is found to an eighth of a column.
+TEST_F(HistoryOfRun, SumsOfBoresOnHelicesAreStockLessPart) {
+  std::string text = "G17 G90 G71\nT1 M6\nS3000 M3\nG0 X4 Y0 Z3\nG1 Z0 F300\n";
+  for (int k = 1; k <= 12; ++k) text += "G3 X4 Y0 Z-" + std::to_string(k) + " I-4 J0\n";
+  write("slots.nc", text + "G3 X4 Y0 I-4 J0\nG0 Z5\nM30\n");
+  ASSERT_EQ(run("slots.nc --dialect sinumerik --machine mill --stock box:-12,-12,-14,158,12,0 "
+                "--tool 1=endmill:d=8,l=20 -o part.stl --json r.json --history h.json")
+                .code,
+            0);
+  const Json j = Json::parse(read("r.json"), nullptr, false);
+  const double removed = j["volume"]["removed"];
+  EXPECT_NEAR(history()["rows"].back()["removed"], removed, 1e-3 * removed);
+}
+
 // The second tool is told from a program whose length offset is wrong.
 TEST_F(HistoryOfRun, ToolsThatRemoveNothingAreWarnedOf) {
   write_slots();

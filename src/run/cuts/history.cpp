@@ -26,9 +26,9 @@ constexpr double kSummaryVoxels = 200;  // along the longest side
 // cores, and a share of what the sweeps of a long program take anyway.
 constexpr double kMostColumns = 1.5e6, kColumnsPerCut = 15;
 
-// Columns of the same kind below which a file of the history takes a voxel finer than that of the
-// run, and its least share of that.
-constexpr double kFullColumns = 10 * kMostColumns, kFinest = 4;
+// A file of the history may take so many times as long as the summary's. Up to there its voxels are
+// finer than those of the run, by so much at most; columns likewise.
+constexpr double kFullTime = 10, kFinestVoxel = 4, kFullColumnTime = 20, kFinestColumn = 2;
 
 // Cost, in plain columns, of a column below a cutter whose head is wider than what is above it, on
 // a helix or a tilted arc: each distance is a search.
@@ -120,10 +120,39 @@ double affordable_voxel(const CutList& cuts, double rule_voxel, double columns) 
   return std::sqrt(area / (columns + kColumnsPerCut * count));
 }
 
+// mm, the side of columns that take so many times as long as the summary's.
+// Where cutters with slow bottoms pass, each place of the stock costs more; where nothing passes,
+// as between holes, nothing.
+double affordable_column(const StockShape& shape, const CutList& cuts, double time) {
+  const Vec3 size = shape.box.hi - shape.box.lo;
+  const double count = static_cast<double>(cuts.motions().size()), plan = size.x * size.y;
+  const double columns = time * (kHeightColumns + kHeightColumnsPerCut * count);
+  const double least = std::sqrt(plan / columns);
+  double area = 0, slow = 0, swept = 0, searched = 0;  // mm^2
+  for (const Motion& motion : cuts.motions()) {
+    if (!is_cut(motion) || motion.tool < 0) continue;
+    const Tool& tool = cuts.tools()[static_cast<std::size_t>(motion.tool)];
+    const double own = swept_area(motion, tool, least, kHeightPieces);
+    const double whole = width_of(tool) * (plan_length(motion) + width_of(tool));
+    area += whole;
+    slow += (bottoms_of(tool) - 1) * whole;
+    swept += bottoms_of(tool) * own;
+    searched += searches_of(motion, cuts.tools()) * own;
+  }
+  const double share = area > plan ? plan / area : 1;  // what passes again costs nothing new
+  const double usual = std::sqrt((plan + share * slow) / columns);
+  return std::max({usual, std::sqrt(swept / (time * (kColumnsSwept + kColumnsSweptPerCut * count))),
+                   std::sqrt(searched / (time * (kSearches + kSearchesPerCut * count)))});
+}
+
 // Sums err by the square of the voxel, so one finer than that of the run is taken where that is
 // cheap.
-double full_voxel(const CutList& cuts, double voxel) {
-  return std::clamp(affordable_voxel(cuts, voxel, kFullColumns), voxel / kFinest, voxel);
+double full_voxel(const StockShape& shape, const CutList& cuts, double voxel, bool by_heights) {
+  if (by_heights)
+    return std::clamp(affordable_column(shape, cuts, kFullColumnTime), voxel / kFinestColumn,
+                      voxel);
+  return std::clamp(affordable_voxel(cuts, voxel, kFullTime * kMostColumns), voxel / kFinestVoxel,
+                    voxel);
 }
 
 double mm3_of_nothing(double voxel) { return kNothing * voxel * voxel * voxel; }
@@ -265,28 +294,8 @@ double summary_voxel(const StockShape& shape, const CutList& cuts, double voxel)
   return std::max({usual, affordable_voxel(cuts, std::max(usual, voxel), kMostColumns), voxel});
 }
 
-// Where cutters with slow bottoms pass, each place of the stock costs more; where nothing passes,
-// as between holes, nothing.
 double summary_column(const StockShape& shape, const CutList& cuts) {
-  const Vec3 size = shape.box.hi - shape.box.lo;
-  const double count = static_cast<double>(cuts.motions().size()), plan = size.x * size.y;
-  const double columns = kHeightColumns + kHeightColumnsPerCut * count;
-  const double least = std::sqrt(plan / columns);
-  double area = 0, slow = 0, swept = 0, searched = 0;  // mm^2
-  for (const Motion& motion : cuts.motions()) {
-    if (!is_cut(motion) || motion.tool < 0) continue;
-    const Tool& tool = cuts.tools()[static_cast<std::size_t>(motion.tool)];
-    const double own = swept_area(motion, tool, least, kHeightPieces);
-    const double whole = width_of(tool) * (plan_length(motion) + width_of(tool));
-    area += whole;
-    slow += (bottoms_of(tool) - 1) * whole;
-    swept += bottoms_of(tool) * own;
-    searched += searches_of(motion, cuts.tools()) * own;
-  }
-  const double share = area > plan ? plan / area : 1;  // what passes again costs nothing new
-  const double usual = std::sqrt((plan + share * slow) / columns);
-  return std::max({usual, std::sqrt(swept / (kColumnsSwept + kColumnsSweptPerCut * count)),
-                   std::sqrt(searched / (kSearches + kSearchesPerCut * count))});
+  return affordable_column(shape, cuts, 1);
 }
 
 History make_history(const Job& job, const JobResult& result, const Stock& stock,
@@ -296,10 +305,9 @@ History make_history(const Job& job, const JobResult& result, const Stock& stock
   const PartField& field = *stock.grid().field;
   const bool has_shapes = job.history == HistoryDetail::full,
              by_heights = has_height_history(field);
-  history.voxel = by_heights && has_shapes ? stock.voxel()
-                  : by_heights             ? summary_column(result.stock, cuts)
-                  : has_shapes             ? full_voxel(cuts, stock.voxel())
-                                           : summary_voxel(result.stock, cuts, stock.voxel());
+  history.voxel = has_shapes   ? full_voxel(result.stock, cuts, stock.voxel(), by_heights)
+                  : by_heights ? summary_column(result.stock, cuts)
+                               : summary_voxel(result.stock, cuts, stock.voxel());
   const int threads = job.carve.threads;
   CutExtents extents;
   const Mills mills = has_shapes ? mills_of(cuts) : Mills();
