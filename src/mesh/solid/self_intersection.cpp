@@ -14,9 +14,9 @@ namespace {
 
 using Triangle = std::array<std::uint32_t, 3>;
 
-constexpr std::uint32_t kLeaf = 8;   // triangles
-constexpr std::uint32_t kBlock = 8;  // triangles that go through the tree together
-constexpr std::size_t kPart = 512;   // triangles of a task, whole blocks
+constexpr std::uint32_t kLeaf = 8;  // triangles
+constexpr std::size_t kBlock = 8;   // triangles that go through the tree together
+constexpr std::size_t kPart = 512;  // triangles of a task, whole blocks
 
 bool on_segment(const Vec3& p, const Vec3& a, const Vec3& b, int axis) {
   for (const int i : {(axis + 1) % 3, (axis + 2) % 3}) {
@@ -164,12 +164,15 @@ class OverlapSearch {
     }
   }
 
-  /// Calls f(i, j) for the triangles i of [first, end), which are near each other in most meshes,
-  /// and those of the tree whose boxes overlap theirs.
+  /// The triangles of the tree, those that are near each other one after the other.
+  const std::vector<std::uint32_t>& order() const { return tree_.order(); }
+
+  /// Calls f(i, j) for the given triangles i, which are near each other in most meshes, and those
+  /// of the tree whose boxes overlap theirs.
   template <class F>
-  void visit(std::uint32_t first, std::uint32_t end, F&& f) const {
+  void visit(std::span<const std::uint32_t> some, F&& f) const {
     FloatBox all;
-    for (std::uint32_t i = first; i < end; ++i) all.extend(boxes_[i]);
+    for (const std::uint32_t i : some) all.extend(boxes_[i]);
     static thread_local std::vector<std::uint32_t> stack;
     stack.assign(tree_.nodes().empty() ? 0 : 1, 0);
     while (!stack.empty()) {
@@ -178,7 +181,7 @@ class OverlapSearch {
       stack.pop_back();
       if (!n.overlaps(all)) continue;
       if (n.count > 0) {
-        for (std::uint32_t i = first; i < end; ++i)
+        for (const std::uint32_t i : some)
           if (n.overlaps(boxes_[i])) visit_leaf(n, leaves_[leaf_of_[at]], i, f);
       } else {
         stack.push_back(n.first);
@@ -226,10 +229,11 @@ class PairSearch {
              std::span<const char> chosen)
       : test_(vertices, triangles),
         search_(boxes_of(vertices, triangles, threads), chosen),
-        chosen_(chosen) {}
+        chosen_(chosen),
+        order_(chosen.empty() ? search_.order() : chosen_of(triangles.size(), {})) {}
 
-  /// Calls take(i, j) for the pairs whose first triangle is one of [begin, end), until it returns
-  /// false. Every triangle looks for the chosen ones; two chosen ones meet once.
+  /// Calls take(i, j) for the pairs whose first triangle is at [begin, end) of an order, until it
+  /// returns false. Every triangle looks for the chosen ones; two chosen ones meet once.
   template <class F>
   void visit(std::size_t begin, std::size_t end, F&& take) const {
     bool goes_on = true;
@@ -238,14 +242,14 @@ class PairSearch {
       if (goes_on && (j > i || !is_chosen) && test_.meet(i, j)) goes_on = take(i, j);
     };
     for (std::size_t first = begin; first < end && goes_on; first += kBlock)
-      search_.visit(static_cast<std::uint32_t>(first),
-                    static_cast<std::uint32_t>(std::min(first + kBlock, end)), look);
+      search_.visit(std::span(order_).subspan(first, std::min(kBlock, end - first)), look);
   }
 
  private:
   PairTest test_;
   OverlapSearch search_;
   std::span<const char> chosen_;
+  std::vector<std::uint32_t> order_;
 };
 
 }  // namespace
@@ -263,10 +267,10 @@ std::vector<std::pair<std::uint32_t, std::uint32_t>> self_intersections(
       pairs.emplace_back(i, j);
       return true;
     });
-    std::sort(pairs.begin(), pairs.end());
   });
   std::vector<std::pair<std::uint32_t, std::uint32_t>> all;
   for (const auto& pairs : found) all.insert(all.end(), pairs.begin(), pairs.end());
+  std::sort(all.begin(), all.end());
   return all;
 }
 
