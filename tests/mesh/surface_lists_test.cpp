@@ -63,5 +63,25 @@ TEST(SurfaceLists, SamplesAreThoseOfTheWholeLists) {
   }
 }
 
+// All pecks pass the upper wall of the hole, so that halving makes no list of it shorter.
+TEST(SurfaceLists, PecksInOneHoleTakeLittleMemory) {
+  const Tool tool = ballmill(6);
+  std::vector<Motion> pecks;
+  for (int k = 1; k <= 200; ++k) {
+    const Vec3 top{10, 10, 2}, bottom{10, 10, -0.05 * k};
+    pecks.push_back(line(top, bottom, 2 * k));
+    pecks.push_back(line(bottom, top, 2 * k + 1));
+  }
+  const PartField part{StockSolid(box_stock({0, 0, -20}, {20, 20, 0})),
+                       SweepTable(pecks, std::span(&tool, 1))};
+  const detail::Lattice lattice(part.bounds(), 0.2, 5);
+  const detail::CellOctree tree(part, lattice, 0.02, 1);
+  std::size_t whole = 0;
+  for (std::size_t n = 0; n < tree.size(); ++n)
+    whole += sizeof(detail::OctreeNode) +
+             sizeof(std::uint32_t) * tree.candidates(static_cast<std::int32_t>(n)).size();
+  EXPECT_LT(detail::SurfaceLists(part, tree, 1).memory(), 4 * whole);
+}
+
 }  // namespace
 }  // namespace mrsim

@@ -3,6 +3,7 @@
 #include "core/process/parallel.h"
 #include "mesh/cells/cells.h"
 
+#include <array>
 #include <span>
 #include <utility>
 
@@ -11,28 +12,52 @@ namespace {
 
 constexpr std::size_t kShort = 48;  ///< candidates: halving gains little below it
 constexpr int kHalvings = 6;
-
-template <class Parts>
-void divide(const ExactField& field, std::size_t part, const Box3& box, int halvings,
-            Parts& parts) {
-  if (halvings == 0 || parts[part].list.size() <= kShort) return;
-  const std::size_t first = parts.size();
-  const Candidates list = std::exchange(parts[part].list, {});
-  parts[part].child = static_cast<std::int32_t>(first);
-  parts.resize(first + 8);
-  for (int k = 0; k < 8; ++k) {
-    const Box3 own = octant(box, k);
-    auto& child = parts[first + static_cast<std::size_t>(k)];
-    const Box3 reach = reach_of(own, own.hi.x - own.lo.x);
-    child.has_surface =
-        field.restrict_to(reach, kSurfaceBand, list, child.list) == ExactField::Region::mixed;
-    if (!child.has_surface) child.list.clear();
-  }
-  for (int k = 0; k < 8; ++k)
-    divide(field, first + static_cast<std::size_t>(k), octant(box, k), halvings - 1, parts);
-}
+// Where the parts' lists are hardly shorter, as where all passes end in one wall, halving gains
+// nothing. Shares of the list that is halved, on average.
+constexpr double kShorter = 0.9;
+// Candidates that the parts of a cell may hold, as multiples of those of the cell. Floors of loops
+// side by side take up to 5.
+constexpr std::size_t kMostHeld = 8;
 
 }  // namespace
+
+// Divides the first part, and those that come of it, the large ones first.
+void SurfaceLists::divide(const ExactField& field, const Box3& box, Parts& parts) {
+  struct Place {
+    Box3 box;
+    int halvings;
+  };
+  std::vector<Place> places{{box, kHalvings}};
+  std::size_t held = parts.front().list.size();
+  const std::size_t most = kMostHeld * held;
+  std::array<Part, 8> children;
+  for (std::size_t part = 0; part < parts.size() && held <= most; ++part) {
+    const Place place = places[part];
+    const std::size_t before = parts[part].list.size();
+    if (place.halvings == 0 || before <= kShort) continue;
+    std::size_t after = 0, passed = 0;
+    for (int k = 0; k < 8; ++k) {
+      const Box3 own = octant(place.box, k);
+      Part& child = children[static_cast<std::size_t>(k)];
+      child = Part();
+      child.has_surface =
+          field.restrict_to(reach_of(own, own.hi.x - own.lo.x), kSurfaceBand, parts[part].list,
+                            child.list) == ExactField::Region::mixed;
+      if (!child.has_surface) child.list.clear();
+      after += child.list.size();
+      passed += child.has_surface;
+    }
+    if (double(after) > kShorter * double(before) * double(passed)) continue;
+    parts[part].list = Candidates();
+    parts[part].child = static_cast<std::int32_t>(parts.size());
+    held += after;
+    held -= before;
+    for (int k = 0; k < 8; ++k) {
+      places.push_back({octant(place.box, k), place.halvings - 1});
+      parts.push_back(std::move(children[static_cast<std::size_t>(k)]));
+    }
+  }
+}
 
 SurfaceLists::SurfaceLists(const ExactField& field, const SurfaceCells& cells, int threads) {
   std::vector<std::int32_t> long_ones;
@@ -47,8 +72,18 @@ SurfaceLists::SurfaceLists(const ExactField& field, const SurfaceCells& cells, i
   parallel_for(parts_.size(), threads, [&](std::size_t k) {
     const std::span<const std::uint32_t> whole = cells.candidates(long_ones[k]);
     parts_[k].emplace_back().list.assign(whole.begin(), whole.end());
-    divide(field, 0, cells.box(long_ones[k]), kHalvings, parts_[k]);
+    divide(field, cells.box(long_ones[k]), parts_[k]);
   });
+}
+
+std::size_t SurfaceLists::memory() const {
+  std::size_t bytes =
+      of_cell_.capacity() * sizeof(of_cell_[0]) + parts_.capacity() * sizeof(parts_[0]);
+  for (const Parts& parts : parts_) {
+    bytes += parts.capacity() * sizeof(Part);
+    for (const Part& part : parts) bytes += part.list.capacity() * sizeof(part.list[0]);
+  }
+  return bytes;
 }
 
 const Candidates* SurfaceLists::at(const Vec3& p, std::int32_t cell, const Box3& box) const {

@@ -18,7 +18,8 @@ class SurfaceLists {
  public:
   /// None of any cell.
   SurfaceLists() = default;
-  /// Of the cells whose own lists are long. Costs some 50 looks at each sweep of these.
+  /// Of the cells whose own lists are long. Costs some 50 looks at each sweep of these, up to some
+  /// 400; the parts of a cell hold few times as many candidates as the cell.
   SurfaceLists(const ExactField& field, const SurfaceCells& cells, int threads);
 
   /// What can decide d at p, in the cell, if the surface passes p; if it does not, perhaps less.
@@ -26,6 +27,7 @@ class SurfaceLists {
   /// that of the cell.
   const Candidates* at(const Vec3& p, std::int32_t cell, const Box3& box) const;
   bool empty() const { return parts_.empty(); }
+  std::size_t memory() const;  ///< bytes
 
  private:
   struct Part {
@@ -34,6 +36,8 @@ class SurfaceLists {
     Candidates list;  ///< of parts without children
   };
   using Parts = std::vector<Part>;  ///< the first one is the cell
+
+  static void divide(const ExactField& field, const Box3& box, Parts& parts);
 
   std::vector<std::int32_t> of_cell_;  ///< index into parts_, -1 = the cell's own list will do
   std::vector<Parts> parts_;
