@@ -36,6 +36,9 @@ constexpr double kSearchedColumns = 100;
 // Cost of a column below such a cutter's other moves: both ends of the head are evaluated.
 constexpr double kHeadColumns = 3;
 
+// A second history by voxels so many times as large tells how volumes err.
+constexpr double kCoarser = 2;
+
 // Columns of the stock in plan, where the sweeps leave heights: they take as much time.
 constexpr double kHeightColumns = 60e3, kHeightColumnsPerCut = 0.3;
 // The same columns, each counted once for each sweep over it: up to 0.02 us of one core each. Short
@@ -155,17 +158,29 @@ double full_voxel(const StockShape& shape, const CutList& cuts, double voxel, bo
                     voxel);
 }
 
+// Volumes by voxels err by the square of the voxel: what the larger one errs more tells what the
+// smaller one does (Richardson). `coarse`: by voxels kCoarser times as large.
+std::vector<double> extrapolated(const std::vector<double>& fine,
+                                 const std::vector<double>& coarse) {
+  std::vector<double> out(fine.size());
+  for (std::size_t i = 0; i < fine.size(); ++i)
+    out[i] = fine[i] + (fine[i] - coarse[i]) / (kCoarser * kCoarser - 1);
+  return out;
+}
+
 double mm3_of_nothing(double voxel) { return kNothing * voxel * voxel * voxel; }
 
 // Fills in what each motion of the program removes, and on what share of its way nothing.
-void sum_pieces(const CutPieces& pieces, const std::vector<double>& removed, std::size_t inherited,
-                History& history) {
+// `better`: what pieces remove, more closely than `removed`; empty: that.
+void sum_pieces(const CutPieces& pieces, const std::vector<double>& removed,
+                const std::vector<double>& better, std::size_t inherited, History& history) {
+  const std::vector<double>& volumes = better.empty() ? removed : better;
   const double nothing = mm3_of_nothing(history.voxel);
   for (std::size_t i = inherited; i + 1 < pieces.first.size(); ++i) {
     double volume = 0, air = 0;
     for (std::size_t k = pieces.first[i]; k < pieces.first[i + 1]; ++k)
-      volume += removed[k], air += removed[k] > nothing ? 0 : 1;
-    history.removed.push_back(volume);
+      volume += volumes[k], air += removed[k] > nothing ? 0 : 1;
+    history.removed.push_back(std::max(volume, 0.0));
     history.air.push_back(air / static_cast<double>(pieces.first[i + 1] - pieces.first[i]));
   }
 }
@@ -311,10 +326,17 @@ History make_history(const Job& job, const JobResult& result, const Stock& stock
   const int threads = job.carve.threads;
   CutExtents extents;
   const Mills mills = has_shapes ? mills_of(cuts) : Mills();
+  std::vector<double> better;
   const auto removed_by = [&](const PartField& of, std::span<const Motion> motions) {
-    if (has_shapes) extents.frames = frames_of(motions, cuts.tools(), mills);
-    return removed_volumes(of, history_lattice(of, history.voxel), motions.size(), threads, nullptr,
-                           job.carve.progress, has_shapes ? &extents : nullptr);
+    const auto at = [&](double voxel, CutExtents* shapes) {
+      return removed_volumes(of, history_lattice(of, voxel), motions.size(), threads, nullptr,
+                             job.carve.progress, shapes);
+    };
+    if (!has_shapes) return at(history.voxel, nullptr);
+    extents.frames = frames_of(motions, cuts.tools(), mills);
+    std::vector<double> removed = at(history.voxel, &extents);
+    if (!by_heights) better = extrapolated(removed, at(kCoarser * history.voxel, nullptr));
+    return removed;
   };
   const PieceRule& rule = by_heights ? kHeightPieces : kPieces;
   const double piece = piece_voxel(cuts, history.voxel, rule);
@@ -331,7 +353,7 @@ History make_history(const Job& job, const JobResult& result, const Stock& stock
   if (has_shapes)
     measure_shapes(pieces, extents, removed, cuts, mills,
                    history_lattice(field, history.voxel).half_plane, history);
-  sum_pieces(pieces, removed, cuts.inherited(), history);
+  sum_pieces(pieces, removed, better, cuts.inherited(), history);
   close_short_gaps(cuts.motions().subspan(cuts.inherited()), history);
   leave_out_threads(cuts, history);
   sum_tools(result, history);
