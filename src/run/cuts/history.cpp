@@ -36,6 +36,10 @@ constexpr double kSearchedColumns = 100;
 // Cost of a column below such a cutter's other moves: both ends of the head are evaluated.
 constexpr double kHeadColumns = 3;
 
+// Columns across the smallest cutter that are enough: the run's voxel may be as large as its
+// radius.
+constexpr double kColumnsOfWidth = 12;
+
 // A second history by voxels so many times as large tells how volumes err.
 constexpr double kCoarser = 2;
 
@@ -148,12 +152,22 @@ double affordable_column(const StockShape& shape, const CutList& cuts, double ti
                    std::sqrt(searched / (time * (kSearches + kSearchesPerCut * count)))});
 }
 
+// mm, of the mills that cut.
+double smallest_width(const CutList& cuts) {
+  double least = kInfinity;
+  for (const Motion& motion : cuts.motions())
+    if (is_cut(motion) && motion.tool >= 0)
+      least = std::min(least, width_of(cuts.tools()[static_cast<std::size_t>(motion.tool)]));
+  return least;
+}
+
 // Sums err by the square of the voxel, so one finer than that of the run is taken where that is
 // cheap.
 double full_voxel(const StockShape& shape, const CutList& cuts, double voxel, bool by_heights) {
-  if (by_heights)
-    return std::clamp(affordable_column(shape, cuts, kFullColumnTime), voxel / kFinestColumn,
-                      voxel);
+  if (by_heights) {
+    const double finest = std::min(voxel / kFinestColumn, smallest_width(cuts) / kColumnsOfWidth);
+    return std::clamp(affordable_column(shape, cuts, kFullColumnTime), finest, voxel);
+  }
   return std::clamp(affordable_voxel(cuts, voxel, kFullTime * kMostColumns), voxel / kFinestVoxel,
                     voxel);
 }
