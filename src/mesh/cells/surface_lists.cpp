@@ -77,8 +77,7 @@ SurfaceLists::SurfaceLists(const ExactField& field, const SurfaceCells& cells, i
 }
 
 std::size_t SurfaceLists::memory() const {
-  std::size_t bytes =
-      of_cell_.capacity() * sizeof(of_cell_[0]) + parts_.capacity() * sizeof(parts_[0]);
+  std::size_t bytes = of_cell_.capacity() * sizeof(of_cell_[0]) + parts_.capacity() * sizeof(Parts);
   for (const Parts& parts : parts_) {
     bytes += parts.capacity() * sizeof(Part);
     for (const Part& part : parts) bytes += part.list.capacity() * sizeof(part.list[0]);
