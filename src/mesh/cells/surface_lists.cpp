@@ -11,7 +11,7 @@ namespace mrsim::detail {
 namespace {
 
 constexpr std::size_t kShort = 48;  ///< candidates: halving gains little below it
-constexpr int kHalvings = 6;
+constexpr int kListHalvings = 6;
 // Where the parts' lists are hardly shorter, as where all passes end in one wall, halving gains
 // nothing. Shares of the list that is halved, on average.
 constexpr double kShorter = 0.9;
@@ -27,7 +27,7 @@ void SurfaceLists::divide(const ExactField& field, const Box3& box, Parts& parts
     Box3 box;
     int halvings;
   };
-  std::vector<Place> places{{box, kHalvings}};
+  std::vector<Place> places{{box, kListHalvings}};
   std::size_t held = parts.front().list.size();
   const std::size_t most = kMostHeld * held;
   std::array<Part, 8> children;
