@@ -28,7 +28,7 @@ class WideBoxTree {
   WideBoxTree(std::span<const FloatBox> boxes, std::span<const std::uint32_t> names);
 
   /// Calls least(name), which says how far a search still goes, mm^2, for boxes that are no farther
-  /// from p than that, near ones first. `most`: how far it goes at first.
+  /// from p than that, and some that are by rounding, near ones first. `most`: how far at first.
   template <class Least>
   void search(const Vec3& p, double most, Least&& least) const {
     const Place place = place_of(p);

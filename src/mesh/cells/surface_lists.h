@@ -18,8 +18,8 @@ class SurfaceLists {
  public:
   /// None of any cell.
   SurfaceLists() = default;
-  /// Of the cells whose own lists are long. Costs some 50 looks at each sweep of these, up to some
-  /// 400; the parts of a cell hold few times as many candidates as the cell.
+  /// Of the cells whose own lists are long. The parts of a cell hold about eight times as many
+  /// candidates as the cell at most, so that six halvings take some 400 looks at each of these.
   SurfaceLists(const ExactField& field, const SurfaceCells& cells, int threads);
 
   /// What can decide d at p, in the cell, if the surface passes p; if it does not, perhaps less.
