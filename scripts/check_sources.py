@@ -1,14 +1,16 @@
 #!/usr/bin/env python3
-"""Compiles each source of src by itself, for its syntax alone: check_sources.py [SOURCE...]
+"""Compiles each source of src by itself, for its syntax alone: check_sources.py [--since COMMIT] [SOURCE...]
 
 Builds that join sources (MRSIM_UNITY) hide a missing include behind the include of a neighbour. Sources that the build folder (BUILD=folder,
-default build) compiles by themselves are left out, unless they are named.
-Two minutes on two cores.
+default build) compiles by themselves are left out, unless they are named. --since: only those in which it can be missing since then, which
+have changed or include, directly or not, a header that has lost an include; all where git does not know COMMIT.
+Two seconds of a core for each.
 """
 
 import concurrent.futures
 import json
 import os
+import re
 import shlex
 import subprocess
 import sys
@@ -39,12 +41,50 @@ def compiled_alone():
         return {os.path.relpath(entry["file"], ROOT) for entry in json.load(file)}
 
 
+def differences(*words):
+    """What git prints of the differences; None where it does not know the commit."""
+    result = subprocess.run(["git", "diff", *words], cwd=ROOT, capture_output=True, text=True, check=False)
+    return result.stdout if result.returncode == 0 else None
+
+
+def includers(headers):
+    """Files of src and include that include one of these, directly or not."""
+    direct = {}
+    for folder, _, names in (step for top in ("src", "include") for step in os.walk(os.path.join(ROOT, top))):
+        for name in names:
+            path = os.path.relpath(os.path.join(folder, name), ROOT)
+            with open(os.path.join(ROOT, path), encoding="utf-8") as file:
+                for included in re.findall(r'^#include "([^"]+)"', file.read(), re.M):
+                    direct.setdefault(included, set()).add(path)
+    found, todo = set(), list(headers)
+    while todo:
+        header = re.sub("^(src|include)/", "", todo.pop())
+        fresh = direct.get(header, set()) - found
+        found |= fresh
+        todo += fresh
+    return found
+
+
+def doubtful_since(commit):
+    """Sources in which an include can be missing since then; None = any."""
+    changed = differences("--name-only", commit, "--", "src")
+    if changed is None:
+        return None
+    lost = [file for file in differences("--name-only", commit, "--", "*.h").split()
+            if re.search("^-#include", differences("-U0", commit, "--", file), re.M)]
+    return set(changed.split()) | includers(lost)
+
+
 def main():
-    wanted = {os.path.relpath(path, ROOT) for path in sys.argv[1:]}
+    words = sys.argv[1:]
+    since = words[1] if words[:1] == ["--since"] else None
+    wanted = {os.path.relpath(path, ROOT) for path in (words[2:] if since else words)}
     done = set() if wanted else compiled_alone()
+    doubtful = doubtful_since(since) if since else None
     with tempfile.TemporaryDirectory() as folder:
         found = {source: (words, where) for source, words, where in commands(folder)
-                 if source.startswith("src/") and source not in done and (not wanted or source in wanted)}
+                 if source.startswith("src/") and source not in done and (not wanted or source in wanted)
+                 and (doubtful is None or source in doubtful)}
         def compiled(source):
             words, where = found[source]
             return source, subprocess.run(words, cwd=where, capture_output=True, text=True, check=False)
@@ -55,7 +95,7 @@ def main():
                     faults += 1
                     print(f"{source} does not compile by itself\n{result.stderr}")
     print(f"{len(found)} sources, {faults} faults")
-    return 1 if faults or not found else 0
+    return 1 if faults or (wanted and not found) else 0
 
 
 if __name__ == "__main__":

@@ -1,8 +1,9 @@
-// Without libFuzzer: runs a fuzz target over the files of its corpus, and over some eighty cheap
-// variations of each (cut short, bytes changed; a third of them under sanitizers), the same in
-// every run.
+// Without libFuzzer: runs a fuzz target over the files of its corpus, and over up to eighty cheap
+// variations of each (cut short, bytes changed; a third of them under sanitizers), fewer where the
+// corpus is large, the same in every run.
 #include "support/rounds.h"
 
+#include <algorithm>
 #include <cstdint>
 #include <cstdio>
 #include <filesystem>
@@ -26,14 +27,21 @@ std::uint64_t next_random(std::uint64_t& state) {
   return state ^= state << 17;
 }
 
-void run_variations(const Bytes& bytes) {
-  constexpr std::size_t kCuts = mrsim::testing::rounds(16), kChanges = mrsim::testing::rounds(64);
+// Of each file, where there are so many.
+std::size_t variations(std::size_t files) {
+  constexpr std::size_t kMost = mrsim::testing::rounds(80), kAll = mrsim::testing::rounds(9000);
+  return std::min(kMost, kAll / std::max<std::size_t>(files, 1) + 5);
+}
+
+// A fifth of them are beginnings.
+void run_variations(const Bytes& bytes, std::size_t count) {
   if (bytes.empty() || bytes.size() > (std::size_t(1) << 16)) return;
-  for (std::size_t i = 1; i < kCuts; ++i)
+  const std::size_t cuts = count / 5, changes = count - cuts;
+  for (std::size_t i = 1; i <= cuts; ++i)
     run(Bytes(bytes.begin(),
-              bytes.begin() + static_cast<std::ptrdiff_t>(bytes.size() * i / kCuts)));
+              bytes.begin() + static_cast<std::ptrdiff_t>(bytes.size() * i / (cuts + 1))));
   std::uint64_t state = 88172645463325252ull ^ bytes.size();
-  for (std::size_t i = 0; i < kChanges; ++i) {
+  for (std::size_t i = 0; i < changes; ++i) {
     Bytes changed = bytes;
     for (std::uint64_t n = 1 + next_random(state) % 4; n > 0; --n)
       changed[next_random(state) % changed.size()] = static_cast<std::uint8_t>(next_random(state));
@@ -56,7 +64,7 @@ int main(int argc, char** argv) {
     std::ifstream file(path, std::ios::binary);
     const Bytes bytes((std::istreambuf_iterator<char>(file)), std::istreambuf_iterator<char>());
     run(bytes);
-    run_variations(bytes);
+    run_variations(bytes, variations(files.size()));
   }
   std::printf("%zu files and their variations\n", files.size());
   return files.empty() ? 1 : 0;  // an empty corpus tests nothing
