@@ -6,13 +6,18 @@
 #include <cstdint>
 #include <deque>
 #include <span>
+#include <utility>
 #include <vector>
 
 namespace mrsim::detail {
 
 class ApartQueue {
  public:
-  void push(std::uint32_t triangle) { queue_.push_back(triangle); }
+  /// Does nothing where it waits already.
+  void push(std::uint32_t triangle) {
+    if (triangle >= waits_.size()) waits_.resize(triangle + 1, 0);
+    if (std::exchange(waits_[triangle], 1) == 0) queue_.push_back(triangle);
+  }
   bool empty() const { return queue_.empty(); }
 
   /// Takes those of the first triangles that have no corner in common, so that changing one of them
@@ -31,6 +36,7 @@ class ApartQueue {
       const bool is_apart =
           std::none_of(x.begin(), x.end(), [&](std::uint32_t v) { return turns_[v] == turn_; });
       (is_apart ? apart : others).push_back(t);
+      waits_[t] = !is_apart;
       for (const std::uint32_t v : x)
         if (is_apart) turns_[v] = turn_;
     }
@@ -40,6 +46,7 @@ class ApartQueue {
 
  private:
   std::deque<std::uint32_t> queue_;
+  std::vector<char> waits_;  ///< by triangle
   std::uint32_t turn_ = 0;
   std::vector<std::uint32_t> turns_;  ///< by vertex: the last one that took a triangle there
 };

@@ -1,6 +1,7 @@
 #include "mesh/simplify/cut_mesh.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace mrsim::detail {
 namespace {
@@ -14,9 +15,10 @@ constexpr double kPastDelaunay = 1e-6;
 
 // Whether the circle about a, b and c holds d beyond the edge a b.
 bool circle_holds(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d) {
-  const Vec3 ca = normalized(a - c), cb = normalized(b - c), da = normalized(a - d),
-             db = normalized(b - d);
-  return length(cross(ca, cb)) * dot(da, db) + dot(ca, cb) * length(cross(da, db)) < -kPastDelaunay;
+  const Vec3 ca = a - c, cb = b - c, da = a - d, db = b - d;
+  const double lengths = std::sqrt(dot(ca, ca) * dot(cb, cb) * dot(da, da) * dot(db, db));
+  return length(cross(ca, cb)) * dot(da, db) + dot(ca, cb) * length(cross(da, db)) <
+         -kPastDelaunay * lengths;
 }
 
 double height_of(const Vec3& a, const Vec3& b, const Vec3& c) {
@@ -29,6 +31,7 @@ double height_of(const Vec3& a, const Vec3& b, const Vec3& c) {
 CutMesh::CutMesh(const LabelledMesh& from, int threads)
     : mesh(from),
       moved(from.triangles.size(), 0),
+      marks(3 * from.triangles.size(), 0),
       opposites_(find_opposites(from.triangles, from.vertices.size(), threads)) {}
 
 Vec3 CutMesh::normal(std::uint32_t t) const {
@@ -55,8 +58,8 @@ bool CutMesh::cut_edge(std::uint32_t h, const Vec3& at) {
       !may_replace(u, position(b), at, position(d)) ||
       !may_replace(u, at, position(a), position(d)))
     return false;
-  const std::uint32_t bc = opposites_[next_half_edge(h)], ca = opposites_[previous_half_edge(h)],
-                      ad = opposites_[next_half_edge(o)], db = opposites_[previous_half_edge(o)];
+  const Side bc = side(next_half_edge(h)), ca = side(previous_half_edge(h)),
+             ad = side(next_half_edge(o)), db = side(previous_half_edge(o));
   const bool moves = !is_horizontal({a, b, c, d}, at);
   const std::uint32_t v = add_vertex(at), t2 = add_copy(t, moves), u2 = add_copy(u, moves);
   mesh.triangles[t] = {a, v, c};
@@ -65,12 +68,12 @@ bool CutMesh::cut_edge(std::uint32_t h, const Vec3& at) {
   mesh.triangles[u2] = {v, a, d};
   join(3 * t, 3 * u2);
   join(3 * t + 1, 3 * t2 + 2);
-  join(3 * t + 2, ca);
+  place(3 * t + 2, ca);
   join(3 * t2, 3 * u);
-  join(3 * t2 + 1, bc);
+  place(3 * t2 + 1, bc);
   join(3 * u + 1, 3 * u2 + 2);
-  join(3 * u + 2, db);
-  join(3 * u2 + 1, ad);
+  place(3 * u + 2, db);
+  place(3 * u2 + 1, ad);
   return true;
 }
 
@@ -80,14 +83,14 @@ bool CutMesh::cut_triangle(std::uint32_t t, const Vec3& at) {
       !may_replace(t, position(b), position(c), at) ||
       !may_replace(t, position(c), position(a), at))
     return false;
-  const std::uint32_t bc = opposites_[3 * t + 1], ca = opposites_[3 * t + 2];
+  const Side bc = side(3 * t + 1), ca = side(3 * t + 2);
   const bool moves = !is_horizontal({a, b, c}, at);
   const std::uint32_t v = add_vertex(at), t2 = add_copy(t, moves), t3 = add_copy(t, moves);
   mesh.triangles[t] = {a, b, v};
   mesh.triangles[t2] = {b, c, v};
   mesh.triangles[t3] = {c, a, v};
-  join(3 * t2, bc);
-  join(3 * t3, ca);
+  place(3 * t2, bc);
+  place(3 * t3, ca);
   join(3 * t + 1, 3 * t2 + 2);
   join(3 * t2 + 1, 3 * t3 + 2);
   join(3 * t3 + 1, 3 * t + 2);
@@ -103,16 +106,16 @@ bool CutMesh::flip_edge(std::uint32_t h) {
       !may_replace(t, position(a), position(d), position(c)) ||
       !may_replace(t, position(d), position(b), position(c)))
     return false;
-  const std::uint32_t bc = opposites_[next_half_edge(h)], ca = opposites_[previous_half_edge(h)],
-                      ad = opposites_[next_half_edge(o)], db = opposites_[previous_half_edge(o)];
+  const Side bc = side(next_half_edge(h)), ca = side(previous_half_edge(h)),
+             ad = side(next_half_edge(o)), db = side(previous_half_edge(o));
   mesh.triangles[t] = {a, d, c};
   mesh.triangles[u] = {d, b, c};
   moved[t] = moved[u] = static_cast<char>(moved[t] | moved[u]);
-  join(3 * t, ad);
+  place(3 * t, ad);
   join(3 * t + 1, 3 * u + 2);
-  join(3 * t + 2, ca);
-  join(3 * u, db);
-  join(3 * u + 1, bc);
+  place(3 * t + 2, ca);
+  place(3 * u, db);
+  place(3 * u + 1, bc);
   return true;
 }
 
@@ -141,12 +144,21 @@ std::uint32_t CutMesh::add_copy(std::uint32_t t, bool moves) {
   mesh.triangles.push_back(mesh.triangles[t]);
   mesh.labels.push_back(mesh.labels[t]);
   opposites_.insert(opposites_.end(), 3, kBoundaryEdge);
+  marks.insert(marks.end(), 3, 0);
   return static_cast<std::uint32_t>(mesh.triangles.size() - 1);
 }
 
+void CutMesh::place(std::uint32_t h, const Side& side) {
+  opposites_[h] = side.opposite;
+  if (is_half_edge(side.opposite)) opposites_[side.opposite] = h;
+  marks[h] = side.mark;
+}
+
+// Two new half edges.
 void CutMesh::join(std::uint32_t h, std::uint32_t o) {
   opposites_[h] = o;
-  if (is_half_edge(o)) opposites_[o] = h;
+  opposites_[o] = h;
+  marks[h] = marks[o] = 0;
 }
 
 }  // namespace mrsim::detail

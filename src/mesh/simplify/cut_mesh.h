@@ -19,6 +19,8 @@ class CutMesh {
   /// By triangle: true where the surface has moved, by the rounding of a new point. In a plane on
   /// which one coordinate is constant it never does.
   std::vector<char> moved;
+  /// By half edge: the caller's, kept as long as both ends stay; 0 of a new one.
+  std::vector<std::int32_t> marks;
 
   std::uint32_t opposite(std::uint32_t h) const { return opposites_[h]; }
   std::uint32_t from(std::uint32_t h) const { return mesh.triangles[h / 3][h % 3]; }
@@ -49,6 +51,13 @@ class CutMesh {
   bool is_horizontal(std::initializer_list<std::uint32_t> corners, const Vec3& at) const;
   std::uint32_t add_vertex(const Vec3& p);
   std::uint32_t add_copy(std::uint32_t t, bool moves);
+  /// A half edge as it was before a change of its triangle.
+  struct Side {
+    std::uint32_t opposite = kBoundaryEdge;
+    std::int32_t mark = 0;
+  };
+  Side side(std::uint32_t h) const { return {opposites_[h], marks[h]}; }
+  void place(std::uint32_t h, const Side& side);
   void join(std::uint32_t h, std::uint32_t o);
 
   std::vector<std::uint32_t> opposites_;

@@ -4,6 +4,7 @@
 #include "mesh/simplify/apart_queue.h"
 #include "mesh/simplify/cut_mesh.h"
 #include "mesh/simplify/mesh_certifier.h"
+#include "mesh/simplify/surface_owners.h"
 #include "mesh/solid/self_intersection.h"
 
 #include <algorithm>
@@ -20,14 +21,20 @@ constexpr double kEndShare = 1e-3;     ///< of an edge: where the owner at its e
 constexpr double kInward = 1e-4;       ///< mm: where the owner beside an edge is sampled
 constexpr int kEdgeSamples = 4;        ///< parts of an edge at whose ends it is sampled
 constexpr int kChordRounds = 4;        ///< of cutting edges, then at chords
-constexpr int kHalvings = 24;          ///< of a part, to its border
 constexpr double kSameNormal = 0.999;  ///< cosine: two triangles of one plane, as far as labels go
+constexpr std::int32_t kManyOwners = kStockOwner - 1;  ///< of an edge, or not known
+constexpr std::int32_t kNotAsked = kManyOwners - 1;    ///< less it, owners are marks of half edges
 
 class BorderCutter {
  public:
   BorderCutter(const ExactField& field, const CellOctree& tree, const LabelledMesh& mesh,
                double tolerance, int threads)
-      : field_(field), tree_(tree), tolerance_(tolerance), threads_(threads), cut_(mesh, threads) {
+      : field_(field),
+        tree_(tree),
+        owners_(field, tree),
+        tolerance_(tolerance),
+        threads_(threads),
+        cut_(mesh, threads) {
     for (std::size_t k = 0; k < mesh.faces.size(); ++k)
       ids_.insert(face_key(mesh.faces[k]), static_cast<std::int32_t>(k));
   }
@@ -59,14 +66,6 @@ class BorderCutter {
  private:
   enum class Plane : std::uint8_t { no, yes, cut };  ///< `cut`: more than one owner was seen in it
 
-  // The sample that names the face at p; nothing if the surface does not pass p.
-  std::optional<FieldSample> face_at(const Vec3& p, std::int32_t& cell) const {
-    cell = tree_.locate(p, cell);
-    const FieldSample s = tree_.sample_at(p, cell);
-    if (std::abs(s.distance) > surface_band(p)) return {};
-    return s;
-  }
-
   // Triangles that lie on a plane of the part, as far as seven points show; those that more than
   // one owner shares are queued, those of one other owner get its label.
   void find_plane_triangles() {
@@ -88,14 +87,14 @@ class BorderCutter {
     const Vec3 m = cut_.middle(t);
     if (cut_.height(t) < 4 * kInward || !is_on_face(m, own) || !is_shared(x)) return;
     std::int32_t cell = tree_.locate(m);
-    const std::optional<FieldSample> first = face_at(m, cell);
+    const std::optional<FieldSample> first = owners_.face_at(m, cell);
     if (!first) return;
     bool differs = false;
     for (std::size_t k = 0; k < 3; ++k) {
       const Vec3 &a = cut_.position(x[k]), &b = cut_.position(x[(k + 1) % 3]);
       for (const Vec3& p : {lerp(a, m, 2 * kEndShare), lerp(0.5 * (a + b), m, 2 * kEndShare)}) {
         if (!is_on_face(p, own)) return;
-        const std::optional<FieldSample> s = face_at(p, cell);
+        const std::optional<FieldSample> s = owners_.face_at(p, cell);
         differs = differs || (s && s->owner != first->owner);
       }
     }
@@ -124,7 +123,7 @@ class BorderCutter {
   }
   std::optional<FieldSample> face_of(std::uint32_t t) const {
     std::int32_t cell = 0;
-    return face_at(cut_.middle(t), cell);
+    return owners_.face_at(cut_.middle(t), cell);
   }
   // A chord over faces that join nearly smoothly may leave a piece over another one of them.
   void relabel_chord(std::uint32_t t) {
@@ -153,23 +152,38 @@ class BorderCutter {
     return normalized(c - a - (dot(c - a, u) / dot(u, u)) * u);
   }
 
-  // Where borders cross the edges of a triangle with these corners: up to the first one, of the
-  // edges that had not been searched by then.
-  struct Crossed {
-    CutMesh::Corners corners{};
-    std::array<bool, 3> is_known{};
-    std::array<std::optional<Vec3>, 3> at;
+  // What one side of an edge shows: where a border crosses it, or which owner has all of it.
+  struct EdgeSide {
+    std::optional<Vec3> border;
+    std::int32_t owner = kManyOwners;
   };
 
-  // The edges of a triangle: a cut at the longest one leaves the least thin pieces.
-  std::array<std::uint32_t, 3> longest_first(std::uint32_t t) const {
-    std::array<std::uint32_t, 3> order{0, 1, 2};
+  // The edges of a triangle with these corners up to the first one that a border crosses, without
+  // those that had been searched by then.
+  struct Crossed {
+    CutMesh::Corners corners{};
+    std::array<std::optional<EdgeSide>, 3> edges;
+  };
+
+  // The edges of a triangle at which it may be cut: a cut at the longest one leaves the least thin
+  // pieces, and the ends of those below four times the tolerance are near enough to any border.
+  struct LongEdges {
+    std::array<std::uint32_t, 3> edges{};
+    std::uint32_t count = 0;
+    const std::uint32_t* begin() const { return edges.data(); }
+    const std::uint32_t* end() const { return edges.data() + count; }
+  };
+  LongEdges longest_first(std::uint32_t t) const {
+    LongEdges found;
+    if (cut_.height(t) < 4 * kInward) return found;
     std::array<double, 3> size{};
-    for (const std::uint32_t k : order)
+    for (std::uint32_t k = 0; k < 3; ++k) {
       size[k] = distance(cut_.position(cut_.from(3 * t + k)), cut_.position(cut_.to(3 * t + k)));
-    std::stable_sort(order.begin(), order.end(),
+      if (tolerance_ / size[k] <= 0.25) found.edges[found.count++] = k;
+    }
+    std::stable_sort(found.edges.begin(), found.edges.begin() + found.count,
                      [&](std::uint32_t a, std::uint32_t b) { return size[a] > size[b]; });
-    return order;
+    return found;
   }
 
   // Most of the time goes into this, so it is found for many triangles at once. One that is changed
@@ -183,29 +197,27 @@ class BorderCutter {
           Crossed& crossed = found[i];
           crossed.corners = cut_.mesh.triangles[t];
           for (const std::uint32_t k : longest_first(t)) {
-            if (asked_.find(edge_key(3 * t + k)) >= 0) continue;
-            crossed.is_known[k] = true;
-            crossed.at[k] = border_on(3 * t + k);
-            if (crossed.at[k]) return;
+            if (was_asked(3 * t + k)) continue;
+            crossed.edges[k] = look_along(3 * t + k);
+            if (crossed.edges[k]->border) return;
           }
         },
         8);
     return found;
   }
-  std::uint64_t edge_key(std::uint32_t h) const {
-    return static_cast<std::uint64_t>(cut_.from(h)) << 32 | cut_.to(h);
-  }
+  bool was_asked(std::uint32_t h) const { return cut_.marks[h] != 0; }
 
   void cut_crossed_edges(std::uint32_t t, const Crossed& crossed) {
     const bool is_same = cut_.mesh.triangles[t] == crossed.corners;
     for (const std::uint32_t k : longest_first(t)) {
       const std::uint32_t h = 3 * t + k;
-      if (!asked_.insert(edge_key(h), 0).second) continue;
-      const bool known = is_same && crossed.is_known[k];
-      const std::optional<Vec3> at = known ? crossed.at[k] : border_on(h);
-      if (!at) continue;
+      if (was_asked(h)) continue;
+      const bool is_known = is_same && crossed.edges[k];
+      const EdgeSide side = is_known ? *crossed.edges[k] : look_along(h);
+      cut_.marks[h] = side.owner - kNotAsked;
+      if (!side.border) continue;
       const std::uint32_t o = cut_.opposite(h);
-      if (!cut_.cut_edge(h, snap(*at))) continue;
+      if (!cut_.cut_edge(h, snap(*side.border))) continue;
       for (const std::uint32_t old : {t, o / 3}) plane_.push_back(plane_[old]);
       const auto last = static_cast<std::uint32_t>(plane_.size() - 1);
       for (const std::uint32_t part : {o / 3, last})
@@ -243,89 +255,41 @@ class BorderCutter {
     return parts;
   }
 
-  // Where the owner on the triangle's side of an edge changes for the first time, well off the
-  // ends.
-  std::optional<Vec3> border_on(std::uint32_t h) const {
+  // The owner of all of the edge as the triangle on its other side shows it, where both lie in one
+  // plane.
+  std::int32_t owner_across(std::uint32_t h) const {
+    const std::uint32_t o = cut_.opposite(h);
+    const std::int32_t owner = is_half_edge(o) ? cut_.marks[o] + kNotAsked : kNotAsked;
+    return owner > kManyOwners && in_one_plane(h) ? owner : kManyOwners;
+  }
+
+  // Finds where the owner on the triangle's side of an edge changes for the first time, well off
+  // the ends. Where the other side has one owner, this side has it, too, or a border runs along the
+  // edge: the middle tells.
+  EdgeSide look_along(std::uint32_t h) const {
     const Vec3 &a = cut_.position(cut_.from(h)), &b = cut_.position(cut_.to(h));
     const double end =
         std::max(kEndShare, tolerance_ / distance(a, b));  // nearer, the edge's end will do
-    if (end > 0.25 || cut_.height(h / 3) < 4 * kInward) return {};
     const Vec3 aside = kInward * inward(h);
     std::int32_t cell = tree_.locate(a);
-    const auto owner = [&](double s) { return face_at(lerp(a, b, s) + aside, cell); };
-    double from = 0;
-    std::optional<FieldSample> first;
+    const auto point = [&](double s) { return lerp(a, b, s) + aside; };
+    if (const std::int32_t across = owner_across(h); across != kManyOwners) {
+      const std::optional<FieldSample> s = owners_.face_at(point(0.5), cell);
+      if (s && s->owner == across) return {{}, across};
+    }
+    bool is_one = true;
+    std::optional<SurfaceOwners::Place> from;
     for (int k = 0; k <= kEdgeSamples; ++k) {
-      const double to = std::clamp(static_cast<double>(k) / kEdgeSamples, end, 1 - end);
-      const std::optional<FieldSample> last = owner(to);
-      if (first && last && first->owner != last->owner &&
-          !(reaches(first->owner, lerp(a, b, to) + aside) &&
-            reaches(last->owner, lerp(a, b, from) + aside)))
-        return change([&](double s) { return lerp(a, b, s) + aside; }, {from, first->owner},
-                      {to, last->owner}, cell, -aside);
-      if (last) {
-        first = last;
-        from = to;
-      }
+      const Vec3 p = point(std::clamp(static_cast<double>(k) / kEdgeSamples, end, 1 - end));
+      const std::optional<FieldSample> s = owners_.face_at(p, cell);
+      is_one = is_one && s && (!from || s->owner == from->owner);
+      if (!s) continue;
+      if (from && s->owner != from->owner &&
+          !(owners_.reaches(from->owner, p) && owners_.reaches(s->owner, from->p)))
+        return {owners_.change(*from, {p, s->owner}, cell, -aside)};
+      from = {p, s->owner};
     }
-    return {};
-  }
-
-  // Whether this owner's face passes here, too. If the faces of two owners pass both of two places,
-  // two passes have cut one wall and rounding picks the owner: there is no border between the
-  // places.
-  bool reaches(std::int32_t owner, const Vec3& p) const {
-    if (owner == kStockOwner) return false;
-    const std::uint32_t only = field_.candidate(owner);
-    return std::abs(field_.sample(p, {&only, 1}).distance) <= surface_band(p);
-  }
-
-  struct Owned {
-    double at = 0;
-    std::int32_t owner = 0;
-  };
-
-  // The point between two of a line at which the owner changes from the first one's, moved by
-  // `shift`; nothing where that is off the surface.
-  template <class PointAt>
-  std::optional<Vec3> change(const PointAt& point_at, Owned from, Owned to, std::int32_t cell,
-                             const Vec3& shift) const {
-    const auto owner = [&](double s) { return face_at(point_at(s), cell); };
-    Owned first = from, last = to;
-    const bool is_seen = halve_between(point_at, first, last) &&
-                         is_owner(owner(first.at), from.owner) &&
-                         is_owner(owner(last.at), to.owner);
-    if (is_seen) from = first, to = last;
-    for (int i = 0; !is_seen && i < kHalvings; ++i) {  // a third owner lies between
-      const double middle = 0.5 * (from.at + to.at);
-      const std::optional<FieldSample> s = owner(middle);
-      if (!s) return {};
-      (s->owner == from.owner ? from : to).at = middle;
-    }
-    const Vec3 p = point_at(0.5 * (from.at + to.at)) + shift;
-    return face_at(p, cell) ? std::optional<Vec3>(p) : std::nullopt;
-  }
-  static bool is_owner(const std::optional<FieldSample>& face, std::int32_t owner) {
-    return face && face->owner == owner;
-  }
-
-  // Bisects between the two, by these two sweeps alone. False where neither is on the surface
-  // at a point of it.
-  template <class PointAt>
-  bool halve_between(const PointAt& point_at, Owned& from, Owned& to) const {
-    std::uint32_t both[2];
-    std::size_t count = 0;
-    for (const std::int32_t owner : {from.owner, to.owner})
-      if (owner != kStockOwner) both[count++] = field_.candidate(owner);
-    if (count == 2 && both[1] < both[0]) std::swap(both[0], both[1]);
-    for (int i = 0; i < kHalvings; ++i) {
-      const double middle = 0.5 * (from.at + to.at);
-      const Vec3 p = point_at(middle);
-      const FieldSample s = field_.sample(p, {both, count});
-      if (std::abs(s.distance) > surface_band(p)) return false;
-      (s.owner == from.owner ? from : to).at = middle;
-    }
-    return true;
+    return {{}, is_one ? from->owner : kManyOwners};
   }
 
   // Chords of a border that bends leave strips of the one owner in triangles of the other one.
@@ -362,12 +326,11 @@ class BorderCutter {
     const double depth = dot(c - m, aside);
     if (depth < 2 * tolerance_) return {};
     std::int32_t cell = tree_.locate(m);
-    const auto point_at = [&](double s) { return lerp(m, c, s); };
-    const double begin = tolerance_ / depth;
-    const std::optional<FieldSample> near = face_at(point_at(begin), cell);
+    const Vec3 begin = lerp(m, c, tolerance_ / depth);
+    const std::optional<FieldSample> near = owners_.face_at(begin, cell);
     if (!near || near->owner == owner_of(t)) return {};
-    if (reaches(owner_of(t), point_at(begin)) && reaches(near->owner, c)) return {};
-    return change(point_at, {begin, near->owner}, {1, owner_of(t)}, cell, {});
+    if (owners_.reaches(owner_of(t), begin) && owners_.reaches(near->owner, c)) return {};
+    return owners_.change({begin, near->owner}, {c, owner_of(t)}, cell, {});
   }
 
   bool crosses_itself() const {
@@ -379,11 +342,11 @@ class BorderCutter {
 
   const ExactField& field_;
   const CellOctree& tree_;
+  SurfaceOwners owners_;
   double tolerance_;
   int threads_;
   CutMesh cut_;
   FlatMap ids_;                       ///< of faces, in the mesh
-  FlatMap asked_;                     ///< edges by their vertices, as a triangle has them
   std::vector<Plane> plane_;          ///< by triangle
   ApartQueue edges_;                  ///< triangles whose edges to look at
   std::deque<std::uint32_t> chords_;  ///< and whose chords
