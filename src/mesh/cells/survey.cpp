@@ -141,8 +141,8 @@ SurfaceSurvey survey_surface(const ExactField& field, const Candidates& list, in
   require_memory(kSweepBytes * static_cast<double>(list.size()), "a survey of the part's surface");
   const Box3 cube = cube_about(field.bounds());
   std::vector<Part> parts;
-  const auto whole = field.descent(0.5 * (cube.lo + cube.hi), list);
-  find_parts(*whole, cube, 1, kApart, parts);
+  // Its lists, of all sweeps, are gone when the parts have theirs.
+  find_parts(*field.descent(0.5 * (cube.lo + cube.hi), list), cube, 1, kApart, parts);
   SurfaceSurvey survey;
   for (int depth = kFirstDepth; depth <= kLastDepth && survey.blocks < kEnough; ++depth) {
     std::vector<Count> counts(parts.size());

@@ -72,8 +72,9 @@ TileSet find_tiles(const ExactField& field, const Lattice& lattice, int threads)
   const Box3 bounds = field.bounds();
   const TileRange range = whole(field, lattice);
   std::vector<TilePart> large;
-  const auto descent = field.descent(0.5 * (bounds.lo + bounds.hi), field.all());
-  find_parts(lattice, *descent, range, 1, std::max<std::int64_t>(1, count(range) / kLargeParts),
+  const std::int64_t most = std::max<std::int64_t>(1, count(range) / kLargeParts);
+  // Its lists, of all sweeps, are gone when the parts have theirs.
+  find_parts(lattice, *field.descent(0.5 * (bounds.lo + bounds.hi), field.all()), range, 1, most,
              large);
   std::vector<std::vector<TilePart>> single(large.size());
   parallel_for(large.size(), threads, [&](std::size_t k) {

@@ -20,8 +20,9 @@ namespace {
 // Bytes for each of the units named, as measured (docs/performance.md, Memory of the classes).
 // Every run: each motion, beside the program itself.
 constexpr double kMotion = 320;
-// Each sweep, and each segment of a path, in the threads' lists of candidates.
-constexpr double kSweep = 20, kSegment = 20;
+// Each sweep, and each segment of a path, in the threads' lists of candidates; and how many times
+// as much at most, where many sweeps lie close together.
+constexpr double kSweep = 100, kSegment = 20, kMoreSweeps = 4.5;
 // Each triangle of a stock that is a mesh: the tree over it, and what checking the mesh has left.
 constexpr double kStockTriangle = 290;
 // Each tool, in what SweepTable keeps of its shapes; checked before the table is made.
@@ -112,8 +113,8 @@ double lists_of_shapes(const SweepTable& sweeps, int threads) {
 }
 
 // The table, and the lists of those that threads work on.
-double memory_of(const SweepTable& sweeps) {
-  return static_cast<double>(sweeps.memory()) + kSweep * static_cast<double>(sweeps.size()) +
+double memory_of(const SweepTable& sweeps, double more = 1) {
+  return static_cast<double>(sweeps.memory()) + more * kSweep * static_cast<double>(sweeps.size()) +
          kSegment * static_cast<double>(sweeps.segments());
 }
 
@@ -134,8 +135,9 @@ struct Need {
   }
 
   double always() const {
-    return kProgramMemory + kMotion * static_cast<double>(motions) + memory_of(sweeps) +
-           kShape * shapes_in(sweeps) + lists_of_shapes(sweeps, options.threads) +
+    return kProgramMemory + kMotion * static_cast<double>(motions) +
+           memory_of(sweeps, is_most ? kMoreSweeps : 1) + kShape * shapes_in(sweeps) +
+           lists_of_shapes(sweeps, options.threads) +
            kStockTriangle * static_cast<double>(stock.triangles());
   }
   /// Cells in which faces of a stock's mesh meet: they are split, and remembered. Long straight
