@@ -2,6 +2,7 @@
 #include "run_program.h"
 
 #include <algorithm>
+#include <cmath>
 #include <csignal>
 
 #include <sys/resource.h>
@@ -96,6 +97,29 @@ TEST_F(Slabs, KeepToTheLimitWhereSurfaceIsDense) {
   EXPECT_EQ(refused.code, 1) << refused.err;
   EXPECT_TRUE(contains(refused.err, "needs the whole mesh")) << refused.err;
   EXPECT_FALSE(exists("part.glb"));
+}
+
+// Loops of short lines, as adaptive clearing has them: hundreds of passes share each place of the
+// floor, and the lists of what passes a tile are long.
+TEST_F(Slabs, KeepToTheLimitWherePassesShareAFloor) {
+  if (!kIsPlain) GTEST_SKIP();
+  std::string loops = "%\nG90 G21 G17 G94\nT1 M6\nS8000 M3\nG0 X4 Y4 Z9\n";
+  for (int place = 0; place < 4 * 12 * 340; ++place)
+    for (int k = 0; k <= 12; ++k) {
+      const double angle = 3.14159265358979 / 6 * k;
+      loops += "G1 X" + std::to_string(4 + 0.15 * (place % 340) + 1.2 * std::cos(angle)) + " Y" +
+               std::to_string(4 + 2.9 * (place / 340 % 12) + 1.2 * std::sin(angle)) + " Z-" +
+               std::to_string(2 + place / 4080 * 2) + " F500\n";
+    }
+  write("loops.nc", loops + "G0 Z9\nM30\n%\n");
+  for (const int limit : {150, 160, 270}) {
+    const Outcome outcome =
+        run("loops.nc --stock box:0,0,-12,60,40,0 --tool 1=endmill:d=3 --voxel 0.25 --threads 2 "
+            "-o part.stl --json r.json --max-memory " +
+            std::to_string(limit) + "M");
+    EXPECT_TRUE(outcome.code == 0 || contains(outcome.err, "[memory]")) << outcome.err;
+    EXPECT_LE(number_after(read("r.json"), "\"peak\": "), limit * 1048576.0);
+  }
 }
 
 // Milled, turned, and out of a mesh. (tests/mesh/slabs_test.cpp has slots that cross in every

@@ -20,9 +20,9 @@ namespace {
 // Bytes for each of the units named, as measured (docs/performance.md, Memory of the classes).
 // Every run: each motion, beside the program itself.
 constexpr double kMotion = 320;
-// Each sweep, and each segment of a path, in the threads' lists of candidates; and how many times
-// as much at most, where many sweeps lie close together.
-constexpr double kSweep = 100, kSegment = 20, kMoreSweeps = 4.5;
+// Each sweep or pack of the whole part, and each segment of a path, in the threads' lists of
+// candidates; and how many times as much at most, where many sweeps lie close together.
+constexpr double kListed = 100, kSegment = 20, kMoreListed = 4.5;
 // Each triangle of a stock that is a mesh: the tree over it, and what checking the mesh has left.
 constexpr double kStockTriangle = 290;
 // Each tool, in what SweepTable keeps of its shapes; checked before the table is made.
@@ -112,15 +112,15 @@ double lists_of_shapes(const SweepTable& sweeps, int threads) {
   return kShapeLists * shapes_in(sweeps) * resolve_threads(threads);
 }
 
-// The table, and the lists of those that threads work on.
-double memory_of(const SweepTable& sweeps, double more = 1) {
-  return static_cast<double>(sweeps.memory()) + more * kSweep * static_cast<double>(sweeps.size()) +
-         kSegment * static_cast<double>(sweeps.segments());
+// The table, and the segments in lists.
+double memory_of(const SweepTable& sweeps) {
+  return static_cast<double>(sweeps.memory()) + kSegment * static_cast<double>(sweeps.segments());
 }
 
 struct Need {
   const StockSolid& stock;
   const SweepTable& sweeps;
+  std::size_t listed;  ///< sweeps and packs of the whole part
   std::size_t motions;
   const CarvePlan& options;
   bool is_most = false;  ///< rather too much, for at_most()
@@ -130,14 +130,14 @@ struct Need {
     if (options.max_memory == 0) return (*this)(voxel, in_slabs);
     CarvePlan more = options;
     more.cut_cells *= kMoreCells;
-    const double most = Need{stock, sweeps, motions, more, true}(voxel, in_slabs);
+    const double most = Need{stock, sweeps, listed, motions, more, true}(voxel, in_slabs);
     return in_slabs ? most : most + (kMoreMesh - 1) * (most - always());
   }
 
   double always() const {
-    return kProgramMemory + kMotion * static_cast<double>(motions) +
-           memory_of(sweeps, is_most ? kMoreSweeps : 1) + kShape * shapes_in(sweeps) +
-           lists_of_shapes(sweeps, options.threads) +
+    return kProgramMemory + kMotion * static_cast<double>(motions) + memory_of(sweeps) +
+           (is_most ? kMoreListed : 1) * kListed * static_cast<double>(listed) +
+           kShape * shapes_in(sweeps) + lists_of_shapes(sweeps, options.threads) +
            kStockTriangle * static_cast<double>(stock.triangles());
   }
   /// Cells in which faces of a stock's mesh meet: they are split, and remembered. Long straight
@@ -248,7 +248,7 @@ MemoryPlan plan_memory(const PartField& field, std::size_t motions, const CarveP
                 fmt::format("--voxel {} is not a positive length in mm", options.voxel),
                 Error::Kind::usage);
   if (options.grid_mesh || options.keep_grid) require_columns(field.solid(), options.voxel);
-  const Need need{field.solid(), field.sweeps(), motions, options};
+  const Need need{field.solid(), field.sweeps(), field.all().size(), motions, options};
   MemoryPlan plan;
   plan.limit = options.max_memory > 0 ? options.max_memory : free_memory();
   plan.expected = plan.whole = need(options.voxel, false);
