@@ -112,7 +112,7 @@ TEST_F(Slabs, KeepToTheLimitWherePassesShareAFloor) {
                std::to_string(2 + place / 4080 * 2) + " F500\n";
     }
   write("loops.nc", loops + "G0 Z9\nM30\n%\n");
-  for (const int limit : {150, 160, 270}) {
+  for (const int limit : {150, 160, 340}) {
     const Outcome outcome =
         run("loops.nc --stock box:0,0,-12,60,40,0 --tool 1=endmill:d=3 --voxel 0.25 --threads 2 "
             "-o part.stl --json r.json --max-memory " +

@@ -21,8 +21,9 @@ namespace {
 // Every run: each motion, beside the program itself.
 constexpr double kMotion = 320;
 // Each sweep or pack of the whole part, and each segment of a path, in the threads' lists of
-// candidates; and how many times as much at most, where many sweeps lie close together.
-constexpr double kListed = 100, kSegment = 20, kMoreListed = 4.5;
+// candidates; how many times as much at most, where many sweeps lie close together; and beyond the
+// expected in the first cells of an octree, at most.
+constexpr double kListed = 100, kSegment = 20, kMoreListed = 7, kFirstListed = 70;
 // Each triangle of a stock that is a mesh: the tree over it, and what checking the mesh has left.
 constexpr double kStockTriangle = 290;
 // Each tool, in what SweepTable keeps of its shapes; checked before the table is made.
@@ -252,6 +253,7 @@ MemoryPlan plan_memory(const PartField& field, std::size_t motions, const CarveP
   MemoryPlan plan;
   plan.limit = options.max_memory > 0 ? options.max_memory : free_memory();
   plan.expected = plan.whole = need(options.voxel, false);
+  plan.list_room = kFirstListed * static_cast<double>(need.listed);
   const auto available = static_cast<double>(plan.limit);
   plan.mesh_room = available - (plan.whole - need.whole_mesh(options.voxel));
   const double left = available - need.at_most(options.voxel, false);

@@ -16,6 +16,7 @@ struct MemoryPlan {
   double expected = 0;    ///< bytes at the peak, as planned; without a mesh that has a tolerance
   double whole = 0;       ///< bytes at the peak of a run that is not cut into slabs
   double mesh_room = 0;   ///< bytes, of the limit, that a mesh on the voxels may take as a whole
+  double list_room = 0;   ///< bytes that the lists of an octree may take beyond the expected
   /// Bytes, of the limit, in which tiles of such a mesh may be kept while others are mended.
   double tile_room = 0;
   bool in_slabs = false;

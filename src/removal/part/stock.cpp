@@ -41,6 +41,7 @@ std::size_t Stock::memory() const {
 }
 
 double Stock::memory_expected() const { return grid_->plan.expected; }
+double Stock::list_room() const { return grid_->plan.list_room; }
 double Stock::memory_whole() const { return grid_->plan.whole; }
 std::size_t Stock::memory_limit() const { return grid_->plan.limit; }
 bool Stock::in_slabs() const { return grid_->plan.in_slabs; }

@@ -36,7 +36,7 @@ MeshPlan chosen_plan(const Job& job, const Stock& stock, const MeshChoice& choic
   // A limit that the user has set must hold; the mesher's estimate may err.
   double left = static_cast<double>(stock.memory_limit()) - stock.memory_expected();
   if (job.carve.max_memory > 0)
-    left = (left - kThreadRoom * resolve_threads(job.mesh.threads)) / kMeshErr;
+    left = (left - stock.list_room() - kThreadRoom * resolve_threads(job.mesh.threads)) / kMeshErr;
   plan.max_memory = static_cast<std::size_t>(std::max(left, 1.0));  // 0 is no limit
   return plan;
 }
