@@ -54,7 +54,7 @@ def includers(headers):
         for name in names:
             path = os.path.relpath(os.path.join(folder, name), ROOT)
             with open(os.path.join(ROOT, path), encoding="utf-8") as file:
-                for included in re.findall(r'^#include "([^"]+)"', file.read(), re.M):
+                for included in re.findall(r'^#include ["<]([^">]+)[">]', file.read(), re.M):
                     direct.setdefault(included, set()).add(path)
     found, todo = set(), list(headers)
     while todo:
@@ -70,7 +70,7 @@ def doubtful_since(commit):
     changed = differences("--name-only", commit, "--", "src")
     if changed is None:
         return None
-    lost = [file for file in differences("--name-only", commit, "--", "*.h").split()
+    lost = [file for file in differences("--name-only", commit, "--", "*.h", "*.inl").split()
             if re.search("^-#include", differences("-U0", commit, "--", file), re.M)]
     return set(changed.split()) | includers(lost)
 
@@ -95,7 +95,7 @@ def main():
                     faults += 1
                     print(f"{source} does not compile by itself\n{result.stderr}")
     print(f"{len(found)} sources, {faults} faults")
-    return 1 if faults or (wanted and not found) else 0
+    return 1 if faults or not (found or since) else 0
 
 
 if __name__ == "__main__":

@@ -117,8 +117,11 @@ TEST_F(Slabs, KeepToTheLimitWherePassesShareAFloor) {
         run("loops.nc --stock box:0,0,-12,60,40,0 --tool 1=endmill:d=3 --voxel 0.25 --threads 2 "
             "-o part.stl --json r.json --max-memory " +
             std::to_string(limit) + "M");
-    EXPECT_TRUE(outcome.code == 0 || contains(outcome.err, "[memory]")) << outcome.err;
-    EXPECT_LE(number_after(read("r.json"), "\"peak\": "), limit * 1048576.0);
+    EXPECT_TRUE(outcome.code == 0 || (limit < 340 && contains(outcome.err, "[memory]")))
+        << outcome.err;
+    const double peak = number_after(read("r.json"), "\"peak\": ");
+    EXPECT_GT(peak, 20e6) << "the table of sweeps alone takes more";
+    EXPECT_LE(peak, limit * 1048576.0);
   }
 }
 

@@ -27,10 +27,10 @@ std::uint64_t next_random(std::uint64_t& state) {
   return state ^= state << 17;
 }
 
-// Of each file, where there are so many.
+// Of each of so many files; five are one beginning and four changes.
 std::size_t variations(std::size_t files) {
-  constexpr std::size_t kMost = mrsim::testing::rounds(80), kAll = mrsim::testing::rounds(9000);
-  return std::min(kMost, kAll / std::max<std::size_t>(files, 1) + 5);
+  constexpr std::size_t kMost = mrsim::testing::rounds(80), kAll = mrsim::testing::rounds(13000);
+  return std::clamp<std::size_t>(kAll / files, 5, kMost);
 }
 
 // A fifth of them are beginnings.

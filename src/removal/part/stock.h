@@ -31,7 +31,7 @@ class Stock {
   std::size_t memory() const;         ///< bytes of the grids and their lists
   double memory_expected() const;     ///< bytes of the run, as in MemoryPlan
   double memory_whole() const;        ///< bytes of the run, were it not cut into slabs
-  double list_room() const;           ///< bytes beyond them, as in MemoryPlan
+  double list_room() const;           ///< bytes for lists of an octree, as in MemoryPlan
   std::size_t memory_limit() const;
   bool in_slabs() const;  ///< to save memory: the mesh must not be held as a whole
   const StockGrid& grid() const { return *grid_; }
