@@ -4,6 +4,9 @@
 #include <chrono>
 #include <cmath>
 #include <numbers>
+#include <vector>
+
+#include <nlohmann/json.hpp>
 
 namespace mrsim {
 namespace {
@@ -172,6 +175,33 @@ TEST_F(Figures, ExactPrimitiveIsTheStockOfTheFile) {
   ASSERT_EQ(run("PRIMER_2S.MPF --stock bar.stl" + voxel + "a.stl").code, 0);
   ASSERT_EQ(run("PRIMER_2S.MPF --stock cylinder:50,0,51" + voxel + "b.stl").code, 0);
   EXPECT_EQ(read("a.stl"), read("b.stl"));
+}
+
+// Five rows of a relief. The wall that was named beside them had the thickness of what stands below
+// the stock's top, 8.6 mm, amid air.
+TEST_F(Figures, ThinWallsAreThinnerThanAFewVoxels) {
+  std::string text = "G90 G17 G21\nT1 M6\nS20000 M3\nF600\nG0 Z5\n";
+  const auto row = [&](double x, double y, double way, const std::vector<double>& depths) {
+    text += "G0 X" + std::to_string(x) + " Y" + std::to_string(y) + "\n";
+    for (const double z : depths) {
+      text += "G1 X" + std::to_string(x) + " Z" + std::to_string(z) + "\n";
+      x += way;
+    }
+    text += "G0 Z5\n";
+  };
+  row(43.2, 58, 0.45, {-5.153, -5.18, -4.882, -4.456, -4.179});
+  row(44.55, 58.5, -0.45, {-3.872, -4.317, -4.625, -4.605, -4.282});
+  row(42.75, 59, 0.45, {-4.015, -4.355, -4.434, -4.175, -3.723});
+  row(44.1, 59.5, -0.45, {-4.409, -4.562, -4.384, -4.03, -3.769});
+  row(42.75, 60, 0.45, {-3.916, -4.251, -4.521, -4.506});
+  write("relief.nc", text + "M30\n");
+  ASSERT_EQ(run("relief.nc --stock box:-3,-3,-10,65,65,0 --tool 1=endmill:d=1 --voxel 0.16 "
+                "-o part.stl --json part.json")
+                .code,
+            0);
+  const nlohmann::json places = nlohmann::json::parse(read("part.json"))["thin"]["places"];
+  EXPECT_FALSE(places.empty());
+  for (const nlohmann::json& place : places) EXPECT_LT(place["thickness"], 0.32) << place;
 }
 
 }  // namespace

@@ -98,7 +98,9 @@ class SurfaceCells {
   virtual Box3 box(std::int32_t cell) const = 0;
   /// Where vertices of the cell may lie: off its sides by at least two steps of the coordinates.
   virtual Box3 inner_box(std::int32_t cell) const { return inner(box(cell)); }
-  /// The sweeps that can decide d in the cell.
+  /// Whether the surface may pass a cell; the others are all of air or all of material.
+  virtual bool is_mixed(std::int32_t cell) const = 0;
+  /// The sweeps that can decide d in a mixed cell; of the others they do not tell the side.
   virtual std::span<const std::uint32_t> candidates(std::int32_t cell) const = 0;
   /// Cells of equal numbers, below lists(), have the same candidates.
   virtual std::int32_t list_of(std::int32_t cell) const { return cell; }

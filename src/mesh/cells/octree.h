@@ -57,6 +57,9 @@ class CellOctree final : public SurfaceCells {
   std::int32_t size_of(std::int32_t cell) const override { return node(cell).size; }
   const FieldSample& sample(std::int32_t i) const { return samples_[static_cast<std::size_t>(i)]; }
 
+  bool is_mixed(std::int32_t cell) const override {
+    return node(cell).region == ExactField::Region::mixed;
+  }
   /// The sweeps that can decide d in the leaf.
   std::span<const std::uint32_t> candidates(std::int32_t node) const override {
     return lists_[static_cast<std::size_t>(node)];

@@ -153,13 +153,13 @@ ThinFeature measured(const Probe& probe, const Box3& room, const Vec3& p) {
 }
 
 // The feature that stands amid the cells about an edge without crossing one of theirs: what
-// `hidden` finds in the room of the first of them.
+// `hidden` finds in the room of the first of them that the surface may pass.
 template <class Hidden>
 std::optional<ThinFeature> first_hidden(const SurfaceCells& cells, const MinimalEdge& e,
                                         const Hidden& hidden) {
   for (int k = 0; k < 4; ++k) {
     const std::int32_t cell = e.cells[k];
-    if (std::find(e.cells, e.cells + k, cell) != e.cells + k) continue;
+    if (!cells.is_mixed(cell) || std::find(e.cells, e.cells + k, cell) != e.cells + k) continue;
     if (const std::optional<ThinFeature> found = hidden(cell, room_about(cells, e, cell)))
       return found;
   }
@@ -212,6 +212,7 @@ class LostSearch {
   // `found`: set where the line passes something thin.
   std::optional<FoundThin> on_line(const MinimalEdge& e, std::int32_t cell, const Vec3& low,
                                    const Vec3& high, bool& found) const {
+    if (!cells_.is_mixed(cell)) return {};
     const Probe probe{field_, cells_.candidates(cell), 0};
     const EdgeEnd a = sampled(probe, low), b = sampled(probe, high);
     if (is_inside(a.at.distance) != is_inside(b.at.distance)) return at_end(e, probe, a, b);

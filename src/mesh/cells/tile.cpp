@@ -229,6 +229,11 @@ Box3 CellTile::inner_box(std::int32_t cell) const {
   return {{x.first, y.first, z.first}, {x.second, y.second, z.second}};
 }
 
+bool CellTile::is_mixed(std::int32_t cell) const {
+  const LatticePoint p = point_of(cell);
+  return has(column(p.x, p.y).sampled, p.z);
+}
+
 std::span<const std::uint32_t> CellTile::candidates(std::int32_t cell) const {
   const List& list = lists_[static_cast<std::size_t>(list_of(cell))];
   return {ids_.data() + list.begin, list.end - list.begin};

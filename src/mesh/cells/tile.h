@@ -39,6 +39,7 @@ class CellTile final : public SurfaceCells {
   std::int32_t size_of(std::int32_t) const override { return lattice().per_voxel(); }
   Box3 box(std::int32_t cell) const override;
   Box3 inner_box(std::int32_t cell) const override;
+  bool is_mixed(std::int32_t cell) const override;
   std::span<const std::uint32_t> candidates(std::int32_t cell) const override;
   std::int32_t list_of(std::int32_t cell) const override;
   std::size_t lists() const override { return lists_.size(); }
