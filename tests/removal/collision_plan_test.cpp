@@ -49,11 +49,14 @@ class LayerScene {
     for (std::uint32_t i = 0; i < part_.sweeps().size(); ++i) cuts_.push_back(i);
     for (std::uint32_t i = 0; i < movers_->motions.size(); ++i) all_.push_back(i);
     plan_.emplace(*scene_, cuts_, all_);
+    found_ = groups_of(200);
   }
+  PlanGroups groups_of(std::size_t most) const { return plan_->groups(plan_->movers(), most); }
   const SweepTable& cuts() const { return part_.sweeps(); }
   const SweepTable& movers() const { return movers_->sweeps; }
-  const std::vector<PlanGroup>& groups() const { return plan_->groups(); }
-  std::size_t others() const { return plan_->others().size(); }
+  const std::vector<PlanGroup>& groups() const { return found_.groups; }
+  std::size_t others() const { return plan_->others().size() + found_.others.size(); }
+  std::size_t heights() const { return plan_->heights(); }
   PlanView view(std::size_t group) const {
     return plan_->view(groups()[group], groups()[group].layers[0]);
   }
@@ -67,6 +70,7 @@ class LayerScene {
   std::optional<CollisionScene> scene_;
   Candidates cuts_, all_;
   std::optional<PlanSearch> plan_;
+  PlanGroups found_;
 };
 
 // Two passes at z = -1, and a way back between them that is lifted, over a wall.
@@ -75,6 +79,31 @@ std::vector<Motion> two_passes(double lift) {
   m.cut({7, 1, -1}).cut({7, 2, -1}).cut({1, 2, -1});
   m.rapid({1, 2, -1 + lift}).rapid({6, 4, -1 + lift});
   return m.motions;
+}
+
+// Ways back over a floor, each at another height: of a few groups each counts from its lowest.
+TEST(CollisionPlan, MoversOfManyHeightsMayShareAGroup) {
+  Moves m({1, 1, -1});
+  m.cut({7, 1, -1}).cut({7, 2, -1}).cut({1, 2, -1}).cut({1, 3, -1}).cut({7, 3, -1});
+  for (int k = 0; k < 40; ++k) {
+    const double z = -0.9 + 0.01 * k;
+    m.rapid({k % 2 ? 6.5 : 1.5, k % 2 ? 2.5 : 1.5, z});
+  }
+  const LayerScene scene(m.motions, plan_mill(2, 0));
+  EXPECT_GE(scene.heights(), 40u);
+  const PlanGroups few = scene.groups_of(4);
+  ASSERT_GT(few.groups.size(), 1u);
+  EXPECT_LE(few.groups.size(), 5u);
+  EXPECT_TRUE(few.others.empty());
+  std::size_t movers = 0;
+  for (const PlanGroup& group : few.groups) {
+    movers += group.movers.sweeps.size();
+    for (const std::uint32_t mover : group.movers.sweeps)
+      EXPECT_LE(group.lowest, scene.movers().bounds(mover).lo.z + 1e-9);
+  }
+  std::size_t all = 0;
+  for (const PlanGroup& group : scene.groups()) all += group.movers.sweeps.size();
+  EXPECT_EQ(movers, all);
 }
 
 TEST(CollisionPlan, DistancesOfFlatEndsAreThoseFarAboveThem) {

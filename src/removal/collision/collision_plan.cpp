@@ -5,7 +5,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <optional>
+#include <set>
 
 namespace mrsim {
 namespace {
@@ -15,9 +17,6 @@ constexpr std::size_t kMostLayers = 12;
 
 // Plunges before a mover that are asked for its nose.
 constexpr std::ptrdiff_t kPlungesBefore = 16;
-
-// Groups of movers by height: each looks at all cuts.
-constexpr std::size_t kMostGroups = 200;
 
 std::pair<double, double> place_of(const PlanPath& path) {
   return {path.plan[LineSlot::x], path.plan[LineSlot::y]};
@@ -49,9 +48,21 @@ Vec3 PlanView::out_of_stock(const Vec3& p) const {
                : Vec3{0, std::copysign(1.0, p.y - middle.y), 0};
 }
 
+// Both lists ascend, and in small boxes the one is a short part of the other: each step doubles
+// until it has passed the next.
 void PlanView::cut_distances(std::span<const std::uint32_t> cuts, const Vec3& p,
                              double* out) const {
-  for (std::size_t k = 0; k < cuts.size(); ++k) out[k] = cuts_.of(cuts[k]).distance(p);
+  const std::vector<std::uint32_t>& all = cuts_.sweeps;
+  std::size_t at = 0;
+  for (std::size_t k = 0; k < cuts.size(); ++k) {
+    std::size_t step = 1;
+    while (at + step < all.size() && all[at + step] < cuts[k]) at += step, step *= 2;
+    const auto end = all.begin() + static_cast<std::ptrdiff_t>(std::min(at + step + 1, all.size()));
+    const auto found =
+        std::lower_bound(all.begin() + static_cast<std::ptrdiff_t>(at), end, cuts[k]);
+    at = static_cast<std::size_t>(found - all.begin());
+    out[k] = cuts_.paths[at].distance(p);
+  }
 }
 
 void PlanView::mover_distances(std::span<const std::uint32_t> movers, const Vec3& p,
@@ -70,7 +81,6 @@ PlanSearch::PlanSearch(const CollisionScene& scene, std::span<const std::uint32_
       touch_(scene.threshold - scene.rounding()),
       top_(scene.part.solid().bounds().hi.z) {
   take_cuts(cuts);
-  std::vector<Lifted> lifted;
   for (const std::uint32_t mover : movers) {
     const Box3 bounds = scene.movers.sweeps.bounds(mover);
     if (bounds.lo.z >= top_ - scene.threshold) continue;
@@ -79,20 +89,21 @@ PlanSearch::PlanSearch(const CollisionScene& scene, std::span<const std::uint32_
       others_.push_back(mover);
       continue;
     }
-    lifted.push_back({bounds.lo.z, bounds, mover, *path});
-    lift_nose(lifted.back());
+    lifted_.push_back({bounds.lo.z, bounds, mover, *path});
+    lift_nose(lifted_.back());
   }
-  std::sort(lifted.begin(), lifted.end(), [](const Lifted& a, const Lifted& b) {
-    return a.lowest != b.lowest ? a.lowest < b.lowest : a.mover < b.mover;
-  });
-  // Movers of one height; where there are many heights, of neighbouring ones.
-  const std::size_t least = std::max<std::size_t>(lifted.size() / kMostGroups, 1);
-  for (std::size_t from = 0, to = 0; to < lifted.size(); from = to) {
-    to = std::min(from + least, lifted.size());
-    while (to < lifted.size() && lifted[to].lowest == lifted[to - 1].lowest) ++to;
-    add_group(std::span(lifted).subspan(from, to - from));
-  }
-  std::sort(others_.begin(), others_.end());
+}
+
+std::vector<std::uint32_t> PlanSearch::movers() const {
+  std::vector<std::uint32_t> all;
+  for (const Lifted& one : lifted_) all.push_back(one.mover);
+  return all;
+}
+
+std::size_t PlanSearch::heights() const {
+  std::set<double> known;
+  for (const Lifted& one : lifted_) known.insert(one.lowest);
+  return known.size();
 }
 
 void PlanSearch::take_cuts(std::span<const std::uint32_t> cuts) {
@@ -125,7 +136,30 @@ void PlanSearch::lift_nose(Lifted& mover) const {
   mover.path.round = 0;
 }
 
-void PlanSearch::add_group(std::span<Lifted> movers) {
+PlanGroups PlanSearch::groups(std::span<const std::uint32_t> movers, std::size_t most) const {
+  std::vector<Lifted> lifted;
+  std::copy_if(lifted_.begin(), lifted_.end(), std::back_inserter(lifted), [&](const Lifted& one) {
+    return std::binary_search(movers.begin(), movers.end(), one.mover);
+  });
+  std::sort(lifted.begin(), lifted.end(), [](const Lifted& a, const Lifted& b) {
+    return a.lowest != b.lowest ? a.lowest < b.lowest : a.mover < b.mover;
+  });
+  PlanGroups found;
+  const std::size_t least = std::max<std::size_t>(lifted.size() / most, 1);
+  for (std::size_t from = 0, to = 0; to < lifted.size(); from = to) {
+    to = std::min(from + least, lifted.size());
+    while (to < lifted.size() && lifted[to].lowest == lifted[to - 1].lowest) ++to;
+    PlanGroup group = group_of(std::span(lifted).subspan(from, to - from));
+    if (add_layers(group))
+      found.groups.push_back(std::move(group));
+    else
+      found.others.insert(found.others.end(), group.movers.sweeps.begin(),
+                          group.movers.sweeps.end());
+  }
+  return found;
+}
+
+PlanGroup PlanSearch::group_of(std::span<Lifted> movers) const {
   PlanGroup group;
   group.lowest = movers.front().lowest;
   std::sort(movers.begin(), movers.end(),
@@ -135,10 +169,7 @@ void PlanSearch::add_group(std::span<Lifted> movers) {
     group.movers.sweeps.push_back(one.mover);
     group.movers.paths.push_back(one.path);
   }
-  if (add_layers(group))
-    groups_.push_back(std::move(group));
-  else
-    others_.insert(others_.end(), group.movers.sweeps.begin(), group.movers.sweeps.end());
+  return group;
 }
 
 // Layers of a corner are as high as the movers are above the floor, so that a cut at the bottom of

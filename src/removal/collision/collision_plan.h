@@ -62,16 +62,29 @@ struct PlanGroup {
   std::vector<PlanLayer> layers;
 };
 
+/// Groups of movers, and the movers that no layers show clear.
+struct PlanGroups {
+  std::vector<PlanGroup> groups;
+  std::vector<std::uint32_t> others;
+};
+
 /// The movers that can be searched in plan.
 class PlanSearch {
  public:
-  /// `cuts` and `movers` ascend. Cost: cuts x groups, of which there are some hundreds at most.
+  /// `cuts` and `movers` ascend.
   PlanSearch(const CollisionScene& scene, std::span<const std::uint32_t> cuts,
              std::span<const std::uint32_t> movers);
 
-  const std::vector<PlanGroup>& groups() const { return groups_; }
-  /// The movers that are in no group, but for those that only touch the stock's top.
+  /// The movers that can be seen in plan, ascending; how many lowest heights they have.
+  std::vector<std::uint32_t> movers() const;
+  std::size_t heights() const;
+  /// The movers that can not, but for those that only touch the stock's top; ascending.
   const std::vector<std::uint32_t>& others() const { return others_; }
+
+  /// Groups of some of movers() by their heights, one for each height or about `most` of them. A
+  /// group of several heights counts from its lowest: fewer groups are faster and show fewer movers
+  /// clear. Cost: cuts x groups.
+  PlanGroups groups(std::span<const std::uint32_t> movers, std::size_t most) const;
   /// Cuts near the group, as wide as at the bottom of a layer, and its movers as wide as at the
   /// top.
   PlanView view(const PlanGroup& group, const PlanLayer& layer) const;
@@ -85,7 +98,7 @@ class PlanSearch {
   };
   void take_cuts(std::span<const std::uint32_t> cuts);
   void lift_nose(Lifted& mover) const;
-  void add_group(std::span<Lifted> movers);
+  PlanGroup group_of(std::span<Lifted> movers) const;
   bool add_layers(PlanGroup& group) const;
   double lift_of(const PlanGroup& group, double round) const;
   double reach(const PlanGroup& group, double bottom, double least, double end) const;
@@ -96,7 +109,7 @@ class PlanSearch {
   PlanPaths cuts_;
   std::vector<Box3> bounds_;                                               // of the cuts
   std::map<std::pair<double, double>, std::vector<std::size_t>> plunges_;  // by place, into cuts_
-  std::vector<PlanGroup> groups_;
+  std::vector<Lifted> lifted_;                                             // by mover
   std::vector<std::uint32_t> others_;
 };
 

@@ -32,6 +32,10 @@ constexpr double kLeastShare = 1.0 / 16;
 // tools that are too large.
 constexpr double kTouchSize = 60;
 
+// Groups of movers by height, each of which looks at all cuts: with many heights a few groups are
+// tried first, each from its lowest height, and show most of the movers clear.
+constexpr std::size_t kMostGroups = 200, kManyHeights = 24, kFewGroups = 6;
+
 // Of the threshold: where boxes in plan end. They are few along a line.
 constexpr double kFinestInPlan = 0.5;
 
@@ -66,25 +70,51 @@ Candidates CollisionDetector::left_in_plan(const Box3& box, std::span<const std:
                                            std::span<const std::uint32_t> movers,
                                            std::vector<CollisionHit>& hits) {
   const PlanSearch plan(scene_, cuts, movers);
-  Candidates left = plan.others();
   Box3 flat = box;
   flat.lo.z = flat.hi.z = 0;
-  for (const PlanGroup& group : plan.groups()) {
+  Candidates doubtful = plan.movers();
+  if (plan.heights() > kManyHeights) {
+    Candidates found;
+    const Candidates others =
+        search_in_plan(plan, flat, doubtful, kFewGroups,
+                       [&](const CollisionHit& hit) { found.push_back(hit.mover); });
+    found.insert(found.end(), others.begin(), others.end());
+    std::sort(found.begin(), found.end());
+    doubtful = std::move(found);
+  }
+  Candidates left = plan.others();
+  const auto look = [&](const CollisionHit& hit) {
+    if (const auto found = hit_in_space(hit, box, cuts))
+      hits.push_back(*found);
+    else
+      left.push_back(hit.mover);
+  };
+  const Candidates others = search_in_plan(plan, flat, doubtful, kMostGroups, look);
+  left.insert(left.end(), others.begin(), others.end());
+  std::sort(left.begin(), left.end());
+  return left;
+}
+
+// Calls doubt(hit) for each of the movers that is not clear in plan; returns those that no layers
+// show clear.
+template <class Doubt>
+Candidates CollisionDetector::search_in_plan(const PlanSearch& plan, const Box3& flat,
+                                             std::span<const std::uint32_t> movers,
+                                             std::size_t most, Doubt&& doubt) {
+  PlanGroups found = plan.groups(movers, most);
+  for (const PlanGroup& group : found.groups) {
     Candidates clear = group.movers.sweeps;
     for (const PlanLayer& layer : group.layers) {
       const PlanView view = plan.view(group, layer);
       search(view, flat, view.cuts(), clear);
-      for (const CollisionHit& hit : hits_) {
-        std::erase(clear, hit.mover);
-        if (const auto found = hit_in_space(hit, box, cuts))
-          hits.push_back(*found);
-        else
-          left.push_back(hit.mover);
-      }
+      for (const CollisionHit& hit : hits_) doubt(hit);
+      std::erase_if(clear, [&](std::uint32_t mover) {
+        return std::any_of(hits_.begin(), hits_.end(),
+                           [&](const CollisionHit& hit) { return hit.mover == mover; });
+      });
     }
   }
-  std::sort(left.begin(), left.end());
-  return left;
+  return std::move(found.others);
 }
 
 // Whether the mover collides above or below a place that is not clear in plan.

@@ -16,6 +16,8 @@
 
 namespace mrsim {
 
+class PlanSearch;
+
 struct CollisionScene {
   const PartField& part;     ///< stock and cuts
   const BlockIndex& blocks;  ///< of the cuts
@@ -77,6 +79,9 @@ class CollisionDetector {
 
   Candidates left_in_plan(const Box3& box, std::span<const std::uint32_t> cuts,
                           std::span<const std::uint32_t> movers, std::vector<CollisionHit>& hits);
+  template <class Doubt>
+  Candidates search_in_plan(const PlanSearch& plan, const Box3& flat,
+                            std::span<const std::uint32_t> movers, std::size_t most, Doubt&& doubt);
   std::optional<CollisionHit> hit_in_space(const CollisionHit& hit, const Box3& box,
                                            std::span<const std::uint32_t> cuts) const;
   void search(const CollisionView& view, const Box3& box, std::span<const std::uint32_t> cuts,
