@@ -3,7 +3,7 @@
 
 Builds that join sources (MRSIM_UNITY) hide a missing include behind the include of a neighbour. Sources that the build folder (BUILD=folder,
 default build) compiles by themselves are left out, unless they are named. --since: only those in which it can be missing since then, which
-have changed or include, directly or not, a header that has lost an include; all where git does not know COMMIT.
+have changed or include, directly or not, a header that has lost a line; all where git does not know COMMIT.
 Two seconds of a core for each.
 """
 
@@ -71,7 +71,7 @@ def doubtful_since(commit):
     if changed is None:
         return None
     lost = [file for file in differences("--name-only", commit, "--", "*.h", "*.inl").split()
-            if re.search("^-#include", differences("-U0", commit, "--", file), re.M)]
+            if re.search("^-([^-]|$)", differences("-U0", commit, "--", file), re.M)]
     return set(changed.split()) | includers(lost)
 
 

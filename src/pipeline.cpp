@@ -214,6 +214,7 @@ Stock carve_part(const Job& job, const StockShape& shape, const CutList& cuts, M
                  chosen.cut_cells = choice.cut_cells;
                  chosen.cut_layers = choice.cut_layers;
                  chosen.block_sweeps = choice.block_sweeps;
+                 chosen.shared_sweeps = choice.shared_sweeps;
                  chosen.no_slabs = no_slabs(job, choice.tolerance);
                });
 }

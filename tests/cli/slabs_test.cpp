@@ -1,5 +1,6 @@
 // Runs whose memory is limited: done in slabs with the same files, or refused with what to do.
 #include "run_program.h"
+#include "support/random.h"
 
 #include <algorithm>
 #include <cmath>
@@ -122,6 +123,26 @@ TEST_F(Slabs, KeepToTheLimitWherePassesShareAFloor) {
     const double peak = number_after(read("r.json"), "\"peak\": ");
     EXPECT_GT(peak, 20e6) << "the table of sweeps alone takes more";
     EXPECT_LE(peak, limit * 1048576.0);
+  }
+}
+
+// A cutter nearly as large as the part: each of its passes is in the list of most tiles.
+TEST_F(Slabs, KeepToTheLimitWhereEachPassMeetsMostTiles) {
+  if (!kIsPlain) GTEST_SKIP();
+  Random random(12345);
+  std::string passes = "%\nG90 G21 G17 G94\nT1 M6\nS8000 M3\nG0 X60 Y60 Z9\n";
+  for (int k = 0; k < 60000; ++k)
+    passes += "G1 X" + std::to_string(random(40, 80)) + " Y" + std::to_string(random(40, 80)) +
+              " Z-" + std::to_string(5 + k / 15000 * 5) + " F500\n";
+  write("passes.nc", passes + "G0 Z9\nM30\n%\n");
+  for (const int limit : {130, 340}) {
+    const Outcome outcome =
+        run("passes.nc --stock box:0,0,-30,120,120,0 --tool 1=endmill:d=80,l=30 --voxel 0.15 "
+            "--history off --threads 2 -o part.stl --json r.json --max-memory " +
+            std::to_string(limit) + "M");
+    EXPECT_TRUE(outcome.code == 0 || (limit < 340 && contains(outcome.err, "[memory]")))
+        << outcome.err;
+    EXPECT_LE(number_after(read("r.json"), "\"peak\": "), limit * 1048576.0);
   }
 }
 

@@ -143,6 +143,8 @@ SurfaceSurvey survey_surface(const ExactField& field, const Candidates& list, in
   std::vector<Part> parts;
   // Its lists, of all sweeps, are gone when the parts have theirs.
   find_parts(*field.descent(0.5 * (cube.lo + cube.hi), list), cube, 1, kApart, parts);
+  std::size_t most = 0;
+  for (const Part& part : parts) most = std::max(most, part.candidates.size());
   SurfaceSurvey survey;
   for (int depth = kFirstDepth; depth <= kLastDepth && survey.blocks < kEnough; ++depth) {
     std::vector<Count> counts(parts.size());
@@ -153,6 +155,8 @@ SurfaceSurvey survey_surface(const ExactField& field, const Candidates& list, in
       count_blocks(field, *own, part.box, 1, depth - kApart, one_in, left, counts[k]);
     });
     survey = {};
+    survey.shared =
+        static_cast<double>(most) / static_cast<double>(std::max<std::size_t>(list.size(), 1));
     survey.block = (cube.hi.x - cube.lo.x) / static_cast<double>(1 << depth);
     std::size_t sweeps = 0, tried = 0, creasing = 0;
     double sheets = 0, squares = 0;

@@ -18,6 +18,8 @@ struct SurfaceSurvey {
   /// Layers of surface in a cube of a quarter of the longest side, by the area of the cube's side:
   /// the mean over all of the surface.
   double layers = 0;
+  /// The share of all sweeps that matter in such a cube, where it is largest, 0 to 1.
+  double shared = 0;
 
   /// Cells of `voxel` mm that the cut surface passes, about. Flat sides of the stock do not count:
   /// their cells are merged. Rather too many than too few.

@@ -21,6 +21,9 @@ struct CarvePlan {
   double cut_layers = 0;
   /// How many sweeps matter in a small block, on average, for the lists of these voxels.
   double block_sweeps = 0;
+  /// The share of all sweeps that matter in one part of the stock, where it is largest: more than a
+  /// quarter where most passes meet everywhere.
+  double shared_sweeps = 0;
   /// Sample the part into a narrow band and keep it, unless the run is done in slabs. Only a .vdb
   /// needs that: meshes come from the exact part.
   bool keep_grid = true;

@@ -21,9 +21,11 @@ namespace {
 // Every run: each motion, beside the program itself.
 constexpr double kMotion = 320;
 // Each sweep or pack of the whole part, and each segment of a path, in the threads' lists of
-// candidates; how many times as much at most, where many sweeps lie close together; and beyond the
-// expected in the first cells of an octree, at most.
-constexpr double kListed = 100, kSegment = 20, kMoreListed = 7, kFirstListed = 70;
+// candidates; and beyond the expected in the first cells of an octree of two threads, at most.
+constexpr double kListed = 100, kSegment = 20, kFirstListed = 70;
+// How many times kListed at most, where many sweeps lie close together: once for all threads, for
+// each thread, and for each where more than a share of the sweeps matter in one part of the stock.
+constexpr double kWholeListed = 2, kThreadListed = 2.5, kSharedListed = 3, kFewShared = 0.25;
 // Each triangle of a stock that is a mesh: the tree over it, and what checking the mesh has left.
 constexpr double kStockTriangle = 290;
 // Each tool, in what SweepTable keeps of its shapes; checked before the table is made.
@@ -131,15 +133,25 @@ struct Need {
     if (options.max_memory == 0) return (*this)(voxel, in_slabs);
     CarvePlan more = options;
     more.cut_cells *= kMoreCells;
-    const double most = Need{stock, sweeps, listed, motions, more, true}(voxel, in_slabs);
-    return in_slabs ? most : most + (kMoreMesh - 1) * (most - always());
+    const Need worst{stock, sweeps, listed, motions, more, true};
+    const double most = worst(voxel, in_slabs);
+    return in_slabs ? most : most + (kMoreMesh - 1) * (most - worst.always());
   }
 
   double always() const {
     return kProgramMemory + kMotion * static_cast<double>(motions) + memory_of(sweeps) +
-           (is_most ? kMoreListed : 1) * kListed * static_cast<double>(listed) +
+           (is_most ? most_lists() : 1) * kListed * static_cast<double>(listed) +
            kShape * shapes_in(sweeps) + lists_of_shapes(sweeps, options.threads) +
            kStockTriangle * static_cast<double>(stock.triangles());
+  }
+  double most_lists() const {
+    const double shared = std::max(options.shared_sweeps - kFewShared, 0.0);
+    return kWholeListed +
+           resolve_threads(options.threads) * (kThreadListed + kSharedListed * shared);
+  }
+  /// The lists of all tiles, where most sweeps are in each.
+  double lists_of_tiles(double tiles) const {
+    return tiles * sizeof(std::uint32_t) * static_cast<double>(listed) * options.shared_sweeps;
   }
   /// Cells in which faces of a stock's mesh meet: they are split, and remembered. Long straight
   /// edges pass more of them, which take less.
@@ -170,7 +182,7 @@ struct Need {
         (is_most ? threads : std::min<double>(threads, std::ceil(tiles))) * costs.thread +
         section_tiles(stock, voxel) *
             std::min(costs.front_tile, kFlatTile + costs.front_cell * tile_cells) +
-        tiles * kTile + kBentCell * bent_cells(voxel);
+        tiles * kTile + (is_most ? lists_of_tiles(tiles) : 0) + kBentCell * bent_cells(voxel);
     return in_slabs ? working : working + whole_mesh(voxel);
   }
   /// All tiles of the mesh, if they are kept.
@@ -253,7 +265,8 @@ MemoryPlan plan_memory(const PartField& field, std::size_t motions, const CarveP
   MemoryPlan plan;
   plan.limit = options.max_memory > 0 ? options.max_memory : free_memory();
   plan.expected = plan.whole = need(options.voxel, false);
-  plan.list_room = kFirstListed * static_cast<double>(need.listed);
+  plan.list_room = kFirstListed * static_cast<double>(need.listed) *
+                   std::max(1.0, 0.5 * resolve_threads(options.threads));
   const auto available = static_cast<double>(plan.limit);
   plan.mesh_room = available - (plan.whole - need.whole_mesh(options.voxel));
   const double left = available - need.at_most(options.voxel, false);

@@ -254,6 +254,7 @@ void fit_mesh(const ExactField& field, int threads, MeshChoice& choice) {
   choice.cut_cells = survey.crossed_cells(choice.voxel);
   choice.cut_layers = survey.layers;
   choice.block_sweeps = survey.sweeps;
+  choice.shared_sweeps = survey.shared;
   if (!choice.is_default) return;
   choice.makes_new_octrees =
       survey.cells(cell) <= kMostRetried && survey.creasing <= kMostRetriedCreasing;

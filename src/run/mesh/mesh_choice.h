@@ -30,6 +30,7 @@ struct MeshChoice {
   double cut_cells = 0;            ///< CarvePlan::cut_cells
   double cut_layers = 0;           ///< CarvePlan::cut_layers
   double block_sweeps = 0;         ///< CarvePlan::block_sweeps
+  double shared_sweeps = 0;        ///< CarvePlan::shared_sweeps
 };
 
 /// What was given; else what the size of stock and cutters suggests.
