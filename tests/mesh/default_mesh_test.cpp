@@ -98,10 +98,10 @@ TEST(DefaultMesh, MeasuredDistanceIsNotExceeded) {
   EXPECT_LE(testing::largest_distance(field, mesh), report.bound + 1e-5);
   EXPECT_LT(report.bound, 0.05);
   EXPECT_LE(report.usual, report.bound);
-  // The volume of a measured mesh is its own: within the area of the cut times the bound.
-  EXPECT_EQ(report.volume_excess, 0);
-  EXPECT_NEAR(check_mesh(mesh).volume, 20.0 * 20 * 8 - 20 * kPi * 9 / 2,
-              20 * kPi * 3 * report.bound);
+  // Of the mesh's own volume, which is wrong by chords, a hundredth of the error is left.
+  const double exact = 20.0 * 20 * 8 - 20 * kPi * 9 / 2, made = check_mesh(mesh).volume;
+  EXPECT_GT(std::abs(made - exact), 0.5);
+  EXPECT_NEAR(made - report.volume_excess, exact, 0.01 * std::abs(made - exact));
 }
 
 TEST(DefaultMesh, AToleranceThatTakesTooMuchIsGivenUp) {

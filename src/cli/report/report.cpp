@@ -101,8 +101,11 @@ void add_files(Sheet& sheet, const std::vector<WrittenFile>& files) {
 void add_part(Sheet& sheet, const Arguments& arguments, const JobResult& result) {
   const MeshSummary& summary = result.summary;
   const bool from_field = std::abs(result.volume - summary.volume) >= 5e-4;
-  std::string volume_of = from_field ? "the mesh " + grouped(summary.volume, 3) + " mm³" : "";
-  if (!result.thin.empty()) volume_of += (from_field ? ", " : "") + without_thin(result);
+  const bool is_measured = from_field || result.mesh_bound > 0;
+  std::string volume_of = from_field     ? "the mesh " + grouped(summary.volume, 3) + " mm³"
+                          : !is_measured ? "of the mesh"
+                                         : "";
+  if (!result.thin.empty()) volume_of += (volume_of.empty() ? "" : ", ") + without_thin(result);
   sheet.row("volume", grouped(result.volume, 3) + " mm³", volume_of);
   sheet.row("removed", grouped(result.removed_volume, 3) + " mm³",
             "stock " + grouped(result.stock_volume, 3) + " mm³");

@@ -10,6 +10,9 @@ namespace mrsim::detail {
 namespace {
 
 constexpr double kFirstStep = 1e-6;  ///< mm: upper end of the first bin
+/// The mean over a triangle of what a quadratic function that is 0 at its corners has at its
+/// middle.
+constexpr double kMeanOfMiddle = 0.75;
 
 // The upper ends of the bins: 1, 1.5, 2, 3, 4, 6 .. times the first.
 double upper_end(std::size_t bin) {
@@ -60,12 +63,15 @@ void MeshDistance::add(const ExactField& field, const SurfaceCells& cells, const
   }
   // Corners are exact, whatever the face.
   const double longest = std::max({distance(a, b), distance(b, c), distance(c, a)});
-  count(std::min(found, kNearestCorner * longest));
+  const double most = kNearestCorner * longest;
+  count(std::min(found, most));
+  excess_ += kMeanOfMiddle * std::clamp(d, -most, most) * 0.5 * length(cross(b - a, c - a));
 }
 
 void MeshDistance::add(const MeshDistance& other) {
   largest_ = std::max(largest_, other.largest_);
   sampled_ += other.sampled_;
+  excess_ += other.excess_;
   for (std::size_t k = 0; k < kBins; ++k) bins_[k] += other.bins_[k];
 }
 

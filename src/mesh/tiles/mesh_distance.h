@@ -25,12 +25,15 @@ class MeshDistance {
   /// mm that this share of all triangles do not exceed, rounded up to the next of some steps.
   double quantile(double share) const;
   std::size_t sampled() const { return sampled_; }
+  /// mm^3 that the mesh holds more than the part, about: each triangle as if its corners were on
+  /// the part and the part curved evenly between them.
+  double excess() const { return excess_; }
 
  private:
   static constexpr std::size_t kBins = 64;
   void count(double distance);
 
-  double largest_ = 0;
+  double largest_ = 0, excess_ = 0;
   std::size_t sampled_ = 0;
   std::array<std::uint64_t, kBins> bins_{};
 };

@@ -207,6 +207,7 @@ class UniformMesher {
     report_.bound = distance.largest();
     report_.usual = distance.quantile(kMostTold);
     report_.sampled = distance.sampled();
+    report_.volume_excess = distance.excess();
     timer_.step("thin");
   }
 
