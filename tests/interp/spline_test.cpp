@@ -119,7 +119,10 @@ TEST(Splines, NurbsNeedsItsBlocks) {
   EXPECT_EQ(codes(read_text("F1\nG1 X1\nG5.2 P1 L3\nX1 Y1\nG1 X5\nM2\n", options)), "nurbs-open");
   EXPECT_EQ(codes(read_text("F1\nG1 X1\nG5.2 P1 L4\nX1 Y1\nG5.3\nM2\n", options)), "value-missing");
   EXPECT_EQ(codes(read_text("F1\nG1 X1\nG5.3\nM2\n", options)), "value-missing");
-  EXPECT_EQ(codes(read_text("F1\nG1 X1\nG5.2 X1 Y1\nM2\n", options)), "nurbs-open");
+  const Program open = read_text("F1\nG1 X1\nN9 G5.2 X1 Y1\nX2 Y2\nM2\n", options);
+  ASSERT_EQ(codes(open), "nurbs-open");
+  EXPECT_EQ(open.diagnostics[0].place.line, 3) << "where it begins";
+  EXPECT_EQ(open.diagnostics[0].place.column, 4);
   EXPECT_EQ(codes(read_text("F1\nG1 X1\nG5.2 X1 Y1 P0\nM2\n", options)), "value-range");
 }
 

@@ -243,7 +243,9 @@ void Moves::jump(const Target& to) {
 
 void Moves::finish() {
   if (splines_.under_way())
-    reporter_.add_general(Severity::error, "nurbs-open", "the program ends inside a NURBS");
+    reporter_.add_at(Severity::error, "nurbs-open",
+                     "the program ends inside the NURBS that begins here: G5.3 closes it",
+                     splines_.opening());
   if (!pending_angle_.active) return;
   reporter_.add_at(Severity::error, "angle-incomplete",
                    "the program ends after a block that gives only an angle",

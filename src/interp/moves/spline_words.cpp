@@ -100,7 +100,13 @@ bool SplineWords::control_point(const Vec3& from) {
     return error("value-missing", "a control point needs both X and Y", where);
   if (nurbs_.size() >= kMostPoints)
     return error("value-range", fmt::format("more than {} control points", kMostPoints), where);
-  if (nurbs_.empty()) nurbs_.push_back({{from.x, from.y}, to.named.empty() ? weight : 1});
+  if (nurbs_.empty()) {
+    opening_.file = block_.file;
+    opening_.line = block_.line_number;
+    opening_.column = where.column + 1;
+    opening_.call = block_.call;
+    nurbs_.push_back({{from.x, from.y}, to.named.empty() ? weight : 1});
+  }
   if (!to.named.empty()) nurbs_.push_back({{to.programmed.x, to.programmed.y}, weight});
   return true;
 }

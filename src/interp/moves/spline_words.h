@@ -20,6 +20,8 @@ class SplineWords : public ControlPart {
   bool close(const Vec3& from, std::vector<SolvedArc>& out);
   /// Whether a NURBS has been opened and not closed.
   bool under_way() const { return !nurbs_.empty(); }
+  /// The block that has opened it.
+  const Motion& opening() const { return opening_; }
   void forget() { nurbs_.clear(); }
 
  private:
@@ -29,6 +31,7 @@ class SplineWords : public ControlPart {
 
   AxisWords& axes_;
   std::vector<NurbsPoint> nurbs_;
+  Motion opening_;  ///< tells only its place
   int order_ = 3;
 };
 
