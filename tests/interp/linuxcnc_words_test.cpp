@@ -59,6 +59,16 @@ TEST(LinuxCncWords, TouchingOffByAProbeKeepsTheZero) {
             "r3,0,10 r3,0,5 l2,0,5");
 }
 
+// Mach's G31 holds for its block, as FANUC's does.
+TEST(LinuxCncWords, ProbingByG31OfMachIsNotRun) {
+  const Program p =
+      read_text("G0 X0 Y0 Z10\nG31 Z-10 F50\nG92 Z1.5\nG0 Z5\nG31 Z-1\nX3 Z5\nG1 Z-1 F9\nM2\n",
+                at_origin(Dialect::ngc));
+  EXPECT_EQ(path_text(p), "r0,0,10 r0,0,5 r3,0,5 l3,0,-1");
+  EXPECT_EQ(codes(p, Severity::note), "word-of-mach probe");
+  EXPECT_EQ(path_of_words("G31 F50\nM2\n"), " | motion-missing");
+}
+
 TEST(LinuxCncWords, WhatAProbeOrAnInputSaidComesFromOutside) {
   InterpOptions options = at_origin(Dialect::ngc);
   const std::string text = "F50\nG38.2 Z-10\nM66 P0 L3 Q5\nG1 X#5399 Y#5063\nM2\n";

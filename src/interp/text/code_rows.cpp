@@ -329,6 +329,7 @@ constexpr Row kNgc[] = {
     {281, C::reference_store, G::oneshot},
     {300, C::reference_second, G::oneshot},
     {301, C::reference_store, G::oneshot},
+    {310, C::probe, G::oneshot},  // of Mach
     {330, C::thread, G::motion},
     {331, C::tap_return, G::motion},
     {382, C::probe, G::motion},

@@ -10,8 +10,8 @@ namespace mrsim {
 
 std::optional<bool> MakerWords::read(const Word& word, Code code) {
   if (is_pocket_of_gsk(word)) return refuse_pocket(word);
-  if (is(Dialect::ngc) &&
-      (code == Code::circle_pocket || code == Code::scaling_on || code == Code::rotation_on))
+  if (is(Dialect::ngc) && (code == Code::circle_pocket || code == Code::scaling_on ||
+                           code == Code::rotation_on || (code == Code::probe && word.value == 31)))
     note_once("word-of-mach",
               fmt::format("G{:g} is read as Mach has it; LinuxCNC refuses it", word.value), word,
               fmt::format("G{:g}", word.value));

@@ -222,7 +222,8 @@ bool ModalWords::apply_code(const Word& word, const CodeEntry& entry) {
       if (!peek('X') && !peek('Y') && !peek('Z') &&
           !(lathe() && (peek('U') || peek('W') || peek('B'))))
         return error("motion-missing", "a probing move needs an axis", word);
-      return is(Dialect::ngc) ? select_motion(word, entry.code) : for_one_block(word, entry.code);
+      return entry.group == Group::motion ? select_motion(word, entry.code)
+                                          : for_one_block(word, entry.code);
     case Code::arc_point:
     case Code::arc_tangent:
       return is(Dialect::iso) ? for_one_block(word, entry.code) : select_motion(word, entry.code);
