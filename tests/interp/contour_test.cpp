@@ -314,6 +314,31 @@ TEST(Corners, NothingIsLeftOfAnArcThatARoundingTakes) {
   expect_near(p.motions[2].end, {4.6025, 0, -5.165});
 }
 
+// The rounding takes the whole element, so that the corner at its end has nothing to stand on.
+TEST(Corners, ACornerWhoseElementARoundingTakesIsReported) {
+  const InterpOptions s = at_origin(Dialect::sinumerik);
+  for (const char* corner : {"CHR=0.5", "RND=2"}) {
+    const Program p = read_text(fmt::format("G1 X16 RND=2 F1\nY2 {}\nX-30\n", corner), s);
+    EXPECT_EQ(track(p, 0), "14,0 a16,2 -30,2");
+    ASSERT_EQ(codes(p), "corner-reduced") << corner;
+    EXPECT_EQ(p.diagnostics[0].place.line, 2);
+    EXPECT_NE(p.diagnostics[0].text.find("reduced to 0 mm"), std::string::npos);
+  }
+  EXPECT_EQ(codes(read_text("G1 X16 ,R2. F1\nY2. ,C.5\nX-30.\n", at_origin(Dialect::fanuc))),
+            "corner-reduced");
+}
+
+TEST(Corners, ACornerInTheLastBlockIsReported) {
+  const InterpOptions f = at_origin(Dialect::fanuc);
+  for (const char* end : {"M30\n", "G0 Z50.\nM30\n"}) {
+    const Program p = read_text(fmt::format("G1 X16. F1\nY20. ,R5.\n{}", end), f);
+    ASSERT_EQ(codes(p), "corner-void") << end;
+    EXPECT_EQ(p.diagnostics[0].place.line, 2);
+  }
+  EXPECT_EQ(codes(read_text("RNDM=2\nG1 X16 F1\nY20\nM30\n", at_origin(Dialect::sinumerik))), "")
+      << "RNDM holds for each corner";
+}
+
 TEST(Corners, ACornerReachesOverAtMostThreeBlocksWithoutTravel) {
   const InterpOptions s = at_origin(Dialect::sinumerik);
   const char* rows[] = {"M8\nM9\nM8\n", "Z1\nM9\n; note\n\nZ0\n"};

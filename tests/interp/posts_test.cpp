@@ -219,8 +219,17 @@ TEST(Posts, RunAsWorkedOut) {
       {"fanuc_code_b.nc", Dialect::fanuc, lathe, 27, 20, 0, {0, 0, -30}, {26, 0, 2}},
       // Chamfers, fillets and a line at 150 degrees without its Z.
       {"fanuc_direct_drawing.nc", Dialect::fanuc, lathe, 5, 8, 3, {0, 0, -62}, {32, 0, 0}},
-      // CYCLE95 along blocks between labels, CYCLE93 with a blade of 4, CYCLE99, parted off.
-      {"lathe_808d.mpf", Dialect::sinumerik, lathe, 84, 45, 3, {-0.5, 0, -50}, {25.2, 0, 2.1}},
+      // CYCLE95 along blocks between labels, CYCLE93 with a blade of 4, CYCLE99, parted off. The
+      // chamfer in the last block of the contour has no move behind it.
+      {"lathe_808d.mpf",
+       Dialect::sinumerik,
+       lathe,
+       84,
+       45,
+       3,
+       {-0.5, 0, -50},
+       {25.2, 0, 2.1},
+       "corner-void"},
       // A groove from Z-15 to Z-21 in three plunges of three strokes; holes in G17, by DMODE and by
       // AXN; an inner thread in one pass.
       {"sin_lathe_drilling.mpf",

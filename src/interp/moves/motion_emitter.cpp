@@ -357,7 +357,7 @@ CornerSpec MotionEmitter::corner_spec() {
   } else if (cut) {
     spec = {Kind::cut, cut->value * scale(), 0};
   } else if (modal_.rndm > 0) {
-    spec = {Kind::round, modal_.rndm, 0};
+    spec = {Kind::round, modal_.rndm, 0, true};
   }
   for (const Word* word : {round, leg, cut})
     if (word && word->value < 0 && word->address >= Address::function)

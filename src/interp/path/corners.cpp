@@ -139,10 +139,7 @@ bool CornerStage::insert(PathMove& before, PathMove& after, PathMove& inserted) 
   Contact c;
   if (!contacts(before.corner, a, b, side, before.corner.size, c)) {
     const double size = largest_fit(before.corner, a, b, side, c);
-    reporter_.add_at(Severity::warning, "corner-reduced",
-                     fmt::format("{} mm does not fit on the neighbours: reduced to {:.4g} mm",
-                                 before.corner.size, size),
-                     before.motion);
+    reduced(before, size);
     if (size <= kLeastSize) return false;
   }
   if (length(c.first - a.start) < kHair) c.first = a.start;
@@ -168,6 +165,8 @@ bool CornerStage::insert(PathMove& before, PathMove& after, PathMove& inserted) 
 }
 
 void CornerStage::flush() {
+  if (!held_.empty() && !held_.front().corner.modal)
+    nothing_inserted("no move in the plane follows");
   for (const PathMove& move : held_) next_(move);
   held_.clear();
 }
@@ -178,13 +177,22 @@ void CornerStage::nothing_inserted(const char* why) {
                    held_.front().motion);
 }
 
+void CornerStage::reduced(const PathMove& move, double size) {
+  reporter_.add_at(Severity::warning, "corner-reduced",
+                   fmt::format("{} mm does not fit on the neighbours: reduced to {:.4g} mm",
+                               move.corner.size, size),
+                   move.motion);
+}
+
 bool CornerStage::may_insert(const PathMove& after) {
   const PathMove& before = held_.front();
   if (after.block > before.block + kMostBetween + 1 || is_infeed(after)) {
     nothing_inserted("more than three blocks without travel in the plane follow");
     return false;
   }
-  return !is_tilted(after) && length(before.basis.w - after.basis.w) < kSameAxis;
+  if (!is_tilted(after) && length(before.basis.w - after.basis.w) < kSameAxis) return true;
+  if (!before.corner.modal) nothing_inserted("the next move lies in another plane");
+  return false;
 }
 
 void CornerStage::push(const PathMove& move) {
@@ -213,7 +221,8 @@ void CornerStage::push(const PathMove& move) {
     next_(infeed);
   }
   held_.clear();
-  if (travels(after.motion)) push(after);
+  if (travels(after.motion)) return push(after);
+  if (after.corner.kind != CornerSpec::Kind::none) reduced(after, 0);  // its element is used up
 }
 
 }  // namespace mrsim

@@ -14,8 +14,9 @@ namespace mrsim {
 struct CornerSpec {
   enum class Kind : std::uint8_t { none, round, leg, cut };  ///< RND, CHR, CHF
   Kind kind = Kind::none;
-  double size = 0;  ///< mm
-  double feed = 0;  ///< of the inserted element; 0: the feed of the move before
+  double size = 0;     ///< mm
+  double feed = 0;     ///< of the inserted element; 0: the feed of the move before
+  bool modal = false;  ///< of RNDM: it holds for each corner, and need not have one
 };
 
 /// Radius compensation in force for a move.
@@ -58,6 +59,7 @@ class CornerStage {
  private:
   bool may_insert(const PathMove& after);
   void nothing_inserted(const char* why);
+  void reduced(const PathMove& move, double size);
   bool insert(PathMove& before, PathMove& after, PathMove& inserted);
 
   Reporter& reporter_;
