@@ -172,7 +172,27 @@ bool ContourCycles::find_contour(CallRequest& request) {
                     call_.program ? text_of(*call_.program).replace(0, 1, "O") : "this program"),
         call_.first);
   const bool jumps = call_.cut.number != 70 && !call_.program && reader_.place_at(0) < end;
-  return !jumps || reader_.jump(end);
+  if (!jumps) return true;
+  warn_of_blocks_before(request.begin);
+  return reader_.jump(end);
+}
+
+// A contour at the end of the program, behind M30, as other controls have it: the finishing cycle
+// and the way out between the cycle and its contour are not run.
+void ContourCycles::warn_of_blocks_before(const Place& contour) {
+  const Place here = reader_.place_at(0);
+  if (contour.line <= here.line + 1 || !looked_between_.emplace(reader_.file(), here.offset).second)
+    return;
+  const std::vector<ActiveBlock> blocks =
+      active_blocks(reader_.file(), statements_->places().behind_line(here), contour);
+  if (blocks.empty()) return;
+  warning(
+      "blocks-passed-over",
+      fmt::format("the control goes on behind N{0}, so {2} between this cycle and N{1} {3} never "
+                  "run: write N{1} to N{0} right behind the cycle",
+                  static_cast<long>(call_.last.value), static_cast<long>(call_.first.value),
+                  lines_text(blocks), blocks.size() == 1 ? "is" : "are"),
+      call_.cut.where);
 }
 
 // If several contours have the same numbers, which the manuals forbid, G70 finishes the nearest one

@@ -4,12 +4,16 @@
 // src/interp.
 #pragma once
 
+#include "interp/statements/blocks_between.h"
 #include "interp/statements/lap_contour.h"
 #include "interp/statements/statements.h"
 #include "interp/turning/contour_passes.h"
 
 #include <optional>
+#include <set>
+#include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 namespace mrsim {
@@ -39,6 +43,7 @@ class ContourCycles : public ControlPart {
   bool settings();
   bool find_contour(CallRequest& request);
   void prefer_contour_before(long first, long last, Place& begin, Place& end);
+  void warn_of_blocks_before(const Place& contour);
   bool lap();
   bool lap_depth();
   std::optional<LapContour> lap_contour(std::string_view name, const Word& where);
@@ -62,6 +67,7 @@ class ContourCycles : public ControlPart {
   Position position_before_;
   BlockPlace place_;  ///< where the block of the cycle stands
   std::size_t errors_before_ = 0;
+  std::set<std::pair<std::string, std::uint64_t>> looked_between_;  ///< files and lines of cycles
 };
 
 }  // namespace mrsim
