@@ -60,7 +60,7 @@ Engine::Engine(const InterpOptions& options, Program& program, int leader_lines,
 void Engine::run() {
   while (!reader_.finished()) {
     if (!reader_.next()) {
-      if (statements_ && reader_.depth() == 1) statements_->end_of_main();
+      if (reader_.depth() == 1) tell_of_missing_end();
       reader_.end_of_text();
       continue;
     }
@@ -90,6 +90,26 @@ void Engine::run() {
   tell_unused_options();
   stock_.compare_units(tools_.sized_in_inches(), out_.farthest_cut(), out_.slowest_turn());
   reporter_.finish();
+}
+
+// A file that was cut off by a full disk or a broken transfer ends in the middle of a cut. Programs
+// of Grbl and pieces of programs often have no word at their end; the tool has left the part there.
+void Engine::tell_of_missing_end() {
+  if (statements_ && !statements_->end_of_main()) return;
+  if (control_.dialect == Dialect::codesys || out_.made() == 0 || out_.captures()) return;
+  if (reporter_.errors() > 0) return;  // its end may be among what was refused
+  Motion last;
+  last.file = last_block_.file;
+  last.line = last_block_.line;
+  last.column = 1;
+  if (out_.ends_in_cut())
+    reporter_.add_at(Severity::warning, "program-end-missing",
+                     "the file ends here, in the middle of a cut, and no M30 or other word ends "
+                     "the program: is the file complete?",
+                     last);
+  else
+    reporter_.add_at(Severity::note, "program-end-missing",
+                     "the file ends here, and no M30 or other word ends the program", last);
 }
 
 // Tells of options that had no effect: they may be misspelt, or meant for another program.
@@ -134,6 +154,7 @@ void Engine::execute() {
   if (block.bad) return;
   if (block.words.empty() && block.function_name.empty() && !block.modal_call) return;
   ++block.number;
+  last_block_ = block.place();
   if (profiles_.reads_contour()) return profiles_.contour_block();
   if (interpret_or_restore()) end_block();
 }

@@ -34,6 +34,7 @@ class Engine {
 
  private:
   void execute();
+  void tell_of_missing_end();
   void tell_unused_options();
   bool interpret_or_restore();
   bool interpret_block();
@@ -73,6 +74,7 @@ class Engine {
   LinuxCncTurning profiles_;
   CommentedStock stock_;
   OperatorStops operator_;
+  BlockPlace last_block_;  ///< the last one with words
   std::size_t executed_ = 0;
   unsigned skip_levels_ = 0;  ///< of blocks that were read, a bit each
   bool moved_ = false;        ///< the block had a motion

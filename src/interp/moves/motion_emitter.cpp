@@ -18,6 +18,12 @@ constexpr std::size_t kAllMoves = static_cast<std::size_t>(-1);
 constexpr double kBeyondAxis = 2;  // mm: faces are cut no farther beyond the axis
 constexpr double kOnAxis = 0.05;   // mm: a drill that runs out by less still drills on the axis
 
+/// Whether the motion leaves the part along Z, as a mill does.
+bool goes_up(const Motion& motion) {
+  const Vec3 way = motion.end - motion.start;
+  return motion.kind == MotionKind::line && way.z > 0 && std::hypot(way.x, way.y) <= kRounding;
+}
+
 }  // namespace
 
 MotionEmitter::MotionEmitter(Control& control, CompensationWords& compensation, MotionSink& sink)
@@ -114,6 +120,7 @@ void MotionEmitter::emit(Motion motion, const CornerSpec& corner) {
     if (captured_->size() < kMostCaptured) captured_corners_.push(path_move(motion, corner));
     return;
   }
+  ends_in_cut_ = motion.kind != MotionKind::rapid && !goes_up(motion);
   change_tool();
   if (lathe()) turn_to_plus(motion);
   check_length_mode(motion);

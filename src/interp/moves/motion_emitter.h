@@ -43,6 +43,8 @@ class MotionEmitter : public ControlPart {
   bool captures() const { return captured_ != nullptr; }
   /// How many motions blocks have made so far, including those of contours that are kept.
   std::size_t made() const { return made_; }
+  /// Whether the last motion was a cut that did not leave the part upwards.
+  bool ends_in_cut() const { return ends_in_cut_; }
   /// How many lines and arcs have been emitted.
   std::size_t cuts() const { return control_.cuts; }
   /// The largest coordinate at which a line or an arc ends, mm.
@@ -88,7 +90,7 @@ class MotionEmitter : public ControlPart {
   std::size_t held_moves_ = 0;
   bool tool_told_ = false;
   std::string told_tool_;
-  bool idle_ = true;
+  bool idle_ = true, ends_in_cut_ = false;
   double last_length_ = 0;
   UndescribedTool undescribed_;
   LengthSwitch length_switch_;

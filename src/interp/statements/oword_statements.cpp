@@ -69,10 +69,11 @@ bool OwordStatements::take_block() {
 
 // Programs of Grbl and others end where the text ends. A program with O words is for LinuxCNC,
 // where that is a fault.
-void OwordStatements::end_of_main() {
-  if (!has_owords_) return;
+bool OwordStatements::end_of_main() {
+  if (!has_owords_) return true;
   reporter_.forget_text();
-  fail("program-end-missing", "the program ends without M2, M30 or %: LinuxCNC refuses that", 0, 1);
+  return fail("program-end-missing", "the program ends without M2, M30 or %: LinuxCNC refuses that",
+              0, 1);
 }
 
 // (debug, #1), (print, ...) and (msg, ...) show a text; (abort, ...) also ends the program.

@@ -17,7 +17,7 @@ class OwordStatements : public Statements {
   bool assignment(std::string_view line, std::size_t& p) override;
   bool starts_statement(std::string_view line, std::size_t p) override;
   bool take_block() override;
-  void end_of_main() override;
+  bool end_of_main() override;
   bool saved_modes(int m, const Word& word) override {
     return saved_modes_.run(m, reader_.depth(), word);
   }

@@ -36,8 +36,8 @@ class Statements : public ControlPart, public LanguageReader {
   virtual bool take_block() { return false; }
   /// M70 to M73 save and restore modes. False: reported.
   virtual bool saved_modes(int m, const Word& word);
-  /// Called where the text of the main program ends without a word that ends it.
-  virtual void end_of_main() {}
+  /// Called where the text of the main program ends without a word that ends it. False: reported.
+  virtual bool end_of_main() { return true; }
   /// Whether MCALL of a program is in force.
   virtual bool has_modal_call() const { return false; }
   using Approach = std::function<void(std::size_t)>;  ///< goes to a place, by its number
