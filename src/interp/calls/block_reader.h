@@ -72,6 +72,10 @@ class BlockReader : public ControlPart {
   /// Warns once that a subprogram stands in the file in the lines `first` and `second`.
   void tell_second(const std::string& name, int first, int second, const Word& word);
   bool has_subprogram(const SubprogramName& name) { return subprograms_.find(name).has_value(); }
+  /// As locate(), but reports nothing.
+  std::optional<SubprogramPlace> find(const SubprogramName& name) {
+    return subprograms_.find(name);
+  }
   /// Runs a stretch of text next. False: an error was reported.
   bool enter(CallRequest request, const Word& word);
   /// The place of `position` in the line being read.

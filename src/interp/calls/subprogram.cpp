@@ -98,13 +98,15 @@ void SubprogramIndex::scan(const std::string& file) {
     // The header line is read again, because blocks may follow in it ("O0002; G91 ...").
     if (name.empty()) continue;
     const auto [place, fresh] = inside_.emplace(
-        std::move(name), SubprogramPlace{file, offset, source.line_number() - 1, 0});
+        std::move(name),
+        SubprogramPlace{file, offset, source.line_number() - 1, 0, names_main_program(line)});
     if (!fresh && place->second.again == 0) place->second.again = source.line_number();
   }
 }
 
 std::optional<std::string> SubprogramIndex::find_file(const std::string& folder,
-                                                      const std::vector<std::string>& stems) const {
+                                                      const std::vector<std::string>& stems,
+                                                      bool not_main) const {
   static constexpr std::string_view kExtensions[] = {
       ".MPF", ".SPF", "",     ".NC",    ".CNC", ".TAP", ".TXT", ".NGC",
       ".ISO", ".EIA", ".DIN", ".GCODE", ".MIN", ".SSB", ".SUB", ".LIB"};
@@ -121,6 +123,7 @@ std::optional<std::string> SubprogramIndex::find_file(const std::string& folder,
     const auto rank = static_cast<std::size_t>(at - wanted.begin());
     std::error_code ignored;
     if (rank > best || at == wanted.end() || !entry.is_regular_file(ignored)) continue;
+    if (not_main && fs::equivalent(entry.path(), main_file_, ignored)) continue;
     if (rank == best && name >= found)
       continue;  // the answer must not depend on the order of the folder
     best = rank;
@@ -150,8 +153,11 @@ std::optional<SubprogramPlace> SubprogramIndex::find(const SubprogramName& name)
     scanned_ = true;
     scan(main_file_);
   }
-  if (const auto at = inside_.find(key); at != inside_.end() && !name.own_file) return at->second;
-  if (const auto at = found_.find(key); at != found_.end()) return at->second;
+  if (const auto at = inside_.find(key);
+      at != inside_.end() && !name.own_file && !(name.not_main && at->second.is_main))
+    return at->second;
+  const std::string search = name.not_main ? key + " but the main program" : key;
+  if (const auto at = found_.find(search); at != found_.end()) return at->second;
   std::vector<std::string> stems{key};
   if (name.number >= 0) {
     stems = {fmt::format("O{:04}", name.number), key, fmt::format("{:04}", name.number),
@@ -168,11 +174,12 @@ std::optional<SubprogramPlace> SubprogramIndex::find(const SubprogramName& name)
   const bool escapes = key.find('/') != std::string::npos || key.find('\\') != std::string::npos;
   for (const std::string& folder : folders_) {
     if (place || escapes) break;
-    if (const auto file = find_file(folder, stems)) place = SubprogramPlace{*file};
+    if (const auto file = find_file(folder, stems, name.not_main)) place = SubprogramPlace{*file};
   }
   const std::string_view plain = plain_name(key);
-  if (!place && plain.size() < key.size()) place = find({-1, std::string(plain), name.own_file});
-  found_[key] = place;
+  if (!place && plain.size() < key.size())
+    place = find({-1, std::string(plain), name.own_file, name.not_main});
+  found_[search] = place;
   return place;
 }
 

@@ -18,6 +18,7 @@ struct SubprogramName {
   long number = -1;
   std::string text;       ///< the name as written, or the number as it is shown
   bool own_file = false;  ///< the main program's file is not searched for it
+  bool not_main = false;  ///< the main program does not count, whatever its name
 };
 
 struct SubprogramPlace {
@@ -25,6 +26,7 @@ struct SubprogramPlace {
   std::uint64_t offset = 0;  ///< offset of its header line
   int line = 0;              ///< number of the line before `offset`
   int again = 0;             ///< line of a second program of that name in the file, 0 if none
+  bool is_main = false;      ///< its header is that of a main program, "%_N_PART_MPF"
 };
 
 class SubprogramIndex {
@@ -38,7 +40,7 @@ class SubprogramIndex {
  private:
   void scan(const std::string& file);
   std::optional<std::string> find_file(const std::string& folder,
-                                       const std::vector<std::string>& stems) const;
+                                       const std::vector<std::string>& stems, bool not_main) const;
   void stays_inside(const std::filesystem::path& file) const;
 
   std::string main_file_;

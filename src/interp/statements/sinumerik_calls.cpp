@@ -1,6 +1,7 @@
 #include "interp/statements/sinumerik_calls.h"
 
 #include "core/text/text_io.h"
+#include "interp/statements/cycle_files.h"
 #include "interp/statements/sinumerik_text.h"
 #include "interp/text/characters.h"
 
@@ -35,7 +36,7 @@ bool SinumerikCalls::modal_call(std::size_t p) {
   modal_call_ = {};
   if (name.empty()) return end_statement(p);
   if (at(skip_blanks(p)) == '(' && !arguments(p, modal_call_.arguments)) return false;
-  modal_call_.name.text = name;
+  modal_call_.name = called_program(name);
   if (!reader_.locate(modal_call_.name, place_word(p - name.size(), p))) return false;
   modal_call_.active = true;
   return end_statement(p);
@@ -100,9 +101,8 @@ bool SinumerikCalls::arguments(std::size_t& p, std::vector<ProcedureArgument>& o
 
 // Carries out NAME(1, 2), NAME(1) P3, and CALL with a variable.
 bool SinumerikCalls::call_statement(std::size_t from, std::size_t p) {
-  SubprogramName name;
   std::size_t q = from;
-  name.text = name_at(q);
+  SubprogramName name = called_program(name_at(q));
   std::vector<ProcedureArgument> given;
   if (name.text == "CALL") {
     Value value;
@@ -118,7 +118,7 @@ bool SinumerikCalls::call_statement(std::size_t from, std::size_t p) {
     if (!evaluator_.expression(block_.line, p, value)) return report(evaluator_.fault());
     if (value.kind != Value::Kind::text)
       return fail("expression", "CALL needs the name of a program as text", from, p);
-    name.text = value.text;
+    name = {-1, value.text};
   } else if (!arguments(p, given)) {
     return false;
   }

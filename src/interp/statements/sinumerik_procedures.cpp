@@ -3,9 +3,9 @@
 #include "core/text/text_io.h"
 #include "interp/frames/frame_chain.h"
 #include "interp/language/operations.h"
+#include "interp/statements/proc_line.h"
 #include "interp/statements/sinumerik_text.h"
 #include "interp/text/characters.h"
-#include "interp/text/source.h"
 
 #include <algorithm>
 #include <array>
@@ -14,8 +14,6 @@
 
 namespace mrsim {
 namespace {
-
-constexpr int kHeaderLines = 50;  // lines at the head of a subprogram in which PROC is looked for
 
 bool fits(VariableType type, const Value& value, std::string& why) {
   VariableArray variable;
@@ -66,21 +64,15 @@ void SinumerikProcedures::take_initial_values(std::string_view line, std::size_t
 // Reads PROC NAME(VAR REAL A, INT B=1) SAVE in the first lines of a subprogram.
 SinumerikProcedures::Procedure SinumerikProcedures::read_procedure(const SubprogramPlace& place) {
   Procedure out;
-  LineSource source(place.file, std::size_t(1) << 14);
-  source.seek(place.offset, place.line);
-  std::string_view line;
-  for (int i = 0; i < kHeaderLines && source.next(line); ++i) {
-    std::size_t p = 0;
-    if (word_at(line, p) == "PROC") {
-      out.parameters = read_parameters(line, p);
-      std::string rest = upper_case(line.substr(std::min(p, line.size())));
-      rest = rest.substr(0, rest.find(';'));
-      out.saves = rest.find("SAVE") != std::string::npos;
-      return out;
-    }
-    const std::size_t first = line.find_first_not_of(" \t\r");
-    if (first != std::string_view::npos && line[first] != ';' && line[first] != '%') return out;
-  }
+  const std::optional<ProcLine> proc = find_proc_line(place);
+  if (!proc) return out;
+  out.has_header = true;
+  std::size_t p = proc->behind;
+  out.parameters = read_parameters(proc->line, p);
+  std::string rest =
+      upper_case(std::string_view(proc->line).substr(std::min(p, proc->line.size())));
+  rest = rest.substr(0, rest.find(';'));
+  out.saves = rest.find("SAVE") != std::string::npos;
   return out;
 }
 
@@ -123,13 +115,17 @@ void SinumerikProcedures::give_back(const ProcedureArgument& to) {
 
 // Finds the first value of each parameter of PROC: the one given, or the default. False: an error
 // was reported.
-bool SinumerikProcedures::arguments_of(const Procedure& procedure,
+bool SinumerikProcedures::arguments_of(const SubprogramPlace& place, const Procedure& procedure,
                                        const std::vector<ProcedureArgument>& given,
                                        const Word& word, std::vector<Bound>& out) {
   const auto wrong = [&](const std::string& text) { return error("call-arguments", text, word); };
   if (given.size() > procedure.parameters.size())
-    return wrong(fmt::format("{} arguments, and PROC has {} parameters (alarm 12340)", given.size(),
-                             procedure.parameters.size()));
+    return wrong(fmt::format(
+        "{} argument{} for {}, which has {} (alarm 12340)", given.size(),
+        given.size() == 1 ? "" : "s", shown_place(place),
+        procedure.has_header ? fmt::format("PROC with {} parameter{}", procedure.parameters.size(),
+                                           procedure.parameters.size() == 1 ? "" : "s")
+                             : "no PROC that takes them"));
   std::string why;
   for (std::size_t i = 0; i < procedure.parameters.size(); ++i) {
     Bound one{procedure.parameters[i], i < given.size() ? given[i] : ProcedureArgument{}};
@@ -192,7 +188,7 @@ bool SinumerikProcedures::bind(const SubprogramPlace& place,
                                CallRequest& request) {
   const Procedure procedure = read_procedure(place);
   std::vector<Bound> bound;
-  if (!arguments_of(procedure, given, word, bound)) return false;
+  if (!arguments_of(place, procedure, given, word, bound)) return false;
   const std::optional<SavedState> saved =
       procedure.saves ? std::optional<SavedState>({modal_, frames_}) : std::nullopt;
   request.on_start = [this, bound] {

@@ -44,7 +44,8 @@ class SinumerikProcedures : public ControlPart {
   };
   struct Procedure {
     std::vector<Parameter> parameters;
-    bool saves = false;  ///< SAVE: the modes of the caller come back
+    bool has_header = false;  ///< it begins with PROC
+    bool saves = false;       ///< SAVE: the modes of the caller come back
   };
   struct SavedState {
     Modal modal;
@@ -57,8 +58,9 @@ class SinumerikProcedures : public ControlPart {
     ProcedureArgument argument;
     bool is_given = false;  ///< by the call; else the argument is the default
   };
-  bool arguments_of(const Procedure& procedure, const std::vector<ProcedureArgument>& given,
-                    const Word& word, std::vector<Bound>& out);
+  bool arguments_of(const SubprogramPlace& place, const Procedure& procedure,
+                    const std::vector<ProcedureArgument>& given, const Word& word,
+                    std::vector<Bound>& out);
   void define_parameters(const std::vector<Bound>& bound);
   std::vector<ProcedureArgument> values_back(const std::vector<Bound>& bound);
   Procedure read_procedure(const SubprogramPlace& place);

@@ -2,6 +2,7 @@
 
 #include "core/text/text_io.h"
 #include "interp/language/operations.h"
+#include "interp/statements/sinumerik_text.h"
 #include "interp/text/characters.h"
 #include "interp/text/code_names.h"
 
@@ -28,9 +29,9 @@ bool SinumerikStatements::starts_statement(std::string_view line, std::size_t p)
   p = behind_blanks(line, p);
   const char next = p < line.size() ? line[p] : '\0';
   if (name == "MCALL") {  // MCALL of a cycle is read elsewhere
-    SubprogramName called;
-    while (p < line.size() && is_name(line[p])) called.text += upper(line[p++]);
-    return called.text.empty() ? has_modal_call() : reader_.has_subprogram(called);
+    const std::string called = word_at(line, p);
+    return called.empty() ? has_modal_call()
+                          : cycle_files_.calls_program(called, line, p - called.size());
   }
   for (const std::string_view keyword : kKeywords)
     if (name == keyword) return true;
@@ -40,9 +41,7 @@ bool SinumerikStatements::starts_statement(std::string_view line, std::size_t p)
   }
   if (name == "RET" || name == "EXECSTRING") return next == '(';
   if (next != '(' || name.size() < 2 || find_function(name).code != Code::unknown) return false;
-  SubprogramName wanted;
-  wanted.text = name;
-  return reader_.has_subprogram(wanted);
+  return cycle_files_.calls_program(name, line, from);
 }
 
 bool SinumerikStatements::statement(std::size_t from) {

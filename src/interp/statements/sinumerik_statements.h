@@ -2,6 +2,7 @@
 // and repeats of parts of a program. Private to src/interp.
 #pragma once
 
+#include "interp/statements/cycle_files.h"
 #include "interp/statements/sinumerik_calls.h"
 
 #include <string>
@@ -12,7 +13,8 @@ namespace mrsim {
 
 class SinumerikStatements : public SinumerikCalls {
  public:
-  SinumerikStatements(Control& control, BlockReader& reader) : SinumerikCalls(control, reader) {}
+  SinumerikStatements(Control& control, BlockReader& reader)
+      : SinumerikCalls(control, reader), cycle_files_(control, reader) {}
 
   bool starts_statement(std::string_view line, std::size_t p) override;
 
@@ -35,6 +37,7 @@ class SinumerikStatements : public SinumerikCalls {
   bool run_part(const std::vector<std::string>& labels, bool line_alone, double runs,
                 std::size_t from, std::size_t p);
 
+  CycleFiles cycle_files_;
   bool stepping_ = false;  ///< the program is at a FOR again, because it reached ENDFOR
 };
 

@@ -1,5 +1,7 @@
 #include "interp/text/code_names.h"
 
+#include <algorithm>
+
 namespace mrsim {
 namespace {
 
@@ -165,6 +167,17 @@ constexpr std::string_view kReadCalls[] = {
     "CYCLE99",   "CYCLE971", "CYCLE973", "CYCLE974", "CYCLE976", "CYCLE977", "CYCLE978", "CYCLE979",
     "CYCLE982",  "CYCLE994", "CYCLE995", "CYCLE996", "CYCLE997", "CYCLE998"};
 
+// Calls without effect on geometry. COUP... couples spindles to hand over a part.
+constexpr std::string_view kHarmlessCalls[] = {
+    "MSG",       "SETMS",  "FGROUP",  "CYCLE832", "WAITM",   "WAITP",    "WAITS",
+    "INIT",      "START",  "CLRINT",  "SPCON",    "SPCOF",   "COMPLETE", "COUPON",
+    "COUPONC",   "COUPOF", "COUPOFS", "COUPDEF",  "COUPDEL", "COUPRES",  "GROUP_BEGIN",
+    "GROUP_END", "BRISKA", "SOFTA",   "DRIVEA",   "JERKA",   "CALLPATH", "GWPSON",
+    "GWPSOF",    "CANCEL", "FPRAON",  "FPRAOF",   "FPR",     "CORROF",   "GROUP_ADDEND",
+    "CLEARM",    "SETM",   "RELEASE", "GET",      "GETD",    "WRITE",    "DELETE",
+    "SETPIECE",  "WAITMC", "NPROT",   "CPROT",    "MMC",     "WAITE",    "DISABLE",
+    "ENABLE"};
+
 // Cycles of SINUMERIK 802S and 802C, which read their values from R parameters.
 constexpr std::string_view kCyclesOf802[] = {"LCYC60", "LCYC61",  "LCYC75", "LCYC82", "LCYC83",
                                              "LCYC84", "LCYC840", "LCYC85", "LCYC95", "LCYC97"};
@@ -222,6 +235,15 @@ constexpr UnsupportedName kUnsupported[] = {{"IF", true, "a condition"},
 std::span<const std::string_view> read_calls() { return kReadCalls; }
 
 std::span<const std::string_view> cycles_of_802() { return kCyclesOf802; }
+
+std::span<const std::string_view> harmless_calls() { return kHarmlessCalls; }
+
+bool is_built_in_call(std::string_view name) {
+  const auto among = [&](std::span<const std::string_view> names) {
+    return std::find(names.begin(), names.end(), name) != names.end();
+  };
+  return among(kReadCalls) || among(kHarmlessCalls);
+}
 
 CodeEntry find_function(std::string_view name) {
   for (const NamedRow& row : kFunctions)

@@ -18,6 +18,10 @@ std::vector<std::pair<std::string_view, CodeEntry>> function_names();
 
 /// SINUMERIK calls whose arguments the interpreter reads, upper case.
 std::span<const std::string_view> read_calls();
+/// SINUMERIK calls that change nothing in the part and are passed over, upper case.
+std::span<const std::string_view> harmless_calls();
+/// Whether the upper-case name is in one of these two lists.
+bool is_built_in_call(std::string_view name);
 /// Cycles of SINUMERIK 802 without brackets: R parameters hold their values.
 std::span<const std::string_view> cycles_of_802();
 

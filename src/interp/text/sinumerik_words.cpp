@@ -29,17 +29,6 @@ constexpr std::pair<std::string_view, Address> kAddresses[] = {
     {"SVC", Address::data},  {"FB", Address::data},     {"DITS", Address::data},
     {"DITE", Address::data}, {"ATOL", Address::data}};
 
-// Calls without effect on geometry. COUP... couples spindles to hand over a part.
-constexpr std::string_view kHarmlessCalls[] = {
-    "MSG",       "SETMS",  "FGROUP",  "CYCLE832", "WAITM",   "WAITP",    "WAITS",
-    "INIT",      "START",  "CLRINT",  "SPCON",    "SPCOF",   "COMPLETE", "COUPON",
-    "COUPONC",   "COUPOF", "COUPOFS", "COUPDEF",  "COUPDEL", "COUPRES",  "GROUP_BEGIN",
-    "GROUP_END", "BRISKA", "SOFTA",   "DRIVEA",   "JERKA",   "CALLPATH", "GWPSON",
-    "GWPSOF",    "CANCEL", "FPRAON",  "FPRAOF",   "FPR",     "CORROF",   "GROUP_ADDEND",
-    "CLEARM",    "SETM",   "RELEASE", "GET",      "GETD",    "WRITE",    "DELETE",
-    "SETPIECE",  "WAITMC", "NPROT",   "CPROT",    "MMC",     "WAITE",    "DISABLE",
-    "ENABLE"};
-
 // Names of the tool carrier, of tool offsets and tilts: read only where they are switched off by 0.
 constexpr std::string_view kOffWithZero[] = {"TCARR",  "TOFF",   "TOFFL", "TOFFR",
                                              "TOFFLR", "CUTMOD", "LEAD",  "TILT"};
@@ -269,7 +258,7 @@ void SinumerikWords::call(Block& block, std::size_t from, std::string_view token
   if (!skip_brackets(block)) return;
   const std::string_view argument = line_.substr(open + 1, p_ - open - 2);
   const std::string name = upper_case(token.substr(0, 33));
-  for (const std::string_view harmless : kHarmlessCalls)
+  for (const std::string_view harmless : harmless_calls())
     if (name == harmless) return;
   if (name == "GEOAX" && argument.find_first_not_of(" \t") == argument.npos) return;  // X, Y, Z
   for (const std::string_view read : read_calls()) {
