@@ -176,6 +176,21 @@ TEST(Cycles, Cycle83DrillsInStrokes) {
 
 // The tens of GMODE: the diameter of a centring, the end of the full diameter of a hole; a point of
 // 90 degrees is as long as its radius. AMODE 2 of all of them: DP counts, not DPR.
+// FDEP above RFP stops the control (alarm 61107). Beyond DP the manual drills in one stroke.
+TEST(Cycles, FirstDepthOfCycle83LiesBetweenRfpAndDp) {
+  const auto found = [](const std::string& values) {
+    return codes(read_text("G0 Z5\nF100\nCYCLE83(10,0,2,-15,," + values + ",0,0,0,1,0)\n",
+                           at_origin(Dialect::sinumerik)));
+  };
+  EXPECT_EQ(found("-5,"), "");
+  EXPECT_EQ(found("-15,"), "");
+  EXPECT_EQ(found(",5"), "");
+  EXPECT_EQ(found(",20"), "") << "a length";
+  EXPECT_EQ(found("1,"), "value-range");
+  EXPECT_EQ(found("0,"), "value-range");
+  EXPECT_EQ(found("-20,"), "cycle-first-depth");
+}
+
 TEST(Cycles, SinumerikDepthsMayCountToTheToolsShoulder) {
   const auto end = [](const std::string& call) {
     const Program p = read_text("T1 M6 ; SPOT DRILL D10 90 DEG\nG0 Z5\nF100\n" + call + "\n",

@@ -184,6 +184,56 @@ TEST(MillCycles, OpenSlotsAndThreadsAreMilled) {
   EXPECT_NEAR(helix->end.z, -10, 1e-9);
 }
 
+std::string found_in(const std::string& text) {
+  std::string out;
+  const Program program =
+      read_text("T1 D1 M6\nF100 G1 X0 Y0 Z50\n" + text + "\n", at_origin(Dialect::sinumerik));
+  for (const Diagnostic& d : program.diagnostics)
+    if (const std::size_t at = d.text.find("(alarm "); at != std::string::npos)
+      out += d.code + d.text.substr(at + 6, 6);
+    else if (d.severity >= Severity::warning)
+      out += d.code;
+  return out;
+}
+
+// Half of the smaller side is the largest corner that a rectangle can have.
+TEST(MillCycles, ACornerLargerThanTheRectangleIsAFault) {
+  const auto pocket = [](const std::string& corner) {
+    return "POCKET3(20,0,2,-5,40,30," + corner + ",50,40,0,5,0,0,300,100,0,11,5)";
+  };
+  EXPECT_EQ(found_in(pocket("15")), "");
+  EXPECT_EQ(found_in(pocket("15.0005")), "") << "rounded by a post";
+  EXPECT_EQ(found_in(pocket("16")), "value-range 61113");
+  EXPECT_EQ(found_in(pocket("30")), "value-range 61113");
+  EXPECT_EQ(found_in("POCKET1(50,0,2,-6,,30,60,16,0,0,0,200,800,3,2,0.2,0,6)"),
+            "value-range 61113");
+  const auto spigot = [](const std::string& corner) {
+    return "CYCLE76(20,0,2,-5,,40,30," + corner + ",50,40,0,5,0,0,300,100,0,1,50,40)";
+  };
+  EXPECT_EQ(found_in(spigot("15")), "");
+  EXPECT_EQ(found_in(spigot("20")), "value-range 61113");
+}
+
+// Twelve slots of 30 x 10 meet where their inner ends lie on a circle of 5, and not on one of 20.
+TEST(MillCycles, SlotsThatMeetAreWarnedOf) {
+  const auto radial = [](const std::string& radius) {
+    return "SLOT1(20,0,2,-5,,12,30,10,50,40," + radius + ",0,30,100,300,5,2,0,0)";
+  };
+  EXPECT_EQ(found_in(radial("5")), "slots-overlap");
+  EXPECT_EQ(found_in(radial("14")), "slots-overlap") << "2 * 19 * sin 15 is 9.8";
+  EXPECT_EQ(found_in(radial("15")), "") << "2 * 20 * sin 15 is 10.4";
+  EXPECT_EQ(found_in("SLOT1(20,0,2,-5,,2,30,10,50,40,5,0,360,100,300,5,2,0,0)"), "slots-overlap");
+  EXPECT_EQ(found_in("SLOT1(20,0,2,-5,,1,30,10,50,40,0,0,0,100,300,5,2,0,0)"), "");
+  EXPECT_EQ(found_in("LONGHOLE(20,0,2,-5,,12,30,50,40,2,0,30,100,300,5)"), "slots-overlap");
+  EXPECT_EQ(found_in("LONGHOLE(20,0,2,-5,,2,30,50,40,2,0,180,100,300,5)"), "");
+  const auto curved = [](const std::string& angle) {
+    return "SLOT2(20,0,2,-4,,3," + angle + ",14,0,0,42,0,120,200,800,2,2,0,0)";
+  };
+  EXPECT_EQ(found_in(curved("100")), "") << "2 * 42 * sin 10 is 14.6";
+  EXPECT_EQ(found_in(curved("102")), "slots-overlap");
+  EXPECT_EQ(found_in("MCALL " + radial("5") + "\nX1\nX2\nMCALL"), "not-supportednot-supported");
+}
+
 TEST(MillCycles, FaultsAreNamed) {
   const auto code = [](const std::string& text) {
     return codes(

@@ -12,6 +12,8 @@
 
 namespace mrsim {
 
+inline constexpr double kPosted = 1e-3;  ///< mm: by so much posts round a size or a depth
+
 /// A value counts as given only if the cycle's list has it and the program does not leave it out.
 struct CycleCall {
   std::string name;

@@ -23,6 +23,23 @@ Vec2 turned(Vec2 p, double degrees) {
   return {p.x * sc.cos - p.y * sc.sin, p.x * sc.sin + p.y * sc.cos};
 }
 
+// The distance between two equal straight slots along radii of a circle, from middle line to middle
+// line. These begin and end at the radii `inner` and `outer`.
+double between_radial(double inner, double outer, double degrees) {
+  if (inner <= 0 && outer >= 0) return 0;  // they cross in the centre
+  const auto from_first = [&](double radius) {
+    const Vec2 end = polar(radius, degrees);
+    return length(end - Vec2{std::clamp(end.x, inner, outer), 0});
+  };
+  return std::min(from_first(inner), from_first(outer));
+}
+
+// The same for two slots along one circle, each of them `angle` long (radians).
+double between_arcs(double radius, double angle, double degrees) {
+  const double gap = std::abs(std::remainder(radians(degrees), 2 * kPi)) - angle;
+  return gap <= 0 ? 0 : 2 * radius * sincos(gap / 2).sin;
+}
+
 }  // namespace
 
 bool MillCycles::knows(std::string_view name) {
@@ -58,6 +75,17 @@ std::vector<Loop> MillCycles::nested(const MillPlan& plan, double last, Vec2 at,
   return loops;
 }
 
+// Whether a rectangle of this smaller side, in mm, can have the corners of CRAD.
+bool MillCycles::has_corner(double side) {
+  const double unit = scale(), corner = std::abs(value("CRAD")) * unit;
+  return corner <= side / 2 + kPosted ||
+         fail(
+             "value-range",
+             fmt::format("{}: the corner radius CRAD of {:g} is more than half of the smaller side "
+                         "(alarm 61113): write {:g} at most",
+                         call_->shown(), corner / unit, side / 2 / unit));
+}
+
 bool MillCycles::rectangle() {
   MillPlan plan;
   if (!read_plan(plan)) return false;
@@ -72,6 +100,7 @@ bool MillCycles::rectangle() {
     turn += 90;
   }
   const double a = length / 2 - radius_, b = width / 2 - radius_;
+  if (!has_corner(width)) return false;
   const double corner = std::min(std::abs(value("CRAD")) * unit, width / 2);
   const double round = std::max(0.0, corner - radius_);
   if (b - plan.side < -kRounding)
@@ -118,6 +147,20 @@ int MillCycles::count(double& first, double& step, double whole) {
   return n;
 }
 
+// Warns if slots of the pattern run into one another. `between` gives the distance of the first
+// slot and the one `i` places behind it; any two slots so far apart in the pattern have the same.
+void MillCycles::tell_overlap(int count, double width, const std::function<double(int)>& between) {
+  for (int i = 1; i < count; ++i) {
+    if (between(i) >= width - kPosted) continue;
+    return warn_once(
+        "slots-overlap",
+        fmt::format("{0}: slots of the pattern run into one another, where the control "
+                    "may stop with alarm 61104: check NUM, INDA, RAD and the size of "
+                    "the slots",
+                    call_->shown()));
+  }
+}
+
 // Slots along the radii of a circle, with their inner ends on it. Those of LONGHOLE are as wide as
 // the cutter.
 bool MillCycles::slots() {
@@ -137,6 +180,8 @@ bool MillCycles::slots() {
   static constexpr double kEnd[] = {1, 0, 1, -1, 1, -1};
   const double inset = from == 2 || from == 3 ? width / 2 : 0;
   const double out = std::abs(value("RAD")) * unit + kEnd[from] * (length / 2 - inset);
+  const double reach = (length - width) / 2;
+  tell_overlap(n, width, [=](int i) { return between_radial(out - reach, out + reach, i * step); });
   for (int i = 0; i < n; ++i) {
     const double turn = first + i * step;
     MillArea area;
@@ -168,6 +213,8 @@ bool MillCycles::arc_slots() {
     return fail("value-range", "the cutter is too large for the slot (alarm 61105)");
   if (angle <= 0 || angle > 2 * kPi || b >= round)
     return fail("value-range", "AFSL is an angle up to 360 and RAD larger than half the width");
+  tell_overlap(n, std::abs(value("WID")) * unit,
+               [=](int i) { return between_arcs(round, angle, i * step); });
   for (int i = 0; i < n; ++i) {
     const double turn = first + i * step;
     MillArea area;
@@ -195,6 +242,7 @@ bool MillCycles::spigot() {
   const double blank_width = round ? blank_length : std::max(width, std::abs(value("AP2")) * unit);
   if (length <= 0 || width <= 0)
     return fail("value-range", "the length and the width of a spigot must be above 0");
+  if (!round && !has_corner(std::min(length, width))) return false;
   if (!round && (value("LENG") < 0 || value("WID") < 0))
     return fail("not-supported",
                 "CYCLE76: a length below 0 counts from a corner (_ZSD[2]), which is not supported: "

@@ -37,6 +37,8 @@ class MillCycles : public MillValues {
   static std::vector<Loop> nested(const MillPlan& plan, double last, Vec2 at, double degrees,
                                   const std::function<Loop(double)>& make);
   int count(double& first, double& step, double whole);
+  bool has_corner(double side);
+  void tell_overlap(int count, double width, const std::function<double(int)>& between);
 
   AreaCutter cutter_;
 };

@@ -37,6 +37,11 @@ bool MillValues::begin(const CycleCall& call, const Word& where, bool at_positio
   return radius_ > 0;
 }
 
+void MillValues::warn_once(const char* code, const std::string& text) {
+  reporter_.once(Severity::warning, code, text, where_,
+                 fmt::format("{}:{}:{}", code, call_->place.file, call_->place.line));
+}
+
 bool MillValues::depth(MillPlan& plan) {
   const auto planes = cycle_planes(*call_, call_->digit("AMODE", 0), scale());
   if (!planes)

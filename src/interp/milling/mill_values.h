@@ -23,6 +23,8 @@ class MillValues : public ControlPart {
   double value(ValueName name) const { return call_->get(name); }
   /// Reports an error at the call; always false.
   bool fail(const char* code, const std::string& text) { return error(code, text, where_); }
+  /// Warns at the call, the first time for each line of it.
+  void warn_once(const char* code, const std::string& text);
   /// The planes and the depth. False: an error was reported.
   bool depth(MillPlan& out);
   /// All of the plan; with a chamfer the radius of the cut, too. False: an error was reported.

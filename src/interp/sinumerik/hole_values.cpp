@@ -125,18 +125,42 @@ double HoleValues::point_length() {
   return (tool->diameter - tool->tip_diameter) / 2 * cone.cos / cone.sin;
 }
 
-// FDEP or FDPR is the first stroke. DAM says by how much each next one is shorter, or by which
-// factor (below 0, or in percent by AMODE). The last two are equal.
-bool HoleValues::strokes(double reference, Hole& hole) {
+// FDEP or FDPR is the first stroke, 0 where neither is given. False: an error was reported.
+bool HoleValues::first_stroke(double reference, const Hole& hole, double& stroke) {
   const double unit = scale(), total = std::abs(hole.bottom - reference);
   const double down = hole.bottom < reference ? -1 : 1;
   const bool relative = call_.given("FDPR") && call_.get("FDPR") != 0;
   const bool said_relative =
       call_.digit("AMODE", 4) == 1 && call_.given("FDEP");  // a digit of AMODE
-  double stroke = relative        ? std::abs(call_.get("FDPR")) * unit
-                  : said_relative ? std::abs(call_.get("FDEP")) * unit
-                                  : std::abs(call_.get("FDEP") * unit - reference);
-  if (!relative && !call_.given("FDEP")) stroke = total;
+  stroke = total;
+  if (relative) {
+    stroke = std::abs(call_.get("FDPR")) * unit;
+  } else if (said_relative) {
+    stroke = std::abs(call_.get("FDEP")) * unit;
+  } else if (call_.given("FDEP")) {
+    stroke = down * (call_.get("FDEP") * unit - reference);
+    if (stroke > total + kPosted)
+      reporter_.once(Severity::warning, "cycle-first-depth",
+                     fmt::format("{}: the first drilling depth FDEP of {:g} lies beyond the depth. "
+                                 "The hole is drilled in one stroke; the control may stop with "
+                                 "alarm 61107: write an FDEP between RFP and the depth",
+                                 call_.shown(), call_.get("FDEP")),
+                     where_, fmt::format("FDEP:{}:{}", call_.place.file, call_.place.line));
+  }
+  return stroke > 0 ||
+         error("value-range",
+               fmt::format("{}: the first drilling depth must lie below RFP (alarm 61107)",
+                           call_.shown()),
+               where_);
+}
+
+// DAM says by how much each stroke is shorter than the one before, or by which factor (below 0, or
+// in percent by AMODE). The last two are equal.
+bool HoleValues::strokes(double reference, Hole& hole) {
+  const double unit = scale(), total = std::abs(hole.bottom - reference);
+  const double down = hole.bottom < reference ? -1 : 1;
+  double stroke = 0;
+  if (!first_stroke(reference, hole, stroke)) return false;
   const bool percent = call_.digit("AMODE", 5) == 2;
   const double dam = percent ? -std::abs(call_.get("DAM")) / 100 : call_.get("DAM");
   const double least = std::abs(call_.get("MDEP")) * unit;
@@ -146,8 +170,6 @@ bool HoleValues::strokes(double reference, Hole& hole) {
   if (!hole.chips_out && !(call_.get("VRT") > 0)) hole.clearance = 1;
   if (call_.given("DIS1") && call_.get("DIS1") > 0 && hole.chips_out)
     hole.clearance = call_.get("DIS1") * unit;
-  if (stroke <= 0)
-    return error("value-range", "CYCLE83: the first drilling depth must lie below RFP", where_);
   const double smallest = dam > 0 ? std::max(dam * unit, least) : least;
   double at = 0;
   while (at + stroke < total - kRounding) {

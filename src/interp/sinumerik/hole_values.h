@@ -28,6 +28,7 @@ class HoleValues : public ControlPart {
   bool depth(double reference, double down, double& bottom);
   bool to_diameter(double reference, double down, double& bottom);
   double point_length();
+  bool first_stroke(double reference, const Hole& hole, double& stroke);
   bool strokes(double reference, Hole& hole);
   double pause(ValueName value, int mode_digit);
   void dwells(Hole& hole);
