@@ -14,8 +14,7 @@ void merge_hint(ToolHint& into, const ToolHint& more);
 /// little or too much: `why` then completes "the comment ... ".
 bool fill_tool(const ToolHint& hint, double unit, bool lathe, Tool& out, std::string& why);
 
-/// What a hint leaves open, filled in by the documented defaults: a turning tool without data is a
-/// sharp 35 degree finishing insert, lead angle 93 degrees, edge 16 mm.
-void complete_turning_tool(Tool& tool);
+/// The length as a comment gives it, with its unit.
+std::string as_written(const ToolLength& length);
 
 }  // namespace mrsim

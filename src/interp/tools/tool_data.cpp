@@ -2,6 +2,7 @@
 
 #include "core/text/text_io.h"
 #include "interp/comments/tool_hint.h"
+#include "interp/comments/turning_hint.h"
 #include "interp/comments/turret_name.h"
 #include "interp/text/characters.h"
 

@@ -2,6 +2,7 @@
 #include "core/numbers/units.h"
 #include "interp/comments/tool_comment.h"
 #include "interp/comments/tool_hint.h"
+#include "interp/comments/turning_hint.h"
 #include "setup/tool_library.h"
 #include <mrsim/mrsim.h>
 
