@@ -1,5 +1,7 @@
 #include "interp/comments/letter_diameters.h"
 
+#include "interp/comments/shank_words.h"
+
 #include <utility>
 
 namespace mrsim {
@@ -16,6 +18,7 @@ class LetterReader {
   double length_register_beside() const;
   bool is_beside_its_register(std::size_t size, double length_register) const;
   void read_second_d(std::size_t i);
+  bool read_before_shank(std::size_t i);
 
   CommentView& view_;
   ToolFacts& facts_;
@@ -56,6 +59,21 @@ bool LetterReader::is_beside_its_register(std::size_t size, double length_regist
   return false;
 }
 
+// Reads the D at i if the word for the shank stands behind it. It is the shank's in "D6 SHANK
+// ENDMILL D3" and "D6 SHANK D3 CUT", but not in "ENDMILL D10 SHANK D12"; "D6 SHANK D3 ENDMILL" can
+// be read both ways. False: it is the tool's diameter.
+bool LetterReader::read_before_shank(std::size_t i) {
+  if (is_size_of_shank(view_, i + 1)) return true;
+  if (!is_shank(view_, i + 2)) return false;
+  const std::size_t other = size_of_shank(view_, i + 2);
+  const bool before_kind = !facts_.kind() || facts_.kind()->first > i;
+  if (!before_kind || !view_.is(other - 1, "D") || view_[other].value >= view_[i + 1].value)
+    return false;
+  facts_.named.push_back(view_.length(i + 1));
+  facts_.named.push_back(view_.length(other));
+  return true;
+}
+
 // Reads "END MILL D5", "D10R1". Beside an H, D is the number of a register; behind a name in
 // quotation marks (T="CUTTER 10" D1) it is that of a cutting edge.
 void LetterReader::read_letter_d() {
@@ -64,8 +82,10 @@ void LetterReader::read_letter_d() {
     if (!view_.is(i, "D") || !view_.number(i + 1) || !view_.glued(i + 1)) continue;
     const CommentToken& value = view_[i + 1];
     view_.take(i, i + 2);
-    if (i > 0 && view_.is_one(i - 1, {"SHANK", "SHK", "SHAFT", "SCHAFT", "NECK", "HOLDER",
-                                      "TOOLHOLDER", "COLLET", "CHUCK", "ARBOR"}))
+    if (read_before_shank(i)) continue;
+    if (i > 0 && !cuts_behind_shank(view_, i - 1, i + 1) &&
+        view_.is_one(i - 1, {"SHANK", "SHK", "SHAFT", "SCHAFT", "NECK", "HOLDER", "TOOLHOLDER",
+                             "COLLET", "CHUCK", "ARBOR"}))
       continue;                                         // what holds it
     if (view_.is(i + 2, "=") && view_.number(i + 3)) {  // "D1=10": which of the diameters?
       view_.take(i + 2, i + 4);

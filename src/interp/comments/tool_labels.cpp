@@ -2,6 +2,7 @@
 
 #include "interp/comments/comment_words.h"
 #include "interp/comments/letter_diameters.h"
+#include "interp/comments/shank_words.h"
 #include "interp/comments/tool_sizes.h"
 #include "interp/comments/work_words.h"
 
@@ -215,6 +216,11 @@ void LabelReader::read_label(const Label& label) {
   if (label.role == WordRole::register_of) return read_register(label);
   if (label.role == WordRole::diameter) return read_diameter(label);
   std::size_t number = number_behind(label);
+  if (number != kNone && cuts_behind_shank(view_, label.first, number)) {
+    facts_.named.push_back(view_.length(number));  // "6MM SHANK 3MM CUT"
+    view_.take(number, number + 2);
+    number = kNone;
+  }
   if (number == kNone) number = number_before(label);
   if (number == kNone) return;
   if (label.role == WordRole::tip && !facts_.has_flat_tip()) return;
@@ -311,6 +317,10 @@ void LabelReader::read_diameter(const Label& label) {
   const bool sign = behind != kNone && behind > label.end;
   if (before != kNone && behind != kNone && !sign && is_angle(before) != is_angle(behind))
     (is_angle(before) ? before : behind) = kNone;  // "SPOT 90 DIA 12"
+  if (behind != kNone && is_size_of_shank(view_, behind)) {
+    take(label, behind);  // "DIA 6 SHANK DIA 3 CUT"
+    return;
+  }
   if (behind != kNone && view_[behind].value > 0) {
     facts_.named.push_back(view_.length(behind));
     take(label, behind);
