@@ -32,5 +32,22 @@ TEST(ToolMixedSizes, TheSizeThatCutsIsNotTheShanks) {
   });
 }
 
+TEST(ToolMixedSizes, AWidthInInchesMakesTheDiameterInches) {
+  expect_readings({
+      {mm, "T1 KEYSEAT CUTTER 1 X 1/8", "tslot 25.4, width 3.175"},
+      {mm, "T1 KEYSEAT CUTTER DIA 1 WIDTH 1/8", "tslot 25.4, width 3.175"},
+      {mm, "T1 T-SLOT 1.0 X 1/4", "tslot 25.4, width 6.35"},
+      {mm, "T1 SAW 3 X 1/16", "tslot 76.2, width 1.5875"},
+      {mm, "T1 WOODRUFF 1 1/4 X 1/8", "tslot 31.75, width 3.175"},
+      {mm, "T1 DOVETAIL 1 X 1/4 60DEG", "form 25.4"},
+      {inch, "T1 KEYSEAT CUTTER 1 X 1/8", "tslot 25.4, width 3.175"},
+      {mm, "T1 SAW 63 X 1/16", "? gives the diameter 63 without a unit, beside a size in inches"},
+      {mm, "T1 KEYSEAT CUTTER 1.0 X .125",
+       "? gives the width 0.125 without a unit, in a program in mm"},
+      {mm, "T1 T-SLOT 25MM X 1/4", "tslot 25, width 6.35"},
+      {mm, "T1 T-SLOT 25 X 6", "tslot 25, width 6"},
+  });
+}
+
 }  // namespace
 }  // namespace mrsim

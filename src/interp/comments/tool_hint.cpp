@@ -188,6 +188,10 @@ bool fill_shape(const ToolHint& hint, double unit, Tool& out, std::string& why) 
   } else if (out.type == ToolType::tslot) {
     if (hint.width) out.width = beside(hint.width, hint, unit);
     if (!(out.width > 0)) why = "gives no width of the head";
+    const bool thousandths = unit == 1 && hint.width.unit == 0 && hint.width.inch_style;
+    if (thousandths)
+      why = fmt::format("gives the width {} without a unit, in a program in mm",
+                        as_written(hint.width));
   } else if (out.type == ToolType::chamfer) {
     if (hint.tip) out.tip_diameter = beside(hint.tip, hint, unit);
     if (hint.trade == ToolTrade::chamfer_mill && !hint.tip && !hint.corner)

@@ -26,6 +26,7 @@ class SizeSettler {
   void add_groups();
   void add_centre_gauge();
   void add_loose();
+  void share_inches();
   bool stand_on_both_sides() const;
   void add_group(const SizeGroup& group);
   void add_further(const ToolLength& first, const ToolLength& next);
@@ -61,7 +62,24 @@ std::vector<double> SizeSettler::settle() {
   hint_.bare_size = hint_.diameters.empty() && !centre;
   add_groups();
   if (centre) add_centre_gauge();
+  share_inches();
   return std::move(angles_);
+}
+
+// A diameter without a unit beside a width in inches is in inches, too: "KEYSEAT CUTTER 1 X 1/8".
+// Where no cutter is so wide, it may be in mm all the same: "SAW 63 X 1/16".
+void SizeSettler::share_inches() {
+  constexpr double kWidest = 8;  // inches
+  const ToolLength& beside = trade_is(ToolTrade::dovetail) ? hint_.flute_length : hint_.width;
+  const bool inches = beside.unit > 1 || (beside.fraction && beside.unit == 0);
+  if (!kind() || is_turning(kind()->type) || !inches) return;
+  for (ToolLength& diameter : hint_.diameters) {
+    if (diameter.unit > 0 || diameter.fraction) continue;
+    if (diameter.value > kWidest && hint_.doubt.empty())
+      hint_.doubt = fmt::format("gives the diameter {:g} without a unit, beside a size in inches",
+                                diameter.value);
+    diameter.unit = kMmPerInch;
+  }
 }
 
 // Adds the body of a centre drill by its number. Sizes that the comment tells may be its pilot, "#4
