@@ -49,5 +49,21 @@ TEST(ToolMixedSizes, AWidthInInchesMakesTheDiameterInches) {
   });
 }
 
+TEST(ToolMixedSizes, MillsForSlotsWithAWidthAreDiscs) {
+  expect_readings({
+      {mm, "T1 NUTENFRAESER D20 B4", "tslot 20, width 4"},
+      {mm, "T1 NUTENFR~SER D20 BREITE 4", "tslot 20, width 4"},
+      {mm, "T1 SCHLITZFRAESER D20 B4", "tslot 20, width 4"},
+      {mm, "T1 FRAISE A RAINURER D20 B4", "tslot 20, width 4"},
+      {mm, "T1 FRESA PARA RANURAR D20 W4", "tslot 20, width 4"},
+      {mm, "T1 FRESA PER CAVE D20 B4", "tslot 20, width 4"},
+      {mm, "T1 FREZ DO ROWKOW D20 B4", "tslot 20, width 4"},
+      {mm, "T1 NUTENFRAESER D20", "endmill 20"},
+      {mm, "T1 NUTENFRAESER D12 B14", "endmill 12"},
+      {mm, "T1 SCHEIBENFRAESER D80 B6", "tslot 80, width 6"},
+      {mm, "T1 FRAISE D12 RAINURE LARGEUR 8", "endmill 12"},
+  });
+}
+
 }  // namespace
 }  // namespace mrsim

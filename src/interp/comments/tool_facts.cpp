@@ -363,7 +363,7 @@ void FactReader::read_rest() {
     facts_.left_hand |= is_left_hand(view_, i);
     facts_.fusion |= view_.is(i, "CR") && view_.is(i + 1, "=");
     facts_.included |= view_.is_one(i, {"INCLUDED", "INCL"});
-    facts_.slot_mill |= view_.is(i, "KEYWAY");
+    facts_.slot_mill |= view_.is(i, "KEYWAY") || names_slot_mill(view_, i);
     facts_.per_side |= view_.is(i, "SIDE") && i > 0 && view_.is_one(i - 1, {"PER", "/", "A"});
   }
   const bool slot =

@@ -111,7 +111,7 @@ void Settler::settle_type() {
   } else if (!k && facts_.pair && !hint_.diameters.empty() && !facts_.insert) {
     hint_.type = ToolType::endmill;  // "D12R2"
   }
-  if (facts_.slot_mill && disc_data &&
+  if (facts_.slot_mill && disc_data && hint_.width.mm(1) < hint_.diameters.front().mm(1) &&
       hint_.type.value_or(ToolType::endmill) == ToolType::endmill) {
     hint_.type = ToolType::tslot;
     hint_.trade = ToolTrade::disc;

@@ -124,6 +124,9 @@ bool is_flat_thread(const CommentView& view, std::size_t i) {
   return view.is(i, "TR") && (numbered(i + 1) || (i > 0 && numbered(i - 1)));
 }
 
+constexpr std::string_view kSlotMills = "NUTENFR* NUTFR* SCHLITZFR* RILLENFR* RAINURER RANURAR";
+constexpr std::string_view kSlots = "CAVE ROWK* UTOR* DRAZK* DR~ZK* RANURAS RAINURES";
+
 bool names_back_turning(const CommentView& view, std::size_t i) {
   if (view.is_one(i, {"BACKTURN", "BACKTURNING", "BACKBORING"})) return true;
   const std::size_t work = view.is(i + 1, "-") ? i + 2 : i + 1;
@@ -142,6 +145,12 @@ bool is_of_tool(const CommentView& view, std::size_t i) {
 }
 
 }  // namespace
+
+bool names_slot_mill(const CommentView& view, std::size_t i) {
+  if (is_word_of(view, i, kSlotMills)) return true;
+  return i > 0 && is_word_of(view, i, kSlots) &&
+         view.is_one(i - 1, {"PER", "DO", "ZA", "NA", "PARA", "A"});
+}
 
 // "VNMG LEFT HAND" and "CNMG LH" say it; "LEFT CORNER" is said of a blade, "LEFT END" of the part.
 bool is_left_hand(const CommentView& view, std::size_t i) {

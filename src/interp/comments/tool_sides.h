@@ -15,6 +15,10 @@ void read_side_words(const CommentView& view, ToolFacts& facts);
 /// lathe's tool have; takes no tokens. Requires: kinds, insert and blade are read.
 void read_turning_words(const CommentView& view, ToolFacts& facts);
 
+/// Whether the word at `i` says that a mill is for slots, which is a disc if it has a width:
+/// "NUTENFRAESER", "FRESA PER CAVE".
+bool names_slot_mill(const CommentView& view, std::size_t i);
+
 /// Whether the word at `i` says that the tool is a left-hand one.
 bool is_left_hand(const CommentView& view, std::size_t i);
 
