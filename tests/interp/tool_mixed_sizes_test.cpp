@@ -65,5 +65,20 @@ TEST(ToolMixedSizes, MillsForSlotsWithAWidthAreDiscs) {
   });
 }
 
+TEST(ToolMixedSizes, D1OfAChamferMillIsItsTip) {
+  const char* half = "? can be read as a tip of 8 or as another size of 8";
+  expect_readings({
+      {mm, "T1 CHAMFER MILL D16 D1=2 45DEG", "chamfer 16, side 45, tip 2"},
+      {mm, "T1 D16 D1=2 90 DEG CHAMFER MILL", "chamfer 16, point 90, tip 2"},
+      {mm, "T1 FASENFRAESER D1=2 D16 90 GRAD", "chamfer 16, point 90, tip 2"},
+      {mm, "T1 16MM CHAMFER MILL D1=2 45DEG", "chamfer 16, side 45, tip 2"},
+      {mm, "T1 CHAMFER MILL DIA 16 D1=2 45DEG", "chamfer 16, side 45, tip 2"},
+      {mm, "T1 CHAMFER MILL D16 D1=8 45DEG", half},
+      {mm, "T1 CHAMFER MILL D16 D2=8 45DEG", half},
+      {mm, "T1 CHAMFER MILL D16 D2=16 45DEG", "chamfer 16, side 45"},
+      {mm, "T1 ENDMILL D10 D1=5", "endmill 10"},
+  });
+}
+
 }  // namespace
 }  // namespace mrsim

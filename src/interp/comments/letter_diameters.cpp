@@ -88,6 +88,8 @@ void LetterReader::read_letter_d() {
                              "COLLET", "CHUCK", "ARBOR"}))
       continue;                                         // what holds it
     if (view_.is(i + 2, "=") && view_.number(i + 3)) {  // "D1=10": which of the diameters?
+      if (value.value == 1) facts_.d1 = view_.length(i + 3);
+      if (value.value == 2) facts_.d2 = view_.length(i + 3);
       view_.take(i + 2, i + 4);
       continue;
     }

@@ -32,6 +32,7 @@ struct ToolFacts : PlainFacts {
   std::vector<ToolLength> named;     ///< diameters with a name: "DIA 10", "Ø5", "D=6"
   ToolLength letter_d;               ///< "D10": a diameter, or a register
   ToolLength second_d;               ///< of a pointed mill: a tip, or a register
+  ToolLength d1, d2;                 ///< "D1=2": of a pointed mill perhaps the tip
   std::optional<ToolLength> thread;  ///< diameter of the thread that is named; 0 = not given
   bool enlarged_thread = false;      ///< for a wire insert
   std::optional<ToolLength> gauge;   ///< "#7", "LETTER Q"

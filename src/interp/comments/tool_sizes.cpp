@@ -27,6 +27,7 @@ class SizeSettler {
   void add_centre_gauge();
   void add_loose();
   void share_inches();
+  void add_indexed_tip();
   bool stand_on_both_sides() const;
   void add_group(const SizeGroup& group);
   void add_further(const ToolLength& first, const ToolLength& next);
@@ -63,7 +64,25 @@ std::vector<double> SizeSettler::settle() {
   add_groups();
   if (centre) add_centre_gauge();
   share_inches();
+  add_indexed_tip();
   return std::move(angles_);
+}
+
+// "CHAMFER MILL D16 D1=2" gives the diameter at its tip. D1 of half the diameter may be a radius
+// instead, and D2 the shank.
+void SizeSettler::add_indexed_tip() {
+  if (!facts_.has_flat_tip() || hint_.tip || hint_.diameters.empty()) return;
+  const double whole = hint_.diameters.front().mm(1);
+  const auto smaller = [&](const ToolLength& size) { return size && size.mm(1) < whole; };
+  const bool half = facts_.d1.mm(1) == whole / 2;
+  if (smaller(facts_.d1) && !half) {
+    hint_.tip = facts_.d1;
+  } else if (smaller(facts_.d1) || smaller(facts_.d2)) {
+    const ToolLength& size = smaller(facts_.d1) ? facts_.d1 : facts_.d2;
+    if (hint_.doubt.empty())
+      hint_.doubt =
+          fmt::format("can be read as a tip of {0:g} or as another size of {0:g}", size.value);
+  }
 }
 
 // A diameter without a unit beside a width in inches is in inches, too: "KEYSEAT CUTTER 1 X 1/8".
