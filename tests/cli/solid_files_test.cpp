@@ -247,5 +247,16 @@ TEST_F(SolidFiles, VdbOfAnotherProgramIsAStockAndAPart) {
   expect_failure("PRIMER_2F.MPF --stock damaged.vdb -o part.stl", 1, "vdb-unreadable");
 }
 
+// A measured grid's volume is corrected, and so must be that of the stock, which is meshed alike.
+TEST_F(SolidFiles, VolumeOfAVdbStockIsMeasuredAsThePartIs) {
+  ASSERT_EQ(run("PRIMER_2F.MPF --stock block.stl --voxel 0.5 -o part.vdb").code, 0);
+  write("beside.MPF", "G17 G90 G71\nT1 M6\nS3000 M3\nG0 X-100 Y-90 Z5\nG1 X-90 F500\nG0 Z9\nM30\n");
+  const Outcome outcome =
+      run("beside.MPF --machine mill --stock part.vdb --tool 1=endmill:d=4 --voxel 0.5 "
+          "--nominal PRIMER_2F.nominal.stl --accept 0.1 -o same.stl");
+  EXPECT_NE(number_after(outcome.out, "the mesh"), number_after(outcome.out, "volume"));
+  EXPECT_NEAR(number_after(outcome.out, "removed"), 0, 1e-3) << outcome.out << outcome.err;
+}
+
 }  // namespace
 }  // namespace mrsim

@@ -107,10 +107,14 @@ Candidates CollisionDetector::search_in_plan(const PlanSearch& plan, const Box3&
     for (const PlanLayer& layer : group.layers) {
       const PlanView view = plan.view(group, layer);
       search(view, flat, view.cuts(), clear);
-      for (const CollisionHit& hit : hits_) doubt(hit);
+      Candidates found_here;
+      for (const CollisionHit& hit : hits_) {
+        found_here.push_back(hit.mover);
+        doubt(hit);
+      }
+      std::sort(found_here.begin(), found_here.end());
       std::erase_if(clear, [&](std::uint32_t mover) {
-        return std::any_of(hits_.begin(), hits_.end(),
-                           [&](const CollisionHit& hit) { return hit.mover == mover; });
+        return std::binary_search(found_here.begin(), found_here.end(), mover);
       });
     }
   }

@@ -26,10 +26,15 @@ constexpr double kUnlimited = std::numeric_limits<double>::infinity();
 // more for each thread.
 constexpr double kMeshErr = 1.25, kThreadRoom = 8e6;
 
+// Of a measured grid the volume is known better than by its own.
+bool is_measured(const Job& job, const MeshChoice& choice) {
+  return choice.measure || (job.accept > 0 && choice.tolerance == 0);
+}
+
 MeshPlan chosen_plan(const Job& job, const Stock& stock, const MeshChoice& choice) {
   MeshPlan plan = mesh_plan(job.mesh);
   plan.tolerance = choice.tolerance;
-  plan.measure = choice.measure || (job.accept > 0 && choice.tolerance == 0);
+  plan.measure = is_measured(job, choice);
   plan.most_nodes = choice.most_nodes;
   plan.most_tolerance = choice.most_tolerance;
   plan.makes_new_octrees = choice.makes_new_octrees;
@@ -110,6 +115,7 @@ double volume_before(const Job& job, const StockShape& shape, const MeshChoice& 
     const Stock stock = carve(shape, shape.history.motions, shape.history.tools, plan);
     MeshPlan mesh = mesh_plan(job.mesh);
     mesh.tolerance = choice.tolerance;
+    mesh.measure = is_measured(job, choice);
     mesh.most_nodes = choice.most_nodes, mesh.most_tolerance = choice.most_tolerance;
     MeshReport found;
     MeshAudit audit(mesh.threads);
