@@ -22,7 +22,8 @@ enum class PathMode : std::uint8_t {
   exact_once,  ///< the motion before the event stops at its end
 };
 
-/// One step of the control between two motions. Of the values those of its kind count.
+/// One step of the control between two motions. A field whose comment begins with a kind has a
+/// meaning in events of that kind alone.
 struct Event {
   EventKind kind = EventKind::dwell;
   SpindleTurn turn = SpindleTurn::off;   ///< spindle

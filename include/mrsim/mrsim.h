@@ -244,10 +244,10 @@ struct JobResult {
   /// be that of the grid's triangles from the part; then mesh_usual holds for 99 % of them. Both
   /// are of the mesh before its reduction.
   double mesh_bound = 0, mesh_usual = 0;
-  std::size_t mesh_sampled =
-      0;  ///< triangles of the mesh for which samples stand for a proof of it
-  std::size_t mesh_kept =
-      0;  ///< vertices that stay because the mesh would meet itself without them
+  /// Triangles whose distance from the exact part is sampled, not proven.
+  std::size_t mesh_sampled = 0;
+  /// Vertices that stay because the mesh would meet itself without them.
+  std::size_t mesh_kept = 0;
   /// What mesh_bound does not hold for, the thickest first.
   std::vector<ThinPlace> thin;
   std::size_t rapid_motions = 0, line_motions = 0, arc_motions = 0;

@@ -12,7 +12,7 @@
 namespace mrsim {
 namespace {
 
-constexpr double kLeastLength = 1e-3;  // mm: of a size without which there is no tool
+constexpr double kLeastLength = 1e-3;  // mm: least value of a size that the tool must have
 
 constexpr std::uint32_t bits() { return 0; }
 template <class... Rest>

@@ -39,7 +39,8 @@ Vec3 arc_tangent(const Motion& m, double angle) {
   return normalized((std::fabs(m.sweep) * m.radius / length) * round + (m.rise / length) * m.axis);
 }
 
-// Every axis that an arc moves runs along it sooner or later, so the weakest of them limits it.
+// Somewhere on its way an arc runs along each axis that it moves, so the axis with the lowest limit
+// bounds the whole arc.
 double along_arc(const Motion& m, const Vec3& limits) {
   constexpr double kAlongAxis = 1 - 1e-12;  // cosine: the arc lies in a plane across this axis
   double most = kInfinity;

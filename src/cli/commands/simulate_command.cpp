@@ -185,7 +185,7 @@ void tell_failure(const RunRecord& record) {
       {arguments.compare.json, run_json(record), arguments.compare.junit, run_junit(record)}, kept);
 }
 
-// Files of a run, and what it found to the terminal. False: it has failed.
+// Runs the job: prepares its files and prints what was found. False: the run has failed.
 bool prepare(const Arguments& arguments, Job& job, JobResult& result) {
   {
     ProgressBar bar(!arguments.quiet);

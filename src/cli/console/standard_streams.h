@@ -6,8 +6,8 @@
 
 namespace mrsim::cli {
 
-/// Opens those of the descriptors 0 to 2 that are closed, so that no file of a run gets their
-/// numbers and with them what is printed. Reading and writing them fail as before.
+/// Opens those of the descriptors 0 to 2 that are closed. Else a file of the run would get such a
+/// number, and what is printed would go into it. Reading and writing them fail as before.
 void keep_standard_streams();
 
 /// Text to the standard output. Where its reader has gone, the program ends by SIGPIPE, without its
@@ -16,7 +16,7 @@ void print(const std::string& text);
 /// Flushes it: a full disk or a closed stream is an Error, not a short answer. Returns `code`.
 int finish_output(int code);
 
-/// Text to the standard error, beside the work: that nobody hears it is no fault of the run.
+/// Writes text to the standard error. If nobody can read it there, the run goes on.
 void say(const std::string& text);
 
 }  // namespace mrsim::cli

@@ -55,8 +55,8 @@ bool is_job(const std::vector<std::string>& inputs) {
   return extension == ".toml" || extension == ".camotics";
 }
 
-// The command line that stands for job.toml and what is typed beside it; the first word is
-// argv[0]. An option that is typed replaces the file's, all of them where it may be repeated.
+// The command line that means the same as job.toml and the options typed beside it; the first word
+// is argv[0]. A typed option replaces all that the file says of that option.
 std::vector<std::string> job_words(const JobFile& job, const std::string& path, JobUse use,
                                    const std::string& name, const std::vector<std::string>& typed) {
   std::vector<std::string> words = {name, job.program};

@@ -16,8 +16,8 @@ struct RegionInput {
 };
 
 /// Samples of both surfaces that are out of tolerance to the same side and within about two
-/// spacings of each other are one region. Worst first. `count` gets the number of all of them, at
-/// most `most` are described.
+/// spacings of each other are one region. Worst first. `count` gets the number of all regions; the
+/// first `most` of them are described.
 std::vector<DeviationRegion> find_regions(const RegionInput& input, const Acceptance& band,
                                           std::size_t most, std::size_t& count);
 

@@ -48,9 +48,9 @@ double longest_side(const TrianglePiece& t) {
   return std::max({distance(t[0], t[1]), distance(t[1], t[2]), distance(t[2], t[0])});
 }
 
-// The planes that part what is nearest to the feature that was hit from what is nearest to other
-// features of its triangle: the first one that runs through the piece. Pieces much larger than the
-// triangle are better halved.
+// Planes separate the points nearest to the feature that was hit from those nearest to the other
+// features of its triangle. Returns the first such plane that runs through the piece. Pieces much
+// larger than the triangle get none: they are better halved.
 std::optional<CutPlane> feature_cut(const TriangleTree& tree, const TrianglePiece& piece,
                                     const TriangleTree::Hit& hit) {
   const TriangleTree::Corners t = tree.corners(hit.triangle);
@@ -146,7 +146,7 @@ class Cutter {
     add(middle, corner(j), corner(k));
   }
 
-  // Corner i alone on its side, the other two on the other or one of them on the plane.
+  // Corner i lies alone on one side of the plane. One of the others may lie on the plane.
   void cut(const CutPlane& plane) {
     std::array<double, 3> side;
     for (std::size_t k = 0; k < 3; ++k) side[k] = dot(plane.normal, s_.corners[k] - plane.point);

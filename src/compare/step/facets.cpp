@@ -102,8 +102,8 @@ void append(const FaceMesh& mesh, bool is_reversed, SolidFacets& out) {
   }
 }
 
-// Whether each side of a triangle is that of one other, turned round, where points of one place are
-// one.
+// Whether each side of a triangle is a side of exactly one other, in the other direction. Points at
+// the same place count as one.
 bool is_closed(const SolidFacets& facets) {
   using Point = std::array<float, 3>;
   std::map<Point, std::uint32_t> places;

@@ -1,5 +1,5 @@
-// A vector of numbers that starts on a cache line, for loops over whole registers. What resize()
-// adds is not set: pages that nobody writes to cost nothing.
+// A vector of numbers that starts on a cache line, for loops over whole registers. resize() does
+// not set the numbers that it adds: pages that nobody writes to cost nothing.
 //
 // One array, unlike a vector of aligned structs: a pointer to its first number reaches them all.
 #pragma once

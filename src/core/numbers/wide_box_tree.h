@@ -65,7 +65,7 @@ class WideBoxTree {
     std::uint32_t child;
     float distance2;
   };
-  // What is left of a sum of squares in single precision, so that it is not above the true one.
+  // Factor that makes a sum of squares in single precision a lower bound of the true one.
   static constexpr float kBelow = 1 - 1e-6F;
 
   // A place between two numbers of single precision, by axis.

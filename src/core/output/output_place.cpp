@@ -84,8 +84,8 @@ bool is_same(const OutputPlace& a, const OutputPlace& b) {
   return of_a && of_b && of_a->st_dev == of_b->st_dev && of_a->st_ino == of_b->st_ino;
 }
 
-// Whether two outputs at one place would be one behind the other, which nobody can read: not at
-// /dev/null and the like.
+// Whether the place takes one output only: a second one would follow the first in the same file,
+// which nobody can read. /dev/null and the like take any number.
 bool takes_one(const OutputPlace& place) {
   if (place.kind == OutputPlace::Kind::file) return true;
   const auto info = facts(place);

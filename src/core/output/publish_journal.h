@@ -1,6 +1,7 @@
-// The journal of files that are being published: what to undo should the program die among them.
+// The journal of a set of files that is being published: what to undo if the program dies before
+// the set is complete.
 //
-// In the folder of each file lie, while a set is being published, TOKEN being 16 random digits:
+// Meanwhile these lie in the folders of the files, where TOKEN is 16 random digits:
 //   .mrsim-TOKEN-I.new     file I, complete, until it takes its place
 //   .mrsim-TOKEN-I.old     the file that stood in its place
 //   .mrsim-TOKEN.journal   in the first folder: the set is to be undone

@@ -87,7 +87,7 @@ void release_freed_memory() {
 #endif
 }
 
-// The peak of getrusage() is, too, that of the process which started this one, as it was then.
+// VmHWM comes first: the peak of getrusage() includes that of the process which started this one.
 std::size_t peak_memory() {
   std::ifstream status("/proc/self/status");
   for (std::string word; status >> word;)

@@ -46,7 +46,7 @@ std::string inflated(std::string_view packed, std::size_t size, const std::strin
   return out;
 }
 
-// Packs what it is given and hands it on in chunks.
+// Compresses the bytes that it is given and hands them on in chunks.
 class Deflater {
  public:
   explicit Deflater(const ByteSink& out) : out_(out), packed_(kChunk, '\0') {

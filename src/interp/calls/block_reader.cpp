@@ -20,7 +20,8 @@ std::size_t depth_limit(Dialect dialect) {
   return dialect == Dialect::codesys ? 14 : 16;
 }
 
-// Nothing is cut behind an error, so that loops run on for its sake in vain.
+// After an error nothing is cut. Blocks are run only to find further faults, so loops get less
+// time.
 constexpr std::uint64_t kStepsBehindAnError = 1'000'000;
 constexpr std::size_t kMostStretches = 200;  // calls and repeated parts inside one another
 

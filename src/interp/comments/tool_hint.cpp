@@ -101,7 +101,7 @@ double agreed_diameter(const ToolHint& hint, double unit, std::string& why) {
   return diameter;
 }
 
-// A radius in mm. Without a unit of its own it has that of the diameter beside it.
+// A radius in mm. A radius without a unit has the unit of the diameter beside it.
 double beside(const ToolLength& radius, const ToolHint& hint, double unit) {
   if (hint.diameters.empty() || radius.unit > 0 || radius.fraction) return radius.mm(unit);
   const ToolLength& first = hint.diameters.front();

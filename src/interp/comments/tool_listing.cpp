@@ -109,7 +109,7 @@ bool read_number_and_size(std::string_view text, ToolHint& hint) {
   return true;
 }
 
-// Reads F-Engrave's settings. Those of the V-bit tell the tool only where a V-bit carves alone.
+// Reads F-Engrave's settings. Those of the V-bit describe the tool only where no other tool carves.
 bool read_fengrave(std::string_view text, ToolHint& hint) {
   const std::size_t mark = text.find("FENGRAVE_SET ");
   if (mark == text.npos) return false;

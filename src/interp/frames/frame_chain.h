@@ -1,5 +1,5 @@
 // The frames in force as one: work offset, shifts, the program's frame, rotation, scaling, mirror.
-// Whoever changes one of them calls save() before and rebuild() after it. Private to src/interp.
+// Code that changes one of them calls save() before and rebuild() after. Private to src/interp.
 #pragma once
 
 #include "interp/control/control.h"

@@ -18,8 +18,8 @@ class TransformWords : public FrameChain {
   /// Fagor's mirror images (G11 to G13 about the zero, one beside the other; G10 ends them), scale
   /// (G72 S) and rotation (G73). False: an error was reported.
   bool fagor(Code code, const Word& word);
-  /// CYCLE800 without a tilt: `frame` is one more in the one in force, or a new one, which deletes
-  /// the one in force and that of TRANS and its kin.
+  /// CYCLE800 without a tilt. `adds`: `frame` acts within the one in force; else it replaces that
+  /// frame and deletes the one of TRANS, ROT, SCALE and MIRROR.
   void swivel(const Frame& frame, bool adds, const Word& word);
   /// A figure lies turned about `center` in the plane and shifted, inside of the rotation `base`.
   void place_figure(const Frame& base, double angle, const Vec3& center, const Vec3& shift);

@@ -1,7 +1,7 @@
-// Finds loops that can never end, long before the limit of steps. A stretch of the run is watched:
-// which variables decide about its way, what they are computed from, and which of them change.
-// When the same loop comes back, again and again, with all of these as they were, all further
-// passes are alike. What only the path is computed from may change.
+// Finds loops that can never end, long before the limit of steps. While a part of the run is
+// watched, it notes which variables decide which block comes next, what these are computed from,
+// and which of them change. If the same loop comes back again and again and none of them has
+// changed, all further passes are alike. Variables that only shape the tool's path may change.
 // Guarantees: a loop that ends is never taken for an endless one, as long as its way depends on
 // variables alone; whoever decides by anything else says forget(). Does not find loops whose
 // counter runs away from its bound. Private to src/interp.
@@ -43,7 +43,7 @@ class LoopWatch {
   /// The block reads a state of the control, which may change without an assignment.
   void read_state();
   bool knows_change_of(const VariableKey& variable) const { return before_.contains(variable); }
-  /// The block sets a variable. `before`: what it held until then; the first call's counts.
+  /// The block sets a variable. `before`: its value until then, of which the first one is kept.
   void write(const VariableKey& variable, const std::optional<std::string>& before);
 
   /// A variable is defined at this level of calls.
@@ -86,7 +86,7 @@ class LoopWatch {
   std::map<VariableKey, std::string> before_;
 };
 
-/// Marks what is read in its life as data.
+/// While it lives, the variables that are read count as data; with `data` false, as deciding.
 class DataReads {
  public:
   explicit DataReads(LoopWatch& watch, bool data = true)

@@ -14,7 +14,7 @@ namespace {
 constexpr double kSerialVariable = 599;
 constexpr double kMostSerial = 1e9;
 /// The manual of Haas prints widths of the space and the exclamation mark, 0.864 and 0.538 of the
-/// height. They are those of the font times this.
+/// height. They are the widths of our font times this factor.
 constexpr double kHaasWidth = 1.133;
 
 }  // namespace

@@ -153,7 +153,7 @@ PathMove MotionEmitter::path_move(const Motion& motion, const CornerSpec& corner
   return path;
 }
 
-// What a cut tells of its program and its tool. The motion gets its tool.
+// Notes what a cut shows of its program and its tool, and sets the tool of the motion.
 void MotionEmitter::note_cut(Motion& motion) {
   note_zero();
   check_length();

@@ -201,7 +201,7 @@ ProfileFault LevelCuts::run() {
   double level = tops_.back().y;
   for (std::size_t steps = 0; i < pieces_.size() && fault_.text.empty(); ++steps) {
     if (steps > kMostSteps || looks_ > kMostLooks) {
-      fail(i, "the contour and the passes over it are more than the cycle is read for");
+      fail(i, "the contour takes more passes than are read for a cycle");
       break;
     }
     if (level - kSameTurnPlace > at_.y) {

@@ -199,7 +199,8 @@ bool Statements::store(std::string_view name, std::span<const Value> indices, co
   return true;
 }
 
-// Reads the number of the variable that is set. What it is computed from decides which one changes.
+// Reads the number of the variable that is set. Variables in that number decide which variable
+// changes, so the loop watch does not take them for mere data.
 bool Statements::target_number(std::string_view line, std::size_t& p, double& out) {
   const DataReads way(reader_.watch(), false);
   return evaluator_.variable_number(line, p, out);

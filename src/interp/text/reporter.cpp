@@ -26,8 +26,8 @@ bool Reporter::seen(const std::string& key) {
 
 // Counts a finding. False: it, or enough of its kind, has been reported before.
 bool Reporter::is_told(Severity severity, const char* code, const SourcePlace& place, int call) {
-  // A subprogram that runs fifty times says everything once. What is told before the first jump
-  // may stand in a loop, too.
+  // A subprogram that runs fifty times says everything once. A finding before the first jump
+  // is remembered too: the jump may lead back to its block.
   const std::string key = fmt::format("{}:{}:{}:{}", code, place.file, place.line, place.column);
   const bool again = call >= 0 || repeating_;
   if (again && seen(key)) return false;

@@ -81,7 +81,7 @@ bool ContourCycles::counts_thousandths(std::string_view letters, double least) {
   return false;
 }
 
-// A computed value tells by its size alone what it counts: D[#1*1000].
+// A computed value, as in D[#1*1000], has no decimal point: a large one counts least increments.
 double ContourCycles::cycle_unit(const Word& word) {
   const double long_value = block_.turn_cycle == 73 ? kLongShift : kLongDepth;
   const bool computed = is_computed(word) && std::abs(word.value) >= long_value;

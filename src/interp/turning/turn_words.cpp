@@ -43,7 +43,7 @@ double TurnWords::least(const Word& word) const {
 }
 
 // A computed P or Q (P#1, P[#1*1000]) counts them, too, as FANUC allows no point there. Below 10
-// nobody means thousandths: it is a length, as controls have it that allow one.
+// it is a length, as on controls that allow a point: so few thousandths make no sense.
 double TurnWords::count(const Word& word) {
   if (!is_computed(word)) return least(word);
   if (std::abs(word.value) < kLeastCount) return word.value * scale();

@@ -51,7 +51,7 @@ void PlainModes::turn_polar(bool on, const Word& word) {
   if (on && modal_.incremental)
     reporter_.once(Severity::warning, "polar-pole",
                    "G16 in G91: a radius in G91 is read about the tool's place, all else about the "
-                   "zero; a control may keep the place of now as the pole, so write G16 in G90",
+                   "zero; a control may keep the present place as the pole, so write G16 in G90",
                    word, "pole");
   const Basis b = basis();
   const Vec3& at = position_.programmed;

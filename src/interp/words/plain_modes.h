@@ -10,7 +10,7 @@ class PlainModes : public ControlPart {
  public:
   explicit PlainModes(Control& control) : ControlPart(control) {}
 
-  /// False: the word is none of them.
+  /// Sets the mode that the word names. False: the word names no such mode.
   bool apply(Code code, const Word& word);
   /// Words that say what F and S mean. False: it is another word.
   bool apply_feed(Code code, const Word& word);

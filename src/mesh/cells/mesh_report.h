@@ -29,7 +29,7 @@ struct MeshReport {
                              ///< (docs/mesh.md, Volume); 0 without tolerance
   double memory = 0;       ///< bytes at the mesher's peak, estimated by its cells and triangles; 0
                            ///< without tolerance
-  std::string given_up;    ///< why there is no mesh within the tolerance; empty: there is
+  std::string given_up;    ///< why there is no mesh within the tolerance; empty: there is one
   std::size_t cells = 0;   ///< cells that the surface passes
   std::size_t passes = 0;  ///< rounds of splitting
   std::size_t triangles_before = 0;  ///< triangles before simplification

@@ -26,8 +26,8 @@ class NodeBudget {
 
   /// The octree is made; its surface is not drawn yet.
   void begin(std::size_t nodes) { first_ = static_cast<double>(nodes); }
-  /// Notes that the surface was drawn in so many nodes. Few of them count as more, so that cells
-  /// that fail again and again raise the tolerance in the end.
+  /// Notes that the surface was drawn in so many nodes. A round with few nodes counts as a larger
+  /// one, so that cells that fail again and again raise the tolerance in the end.
   void add_round(std::size_t nodes) {
     work_ += std::max(static_cast<double>(nodes), kFullRounds / kManyRounds * most_);
   }

@@ -21,7 +21,7 @@ constexpr std::size_t kMostHeld = 8;
 
 }  // namespace
 
-// Divides the first part, and those that come of it, the large ones first.
+// Divides the first part, then the parts that this makes, the larger ones first.
 void SurfaceLists::divide(const ExactField& field, const Box3& box, Parts& parts) {
   struct Place {
     Box3 box;

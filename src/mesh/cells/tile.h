@@ -1,9 +1,9 @@
 // One cube of the uniform grid: the same cells as an octree without larger or smaller ones would
 // have, in dense arrays that are used again for the next tile (docs/mesh.md, Tiles).
 //
-// A tile owns the edges that start in kOwned^3 of its cells. The rings about them, two cells wide,
-// are there so that every cell which an owned edge touches has all its crossings: what is computed
-// of it is what its own tile computes. Tiles follow each other by a multiple of the nodes that
+// A tile owns the edges that start in kOwned^3 of its cells. Two rings of cells lie about them,
+// so that a cell at an owned edge has all its crossings here, and this tile computes the same of it
+// as the tile that owns it. Tiles follow each other by a multiple of the nodes that
 // share lists, so that a cell has the same list in both but for rounding (common_lists.h).
 #pragma once
 

@@ -54,7 +54,7 @@ Corners sorted_corners(const TriMesh& mesh, std::uint32_t face) {
 }
 
 // Keeps the first of all faces with the same corners. A ray that meets one of them meets all of
-// them, so that thousands of bodies in one place would take thousands of times as long.
+// them: without this, thousands of bodies in one place would take thousands of times as long.
 std::vector<std::uint32_t> distinct_faces(const TriMesh& mesh) {
   struct FaceKey {
     std::uint64_t hash = 0;

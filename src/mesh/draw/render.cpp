@@ -46,7 +46,8 @@ void require_valid(const TriMesh& mesh, const RenderOptions& options) {
     for (const std::uint32_t v : t)
       if (v >= mesh.vertices.size() || !std::isfinite(mesh.vertices[v][0]) ||
           !std::isfinite(mesh.vertices[v][1]) || !std::isfinite(mesh.vertices[v][2]))
-        throw Error("mesh-invalid", "a triangle names a vertex that is not there, or no number");
+        throw Error("mesh-invalid",
+                    "a triangle has a vertex that is missing, or that has no finite place");
 }
 
 void require_picture_memory(const TriMesh& mesh, const RenderOptions& options) {

@@ -264,7 +264,7 @@ void ModelReader::open_tag() {
     build_.push_back(placement());
   } else if (tag == "model") {
     const auto unit = unit_in_mm(xml_.attribute("unit").value_or("millimeter"));
-    if (!unit) builder_.fail("unit", "its unit of length is none that 3MF knows");
+    if (!unit) builder_.fail("unit", "its unit of length is not one of 3MF's");
     unit_ = *unit;
   } else if (tag == "metadata") {
     metadata_ = xml_.attribute("name").value_or("");

@@ -13,16 +13,16 @@ namespace mrsim::detail {
 
 class ApartQueue {
  public:
-  /// Does nothing where it waits already.
+  /// Does nothing if the triangle is in the queue already.
   void push(std::uint32_t triangle) {
     if (triangle >= waits_.size()) waits_.resize(triangle + 1, 0);
     if (std::exchange(waits_[triangle], 1) == 0) queue_.push_back(triangle);
   }
   bool empty() const { return queue_.empty(); }
 
-  /// Takes those of the first triangles that have no corner in common, so that changing one of them
-  /// hardly ever changes another. The others keep their places. `corners`: of every triangle;
-  /// `vertices`: how many there are.
+  /// Takes triangles from the front of the queue, no two with a common corner, so that changing one
+  /// of them hardly ever changes another. The others keep their places. `corners`: of every
+  /// triangle; `vertices`: how many there are.
   std::vector<std::uint32_t> take(std::span<const std::array<std::uint32_t, 3>> corners,
                                   std::size_t vertices) {
     constexpr std::size_t kMost = 8192;  // triangles that are looked at

@@ -18,8 +18,9 @@ TriangleBound triangle_bound(FaceDistances& distances, const FieldSample& face, 
                              const Vec3& b, const Vec3& c, double limit);
 
 /// Largest |d| of the exact part at the nodes, where anything but `face` can decide it; stops early
-/// once it is above `limit`. Finds triangles that leave the face they are measured by. `cell`: any
-/// one, from which those of the nodes are looked for, faster where it is near; then the last one.
+/// once it is above `limit`. Finds triangles that leave the face they are measured by. `cell`: the
+/// search for the nodes' cells begins there (any cell; a near one is faster) and leaves the last
+/// one.
 double largest_distance(const ExactField& field, const CellOctree& tree, const FieldSample& face,
                         const Vec3& a, const Vec3& b, const Vec3& c, double limit,
                         std::int32_t& cell);

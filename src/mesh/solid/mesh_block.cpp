@@ -21,7 +21,7 @@ void append(std::vector<T>& all, std::span<const T> more, std::size_t expected) 
   all.insert(all.end(), more.begin(), more.end());
 }
 
-// Bytes that append() uses; where it takes a larger array, the old one counts as well.
+// Bytes that append() needs. If the array has to grow, the old one exists beside the new one.
 template <class T>
 std::size_t bytes_to_append(const std::vector<T>& all, std::span<const T> more) {
   const std::size_t in_all = all.size() + more.size();

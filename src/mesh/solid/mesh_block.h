@@ -12,9 +12,9 @@
 
 namespace mrsim {
 
-/// Some triangles of a mesh, one after another, with their vertices. Vertices are numbered through
-/// all blocks in the order in which they come; a block counts them on its own: first those that it
-/// borrows from earlier blocks, then its new ones.
+/// Some triangles of a mesh, one after another, with their vertices. Each vertex has a
+/// number in the whole mesh, in the order in which vertices come. Triangles of a block name them by
+/// their place in `points`: first those borrowed from earlier blocks, then the new ones.
 struct MeshBlock {
   std::span<const std::array<float, 3>> points;             ///< #borrowed + #new, mm
   std::span<const std::uint32_t> borrowed;                  ///< their numbers in the whole mesh

@@ -16,7 +16,7 @@ namespace mrsim {
 
 /// Makes `mesh` the boundary of a solid and says what was done ("12 triangles turned outwards"); ""
 /// and an untouched mesh where nothing was needed. Owners and colours are dropped with a repair.
-/// Throws what require_solid throws of what is left.
+/// Throws the errors of require_solid() for faults that are left after the repair.
 std::string make_solid(TriMesh& mesh, const std::string& name);
 
 /// Throws Error with a place: "mesh-crosses-itself" unless the surface is free of

@@ -39,10 +39,10 @@ class DualSurface {
   void refine(const Crossing& crossing, Detail detail) { crossings_.refine(crossing, detail); }
 
   /// Puts the vertices of these cells between their crossings from the next make_triangles() on:
-  /// pieces of surface in one cell hardly meet then, but creases in it are cut off. False where all
-  /// of them lie so.
+  /// pieces of surface in one cell hardly meet then, but creases in it are cut off. False: all
+  /// of them lie there already.
   bool flatten(std::span<const std::int32_t> cells) { return vertices_.flatten(cells); }
-  /// Does so for no others.
+  /// As flatten(), for these cells alone: all others get their usual vertices.
   void flatten_only(std::span<const std::int32_t> cells) { vertices_.flatten_only(cells); }
 
   /// Moves vertices to creases just beyond their cells and faces, as far as no triangles meet, and

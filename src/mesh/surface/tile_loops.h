@@ -1,6 +1,6 @@
-// Loops of a tile: the signs at a cell's corners tell all of them but for few cells, whose segments
-// are followed. Segments between crossings of one face of the part, which need no vertex, are left
-// out.
+// The loops of a tile. In most cells the signs at the corners tell the loops; in the few others the
+// segments are followed. Segments between crossings of one face of the part need no vertex and are
+// left out.
 #pragma once
 
 #include "mesh/cells/tile.h"

@@ -17,7 +17,7 @@ class KnownPoints {
  public:
   struct Result {
     SurfacePoint point, outside;
-    bool smooth = false;  ///< of creases: there is none
+    bool smooth = false;  ///< of a crease: the faces join smoothly there
   };
   const Result* find(std::uint64_t key) const {
     const std::int32_t i = ids_.find(key);
@@ -40,8 +40,8 @@ class VertexPlacer : public SurfaceStep {
   /// Fills creases and the points of loops.
   void place();
   /// Puts the vertices of these cells between their crossings from the next place() on: pieces of
-  /// surface in one cell hardly meet then, but creases in it are cut off. False where all of them
-  /// lie so.
+  /// surface in one cell hardly meet then, but creases in it are cut off. False: all of them
+  /// lie there already.
   bool flatten(std::span<const std::int32_t> cells);
   /// DualSurface::flatten_only().
   void flatten_only(std::span<const std::int32_t> cells) {

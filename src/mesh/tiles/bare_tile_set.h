@@ -12,8 +12,8 @@ namespace mrsim::detail {
 
 class BareTileSet {
  public:
-  /// Tiles without candidates, but for those about a tile that has a cell of `split` (voxels) with
-  /// its rings: that one is drawn cell by cell.
+  /// Finds the tiles without candidates. A tile that has a cell of `split` (voxels) in it or in its
+  /// rings is drawn cell by cell, so it and its neighbours are left out.
   void find(const TileSet& set, const std::vector<LatticePoint>& split);
   BareTiles about(const LatticePoint& place) const;
 

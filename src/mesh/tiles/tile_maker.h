@@ -48,8 +48,8 @@ class TileMaker {
             bool measure);
   ~TileMaker();
 
-  /// The mesh of a tile. `about`: the tiles about it that the stock alone decides. The same for
-  /// equal arguments, but for what `common` has of other tiles.
+  /// The mesh of a tile. `about`: the tiles about it that the stock alone decides. Equal
+  /// arguments give the same mesh, except where `common` holds lists from other tiles.
   TileMesh make(const Tile& tile, const MendedCells& mended, const BareTiles& about,
                 TileNotes& notes);
 

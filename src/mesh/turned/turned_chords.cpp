@@ -10,7 +10,7 @@ namespace mrsim::detail {
 namespace {
 
 constexpr double kLeastBend = 0.17;  ///< radians, nearly: what bends less is no corner
-constexpr double kChordAlong = 0.5;  ///< cosine between a chord and what it stands for, at least
+constexpr double kChordAlong = 0.5;  ///< least cosine between a chord and the pieces it replaces
 constexpr int kEvenSteps = 8;
 constexpr double kStraightWithin = 1e-7;  ///< mm
 

@@ -69,8 +69,9 @@ struct TracedSquare {
   std::vector<FoundThin> thin;
 };
 
-/// Follows the outline through a square, and through its quarters where it does not understand what
-/// it finds there; `height` as for turned_section(). Requires: `candidates` hold about the square.
+/// Follows the outline through a square, or through its quarters where the samples of the square do
+/// not fit a simple strand; `height` as for turned_section(). Requires: `candidates` hold about the
+/// square.
 TracedSquare trace_square(const ExactField& field, const HalfPlaneLattice& lattice,
                           const Square& square, std::span<const std::uint32_t> candidates,
                           double height);

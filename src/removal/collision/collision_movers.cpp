@@ -17,7 +17,7 @@
 namespace mrsim {
 namespace {
 
-// Bytes of each motion that may collide, beside its sweeps: itself, and what is found of it.
+// Bytes for each motion that may collide, without its sweeps: the motion and the results about it.
 constexpr double kChosen = sizeof(Motion) + 300;
 
 // How many motions back a retract looks for the cut it follows.

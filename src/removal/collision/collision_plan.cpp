@@ -118,8 +118,8 @@ void PlanSearch::take_cuts(std::span<const std::uint32_t> cuts) {
   }
 }
 
-// Where a plunge before it has cleared what it has below its widest place, a mover counts from
-// there.
+// If an earlier plunge has cleared the mover's nose, which is the part below its widest place, the
+// mover counts from its widest place up.
 void PlanSearch::lift_nose(Lifted& mover) const {
   const auto plunges = plunges_.find(place_of(mover.path));
   if (!mover.path.is_upright() || plunges == plunges_.end()) return;

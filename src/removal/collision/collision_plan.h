@@ -78,7 +78,8 @@ class PlanSearch {
   /// The movers that can be seen in plan, ascending; how many lowest heights they have.
   std::vector<std::uint32_t> movers() const;
   std::size_t heights() const;
-  /// The movers that can not, but for those that only touch the stock's top; ascending.
+  /// The movers that cannot be seen in plan, without those that only touch the stock's top;
+  /// ascending.
   const std::vector<std::uint32_t>& others() const { return others_; }
 
   /// Groups of some of movers() by their heights, one for each height or about `most` of them. A

@@ -8,7 +8,7 @@
 
 namespace mrsim {
 
-/// Sweeps of one form and one tool; what they have in common.
+/// What sweeps of one form and one tool have in common.
 struct SweepClass {
   /// Which kernel computes the distance: those of candidate_kernels.h for `strip`, `line` and
   /// `arc`, none (sweep by sweep) for `other`. `turn`: the list holds packs of the tree of turning

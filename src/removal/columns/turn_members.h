@@ -36,8 +36,8 @@ struct FacingMember {
 };
 using TurnSides = std::vector<ConvexPolygon::Side>;
 
-/// For points from (from, z) to (to, z). Appends to `sides` those of a polygon that can decide its
-/// distance there.
+/// For points from (from, z) to (to, z). Appends to `sides` the sides of the member's polygon that
+/// can decide its distance there.
 FacingMember facing(TurnRows turns, const TurnMember& member, double from, double to, double z,
                     TurnSides& sides);
 /// Does what the other least_of() does, to the same bits, for points of the stretch that `members`

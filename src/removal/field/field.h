@@ -120,9 +120,8 @@ class ExactField {
                        FieldSample* out) const {
     for (std::size_t k = 0; k < points.size(); ++k) out[k] = sample(points[k], candidates);
   }
-  /// out[k] = sample(points[k], candidates).distance, the same bits. `deciders`, where not null:
-  /// what decides each, one of the candidates, or a sweep that one of them stands for, or the
-  /// stock.
+  /// out[k] = sample(points[k], candidates).distance, the same bits. `deciders`, where not null,
+  /// gets what decides each: a candidate, a sweep of a candidate that is a pack, or kStockDecides.
   virtual void distances(std::span<const Vec3> points, std::span<const std::uint32_t> candidates,
                          double* out, std::uint32_t* deciders = nullptr) const {
     for (std::size_t k = 0; k < points.size(); ++k) {
@@ -170,7 +169,7 @@ class ExactField {
 
   /// Whether the stock before the first cut is a box with sides along the axes.
   virtual bool has_box_stock() const { return false; }
-  /// Those of a stock that is a mesh.
+  /// Figures of the facets of a stock that is a mesh; 0 for other stocks.
   virtual StockFacets facets() const { return {}; }
 
   /// A box that holds the whole part.

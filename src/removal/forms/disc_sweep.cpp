@@ -1,5 +1,5 @@
-// The tool is what a mill that reaches up and one that reaches down have in common: below the half
-// of its height its distance is that of the former, above it that of the latter. Along the path the
+// The tool is the intersection of a mill that reaches up and one that reaches down. In its lower
+// half its distance is that of the former, in its upper half that of the latter. Along the path the
 // tool passes p at one position. On one side of it the tool is higher, and falls towards that
 // position: the sweep of a mill that reaches up. On the other side the same holds upside down.
 #include "removal/forms/disc_sweep.h"

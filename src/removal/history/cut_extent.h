@@ -56,10 +56,11 @@ struct PlanBand {
   double left = 0, right = 0;
 };
 
-/// Along the unit vector `across` the part of a rectangle about the origin with these half sides
-/// that a straight side leaves: dot(out, u) + d <= 0. Requires: it leaves some of it.
+/// A straight line cuts a rectangle about the origin with these half sides; dot(out, u) + d <= 0
+/// holds on the side that stays. The extent of that side along the unit vector `across`. Requires:
+/// that side is not empty.
 PlanBand band_within(const Vec2& across, const Vec2& half, const Vec2& out, double d);
-/// The share of the rectangle that it leaves.
+/// The share of the rectangle's area on that side.
 double share_within(const Vec2& half, const Vec2& out, double d);
 
 /// What one motion removes, in its own directions.

@@ -176,9 +176,9 @@ void HeightWalker::visit(const Square& square, std::size_t tier, bool even) {
 }
 
 // The sweeps that can be record lows somewhere in the square: those whose bottom, somewhere, may
-// lie below the bottoms of all before them. Where extents are wanted a square is uneven, too, that
-// the wall of a sweep passes, whatever lies there in the end: the wall parts what this motion
-// removes from what a later one does.
+// lie below the bottoms of all before them. If extents are wanted, a square that the wall of
+// a sweep passes is uneven too, even where later sweeps remove that wall: it separates what this
+// motion removes from what a later one does.
 HeightWalker::Found HeightWalker::narrow(const Square& square, std::size_t tier) {
   const double r = 0.5 * length(square.side);
   double least = high_, most = high_;  // of the lowest bottom, in the whole square

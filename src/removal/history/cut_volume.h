@@ -14,8 +14,8 @@ namespace mrsim {
 
 struct CutVolume {
   CutLattice lattice;
-  /// Lattice coordinates of the first voxel, multiples of 8 in space; at least one layer of voxels
-  /// that are never there lies round the stock, but for the axis of a half plane.
+  /// Lattice coordinates of the first voxel, multiples of 8 in space; at least one layer of
+  /// kNeverThere voxels surrounds the stock, except at the axis of a half plane.
   std::array<std::int32_t, 3> first{};
   std::array<std::int32_t, 3> size{};  ///< voxels by axis; in the half plane size[1] is 1
   /// By voxel, z fastest, then y: index of the motion that removes it, kStillThere or kNeverThere.

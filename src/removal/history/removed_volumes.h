@@ -28,8 +28,8 @@ struct CutExtents {
 
 /// mm^3 by motion, 0 for those that remove nothing; the same bits on any number of threads.
 /// Requires: lattice.voxel > 0, all motions of the field below `motions`. Throws Error "memory",
-/// "cancelled". `sink`, where given, takes the voxels of the stock from several threads at once,
-/// each of them others. With `extents` no sink.
+/// "cancelled". `sink`, where given, takes each voxel of the stock once, from several threads at
+/// the same time. Only one of `sink` and `extents` may be given.
 std::vector<double> removed_volumes(const PartField& field, const CutLattice& lattice,
                                     std::size_t motions, int threads, CutSink* sink = nullptr,
                                     const Progress& progress = {}, CutExtents* extents = nullptr);

@@ -14,7 +14,7 @@ bool goes_to_chuck(const Motion& m) { return m.end.z < m.start.z - kSameHeight; 
 
 bool is_level_feed(const Motion& m) { return std::fabs(m.end.z - m.start.z) < kSameHeight; }
 
-// A cut at one Z that comes to the axis, or to what is drilled around it.
+// A cut at one Z that reaches the axis, or the hole that has been drilled around it.
 bool faces_to_axis(const Motion& m, double drilled) {
   const double least = std::min(std::fabs(m.start.x), std::fabs(m.end.x));
   const bool meets = m.start.x * m.end.x < 0 || least < drilled + kLeastMargin;

@@ -267,7 +267,7 @@ struct Guesses {
 };
 
 // The Z that the cuts count from: the program's zero, or where the bar begins far in front of that.
-// `ways`: what is to be told of it.
+// `ways`: where tools begin to cut, for the report; reset if a face in front of that decides.
 double origin_of(std::span<const Motion> motions, std::span<const Tool> tools, double zero,
                  FarWays& ways) {
   const TurnedCuts cuts = turned_cuts(motions, tools, link_moves(motions, zero, true), zero);

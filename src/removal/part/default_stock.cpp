@@ -23,7 +23,7 @@ struct Heights {
   double first = kNoHeight;       // where the first cut begins
   double lateral = kNoHeight;     // highest end of a cut aside, below the approach
   double lowest = -kNoHeight;     // and the lowest
-  double entered = kNoHeight;     // highest of them but for ways into the material and out
+  double entered = kNoHeight;     // highest such end that is no way into or out of the material
   double hole_mouth = kNoHeight;  // highest beginning of a plunge
   double hole_end = kNoHeight;    // highest bottom of a hole
   double deepest = -kNoHeight;    // lowest end of any cut

@@ -1,4 +1,5 @@
-// StockRecipe as bytes and back, little endian, every count checked against what is there.
+// Turns a StockRecipe into bytes (little endian) and back. Every count is checked against the bytes
+// that are there.
 #pragma once
 
 #include "removal/part/stock_file.h"

@@ -16,7 +16,7 @@ namespace {
 
 constexpr double kVoxelsOfRadius = 8;  // of the smallest cutter, at least
 
-// Sweeps that can decide d at p: those of its block, or all where there is none.
+// The sweeps that can decide d at p: those of the block that holds p, or all where no block does.
 Candidates candidates_at(const StockGrid& grid, const Vec3& p) {
   const std::size_t block = grid.index->find(p);
   if (block == grid.index->size()) return grid.field->all();

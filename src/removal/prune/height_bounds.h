@@ -28,7 +28,7 @@ class HeightBounds {
 
   /// Whether the whole region lies deeper than the band in one sweep.
   bool is_swept() const { return least_ < swept_; }
-  /// A sweep whose height is above this limit everywhere cannot decide anything that is wanted.
+  /// A sweep whose height is above this limit everywhere decides d nowhere within the band.
   float limit() const;
 
  private:

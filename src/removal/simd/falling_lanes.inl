@@ -6,8 +6,8 @@
 // (docs/sweeps.md).
 //
 // For one point (V = double) or several; included once per instruction set after sweep_lanes.inl.
-// What a lane does depends on its point alone: a mask says which lanes are wanted, and others keep
-// what they have.
+// The result of a lane depends on its point alone. A mask says which lanes to compute; the others
+// keep their values.
 
 /// A position on a stretch: its parameter, dr and dz there, and their slopes.
 struct Place {

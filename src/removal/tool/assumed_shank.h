@@ -1,5 +1,5 @@
-// What stands above a cutter that ends (flutes of a given length, the head of a T-slot mill), where
-// nobody gives a shank: it must stop somewhere, and an unknown shank still breaks in material.
+// The shank that is assumed above a cutter that ends (flutes of a given length, the head of a
+// T-slot mill) where none is given: every real tool has one, and it breaks in material.
 #pragma once
 
 #include <mrsim/types.h>

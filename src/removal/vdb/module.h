@@ -12,14 +12,14 @@
 
 namespace mrsim {
 
-/// sample_voxels; the caller owns what it gives.
+/// Calls sample_voxels(). The caller owns the grid that is returned.
 using SampleVoxels = VoxelGrid*(const PartField& field, const BlockIndex& index, double voxel,
                                 const CarvePlan& options);
 
-/// read_level_set into `found`.
+/// Calls read_level_set() and stores the surface in `found`.
 using ReadLevelSet = void(const std::string& path, LevelSetSurface& found);
 
-/// find_rest_voxels into `found`.
+/// Calls find_rest_voxels() and stores the pieces in `found`.
 using FindRest = void(const RestTask& task, std::vector<RestVoxels>& found);
 
 /// Names under which the module shows them. The number is raised when a function or a class that it

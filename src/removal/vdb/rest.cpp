@@ -18,8 +18,8 @@ namespace {
 
 // Each piece has a tree of its own for a while. OpenVDB's usual one takes 300 kB where it holds a
 // single voxel, and there may be ten thousand pieces; in this one the nodes above the leaves are
-// small. Grids that there is one of are OpenVDB's usual ones, whose functions are compiled in its
-// library.
+// small. Grids of which there is only one have OpenVDB's usual type, whose functions are compiled
+// in its library.
 using SmallGrid = openvdb::Grid<openvdb::tree::Tree3<float, 3, 3>::Type>;
 using openvdb::FloatGrid;
 

@@ -29,7 +29,7 @@ struct CutPieces {
   std::vector<Motion> motions;
   std::vector<std::size_t> first;  ///< #motions of the list + 1: first piece of each, and the end
 
-  /// The pieces, where the motions of the list are whole, too.
+  /// The pieces; the motions of the list where none is divided.
   std::span<const Motion> of(const CutList& cuts) const {
     return motions.empty() ? cuts.motions() : std::span<const Motion>(motions);
   }
@@ -41,8 +41,8 @@ double length_of(const Motion& motion);
 /// Number of pieces of one motion, at least 1. `voxel` in mm.
 int pieces_of(const Motion& motion, const Tool& tool, double voxel, const PieceRule& rule);
 
-/// The shortest pieces of which there are not too many, as the voxel (mm, `voxel` times a power of
-/// two) that gives them. Infinite where the motions alone are too many.
+/// The smallest voxel (mm, `voxel` times a power of two) by which the motions are not divided into
+/// too many pieces. Infinite where the motions alone are too many.
 double piece_voxel(const CutList& cuts, double voxel, const PieceRule& rule);
 
 /// With an infinite voxel each motion is a piece of its own: `motions` is then empty.

@@ -37,7 +37,7 @@ class CutList {
   std::size_t inherited_;
 };
 
-/// What these owners of faces, ascending, stand for.
+/// The file, line and tool of each of these owners of faces. Requires: `owners` ascend.
 OwnerTable owner_table(const std::vector<std::int32_t>& owners, const CutList& cuts);
 
 }  // namespace mrsim

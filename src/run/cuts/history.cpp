@@ -114,7 +114,8 @@ double columns_of(const Motion& m, const Tool& tool) {
   return m.kind == MotionKind::arc && !is_level ? kSearchedColumns : kHeadColumns;
 }
 
-// mm, of a history by voxels that may evaluate some `columns`. Pieces are those of `rule_voxel`.
+// The voxel (mm) of a history by voxels that evaluates about so many columns. `rule_voxel` divides
+// the motions into pieces.
 double affordable_voxel(const CutList& cuts, double rule_voxel, double columns) {
   double area = 0, count = 0;
   for (const Motion& motion : cuts.motions()) {
@@ -199,7 +200,8 @@ void sum_pieces(const CutPieces& pieces, const std::vector<double>& removed,
   }
 }
 
-// A thread is not cut into the part, but its passes are no air: nothing is known of what they do.
+// The part has no threads, but passes that cut a thread are not air cuts: what they remove is not
+// known.
 void leave_out_threads(const CutList& cuts, History& history) {
   for (std::size_t i = 0; i < history.air.size(); ++i) {
     if (!is_thread_pass(cuts.motions()[cuts.inherited() + i], cuts.tools())) continue;
@@ -248,9 +250,9 @@ std::vector<CutFrame> frames_of(std::span<const Motion> motions, std::span<const
   return frames;
 }
 
-// mm^2 in plan that a plunge clears: the share of its circle is that of the mm^3 which it would
-// remove in full material, as voxels do not tell which of them lie above each other. Simpson's rule
-// is exact for flat mills, balls and cones.
+// mm^2 in plan that a plunge clears. Voxels do not tell which of them lie above each other, so the
+// cleared share of the circle is taken to be the removed share of the volume in full material.
+// Simpson's rule is exact for flat mills, balls and cones.
 double cleared_area(double removed, const Motion& plunge, const CutExtent& extent,
                     const Profile& mill) {
   const double depth = extent.high - extent.low, way = std::min(length_of(plunge), depth);

@@ -68,7 +68,7 @@ struct PreparedFiles::Files {
   std::vector<SideFile> last;
   bool hash_files = false;
 
-  // Makes one that is no mesh.
+  // Writes the draft of a file that is not a mesh.
   void make(const SideFile& side, JobResult& result) {
     DraftFile& draft = *drafts.emplace_back(std::make_unique<DraftFile>(side.file.path));
     side.write(result, draft.sink());

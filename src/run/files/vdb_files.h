@@ -17,10 +17,10 @@ struct VdbContent {
   std::string accuracy;  ///< of the surface, and why it takes the recipe's place
 };
 
-/// Reads the file; OpenVDB in a process of its own, within limits of time and memory, and only
-/// where the voxels are needed: another program made them, or has written them again, and then its
-/// voxels count should they have changed. Throws Error "vdb-unreadable", "vdb-damaged",
-/// "vdb-version", "vdb-module".
+/// Reads the file. Its voxels are read only where another program has made the file, or has written
+/// it again: then they count if they have changed. OpenVDB reads them in a process of its own,
+/// within limits of time and memory. Throws Error "vdb-unreadable", "vdb-damaged", "vdb-version",
+/// "vdb-module".
 VdbContent read_vdb_file(const std::string& path);
 
 }  // namespace mrsim

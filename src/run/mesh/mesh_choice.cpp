@@ -110,8 +110,8 @@ double sweeps_met(const detail::SurfaceSurvey& survey) {
   return static_cast<double>(survey.blocks) * (1 + survey.sweeps);
 }
 
-// Whether a mesh within the tolerance is worth a try. What it takes is known once its octree is
-// made.
+// Whether a mesh within the tolerance is worth a try. Its true cost is known only when its octree
+// is made.
 bool may_suit_tolerance(const detail::SurfaceSurvey& survey, const MeshChoice& choice) {
   if (choice.kinds.search_arcs && sweeps_met(survey) > kMostSearched) return false;
   if (survey.sweeps > kFewSweeps && sweeps_met(survey) > kMostSweeps) return false;
@@ -158,7 +158,7 @@ double stock_nodes(const StockFacets& facets, double tolerance) {
   return kBendNodes * std::min(facets.bend / (8 * tolerance), facets.edges);
 }
 
-// `cell`: the one that is wished for, mm.
+// `cell`: the wanted edge of a cell, mm.
 void fit_voxel(const detail::SurfaceSurvey& survey, double cell, const StockFacets& facets,
                MeshChoice& choice) {
   double& grid = choice.fallback_voxel;

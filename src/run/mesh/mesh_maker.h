@@ -19,7 +19,7 @@ namespace mrsim {
 /// short; empty: it can.
 std::string no_slabs(const Job& job, double tolerance);
 
-/// The mesh while it is made. `choice` says in the end what it is.
+/// Makes the mesh of a run. In the end `choice` holds the voxel and the tolerance of that mesh.
 class MeshMaker {
  public:
   /// `next` takes the blocks too. `threads`: of what is done with a block while others are made.

@@ -14,7 +14,7 @@ MeshStore::MeshStore(const std::optional<std::string>& folder, double room, int 
 
 void MeshStore::take(const MeshBlock& block) {
   is_full_ = !spilled_ && static_cast<double>(collector_.bytes_with(block)) > room_;
-  if (is_full_) throw Error("memory", "the mesh takes more than it was expected to");
+  if (is_full_) throw Error("memory", "the mesh takes more memory than was expected");
   ++blocks_;
   audit_.take(block);
   owners_.add(block.owners);
