@@ -3,14 +3,10 @@
 
 #include <sstream>
 
-#include <nlohmann/json.hpp>
-
 namespace mrsim {
 namespace {
 
 using namespace mrsim::testing;
-
-using Json = nlohmann::json;
 
 class Compare : public CliTest {
  protected:

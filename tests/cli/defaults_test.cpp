@@ -4,14 +4,10 @@
 #include <cmath>
 #include <string>
 
-#include <nlohmann/json.hpp>
-
 namespace mrsim {
 namespace {
 
 using namespace mrsim::testing;
-
-using Json = nlohmann::json;
 
 class Defaults : public CliTest {
  protected:

@@ -5,14 +5,10 @@
 #include <sstream>
 #include <string>
 
-#include <nlohmann/json.hpp>
-
 namespace mrsim {
 namespace {
 
 using namespace mrsim::testing;
-
-using Json = nlohmann::json;
 
 class HistoryOfRun : public CliTest {
  protected:

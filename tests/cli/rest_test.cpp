@@ -7,14 +7,11 @@
 #include <utility>
 #include <vector>
 
-#include <nlohmann/json.hpp>
-
 namespace mrsim {
 namespace {
 
 using namespace mrsim::testing;
 
-using Json = nlohmann::json;
 using Polygon = std::vector<std::pair<double, double>>;
 
 class Rest : public CliTest {

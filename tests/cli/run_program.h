@@ -1,17 +1,22 @@
 // Runs the built program as a user does, in a folder of its own.
 #pragma once
 
+#include "support/json_schema.h"
 #include "support/temp_folder.h"
 
 #include <filesystem>
 #include <fstream>
 #include <iterator>
+#include <sstream>
 #include <string>
 
 #include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
 #include <sys/wait.h>
 
 namespace mrsim::testing {
+
+using Json = nlohmann::json;
 
 #if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
 inline constexpr bool kIsPlain = false;  // a sanitizer's shadow is memory as well
@@ -67,13 +72,20 @@ class CliTest : public TempFolderTest {
     for (const auto& entry : std::filesystem::directory_iterator(folder_))
       EXPECT_FALSE(entry.path().filename().string().starts_with(".mrsim-")) << entry.path();
   }
-  /// `name` fits docs/schema/`schema`.json.
-  void expect_valid(const std::string& schema, const std::string& name, const char* lines = "") {
-    const std::string root = MRSIM_DATA_DIR "/..";
-    const std::string command = "python3 '" + root + "/scripts/check_schema.py' " + lines + " '" +
-                                root + "/docs/schema/" + schema + ".json' '" +
-                                (folder_ / name).string() + "'";
-    EXPECT_EQ(std::system(command.c_str()), 0) << read(name).substr(0, 2000);
+  /// The file fits docs/schema/`schema`.json; with `is_lines`, each of its lines does.
+  void expect_valid(const std::string& schema, const std::string& name, bool is_lines = false) {
+    const JsonSchema checked(
+        Json::parse(contents(MRSIM_DATA_DIR "/../docs/schema/" + schema + ".json")));
+    std::istringstream lines(read(name));
+    std::string value;
+    std::size_t count = 0;
+    while (std::getline(lines, value, is_lines ? '\n' : '\0')) {
+      ++count;
+      const Json parsed = Json::parse(value, nullptr, false);
+      ASSERT_FALSE(parsed.is_discarded()) << value.substr(0, 2000);
+      for (const std::string& fault : checked.faults(parsed)) ADD_FAILURE() << fault;
+    }
+    EXPECT_GT(count, 0U) << name;
   }
 };
 

@@ -10,14 +10,10 @@
 #include <utility>
 #include <vector>
 
-#include <nlohmann/json.hpp>
-
 namespace mrsim {
 namespace {
 
 using namespace mrsim::testing;
-
-using Json = nlohmann::json;
 
 using Corner = std::vector<double>;
 struct Facets {

@@ -21,7 +21,7 @@ namespace {
 
 using namespace mrsim::testing;
 
-constexpr unsigned kPrograms = 600, kBatch = 50;
+constexpr unsigned kPrograms = 360, kBatch = 30;
 
 class Generator {
  public:
