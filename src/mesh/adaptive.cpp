@@ -1,9 +1,11 @@
 #include "mesh/adaptive.h"
 
 #include "core/process/error.h"
+#include "core/process/memory_limit.h"
 #include "core/process/parallel.h"
 #include "mesh/cells/cell_halvings.h"
 #include "mesh/cells/flat_map.h"
+#include "mesh/cells/lost_cells.h"
 #include "mesh/cells/mesh_memory.h"
 #include "mesh/cells/node_budget.h"
 #include "mesh/cells/step_timer.h"
@@ -12,7 +14,7 @@
 #include "mesh/simplify/mesh_certifier.h"
 #include "mesh/simplify/owner_borders.h"
 #include "mesh/simplify/simplify_apart.h"
-#include "mesh/solid/self_intersection.h"
+#include "mesh/surface/crossed_cells.h"
 #include "mesh/surface/dual_surface.h"
 
 #include <algorithm>
@@ -30,8 +32,10 @@ using detail::CellOctree;
 using detail::Detail;
 using detail::DualSurface;
 using detail::FailedTriangles;
+using detail::FoundThin;
 using detail::LabelledMesh;
 using detail::Lattice;
+using detail::NodeBudget;
 using detail::StepTimer;
 
 constexpr double kBorderShare = 1.0 / 8;  ///< of the voxel, for borders between owners
@@ -42,6 +46,10 @@ constexpr std::size_t kCarefulRounds = 4;  ///< of splitting, by one step each
 constexpr int kLateSteps = 3;              ///< of splitting in one round after those
 constexpr double kMostDrawn = 0.4;         ///< share of loops up to which only these are drawn anew
 constexpr std::size_t kDrawnRounds = 8;    ///< in which more detail may take the place of splitting
+constexpr int kLostRounds = 3;             ///< of splitting cells about walls that were lost
+constexpr double kMostLostNodes = 400'000;  ///< that may be added for these
+constexpr double kLostNodeMemory = 1500;    ///< bytes that each of them takes in the end
+constexpr double kLostShare = 0.5;  ///< of the nodes that are left where a grid may take its place
 
 class AdaptiveMesher {
  public:
@@ -56,11 +64,7 @@ class AdaptiveMesher {
         timer_(report, options.progress),
         tree_(field, lattice, tolerance, options.threads,
               {options.max_memory, static_cast<std::size_t>(budget_.most())}),
-        surface_(std::in_place, field, tree_,
-                 DualSurface::Options{.shallow = tolerance / 8,
-                                      .sharpen = true,
-                                      .remember = true,
-                                      .threads = options.threads}) {
+        surface_(std::in_place, field, tree_, surface_options()) {
     timer_.step("tree");
   }
 
@@ -74,6 +78,11 @@ class AdaptiveMesher {
   }
 
  private:
+  DualSurface::Options surface_options() const {
+    return {
+        .shallow = tolerance_ / 8, .sharpen = true, .remember = true, .threads = options_.threads};
+  }
+
   // Bytes so far, an estimate.
   double taken() const {
     return most_loops_ > 0 ? detail::memory_of_mesh(tree_, surface_->mesh().triangles.size())
@@ -94,6 +103,16 @@ class AdaptiveMesher {
       find_topology();
     detail::require_cells(budget_.nodes_after_first(0, tree_.size()), budget_.most());
     make_triangles();
+    mend_all();
+    TriMesh out = finished();
+    for (int k = 0; k < kLostRounds && !lost_.empty(); ++k)
+      if (!find_lost(out)) break;
+    report_.thin = detail::distinct(lost_);
+    return out;
+  }
+
+  // Splits cells until all triangles are within the tolerance.
+  void mend_all() {
     while (mend_failed() || !is_whole_) {
       if (options_.most_nodes > 0 && report_.passes >= kMostRounds)
         throw Error("mesh-unresolved", "cells were split too many times");
@@ -101,6 +120,10 @@ class AdaptiveMesher {
       find_topology();
       make_triangles();
     }
+  }
+
+  // The mesh of the surface, simplified, and what it has lost. The surface is gone then.
+  TriMesh finished() {
     LabelledMesh mesh = detail::labelled_mesh(*surface_);
     detail::drop_unused_vertices(mesh);
     report_.cells = surface_->loops().size();
@@ -110,7 +133,8 @@ class AdaptiveMesher {
     mesh = detail::cut_owner_borders(field_, tree_, mesh, border_room(), options_.threads);
     timer_.step("borders");
     report_.triangles_before = mesh.triangles.size();
-    report_.memory = detail::memory_of_mesh(tree_, report_.triangles_before);
+    report_.memory =
+        std::max(report_.memory, detail::memory_of_mesh(tree_, report_.triangles_before));
     mesh = simplified(mesh);
     const detail::MeshCertifier::Total total = certifier().total(mesh);
     report_.tolerance = tolerance_;
@@ -119,10 +143,52 @@ class AdaptiveMesher {
     report_.volume_excess = certifier().volume_excess(mesh);
     timer_.step("certify");
     TriMesh out = detail::to_tri_mesh(mesh);
-    report_.thin = detail::distinct(detail::lost_features(field_, tree_, tree_.doubtful_edges(),
-                                                          out, tolerance_, options_.threads));
+    lost_ = detail::lost_features(field_, tree_, tree_.doubtful_edges(), out, tolerance_,
+                                  options_.threads);
     timer_.step("thin");
     return out;
+  }
+
+  // Makes the mesh once more, on smaller cells about what it has lost. False: there is no room for
+  // them, or a mesh on them takes too much, and `mesh` stays as it is.
+  bool find_lost(TriMesh& mesh) {
+    MeshReport before = report_;
+    const std::vector<FoundThin> lost = lost_;
+    try {
+      if (detail::split_lost(tree_, lost, tolerance_, room_for_lost()) == 0) return false;
+      timer_.step("tree");
+      budget_ = NodeBudget(options_.most_nodes, tolerance_, false);
+      redrawn_.clear(), measured_nodes_ = 0, is_whole_ = true;
+      surface_.emplace(field_, tree_, surface_options());
+      tree_.mark_drawn();
+      find_topology();
+      make_triangles();
+      mend_all();
+      mesh = finished();
+      return true;
+    } catch (const Error& error) {
+      if (error.code() != "mesh-unresolved" && error.code() != "memory") throw;
+      if (surface_)
+        before.memory =
+            std::max(before.memory, detail::memory_of_loops(tree_, surface_->loops().size()));
+      surface_.reset();
+      before.seconds = report_.seconds;
+      report_ = std::move(before);
+      lost_ = lost;
+      return false;
+    }
+  }
+
+  // Nodes that may be added about what is lost.
+  double room_for_lost() const {
+    double room = std::min(kMostLostNodes, memory_left() / kLostNodeMemory);
+    if (options_.max_memory > 0)
+      room = std::min(
+          room, (static_cast<double>(options_.max_memory) - report_.memory) / kLostNodeMemory);
+    if (options_.most_nodes > 0)
+      room = std::min(room, kLostShare * (static_cast<double>(options_.most_nodes) -
+                                          static_cast<double>(tree_.size())));
+    return room;
   }
 
   // Leaves that were made, or are to be drawn more finely, since triangles were measured last.
@@ -168,7 +234,8 @@ class AdaptiveMesher {
       most_loops_ = loops;
       surface_->make_triangles();
       timer_.step("surface");
-      const std::vector<std::int32_t> bad = crossed_cells();
+      const std::vector<std::int32_t> bad =
+          detail::crossed_cells(*surface_, tree_.size(), options_.threads);
       timer_.step("check");
       if (bad.empty()) {
         require_room(detail::kSharpenMemory);
@@ -186,29 +253,6 @@ class AdaptiveMesher {
   void require_room(double bytes_of_a_triangle) const {
     const auto triangles = static_cast<double>(surface_->mesh().triangles.size());
     detail::require_room(bytes_of_a_triangle * triangles);
-  }
-
-  // Only cells with more than one loop can hold triangles that meet (docs/mesh.md, Surface).
-  std::vector<std::int32_t> crossed_cells() const {
-    if (surface_->crowded().empty()) return {};
-    std::vector<char> is_crowded(tree_.size(), 0);
-    for (const std::int32_t c : surface_->crowded()) is_crowded[static_cast<std::size_t>(c)] = 1;
-    const BaseMesh& mesh = surface_->mesh();
-    const auto crowded_cell = [&](std::uint32_t v) {
-      if (v >= surface_->loops().size()) return -1;
-      const std::int32_t c = surface_->loops()[v].cell;
-      return is_crowded[static_cast<std::size_t>(c)] ? c : -1;
-    };
-    std::vector<std::array<std::uint32_t, 3>> some;
-    for (const auto& t : mesh.triangles)
-      if (crowded_cell(t[0]) >= 0 || crowded_cell(t[1]) >= 0 || crowded_cell(t[2]) >= 0)
-        some.push_back(t);
-    std::vector<std::int32_t> bad;
-    for (const auto& [i, j] : detail::self_intersections(mesh.vertices, some, options_.threads))
-      for (const std::uint32_t k : {i, j})
-        for (const std::uint32_t v : some[k])
-          if (crowded_cell(v) >= 0) bad.push_back(crowded_cell(v));
-    return bad;
   }
 
   FailedTriangles find_failures() const {
@@ -278,7 +322,7 @@ class AdaptiveMesher {
   std::size_t split(std::vector<std::int32_t> cells) {
     const bool goes_on = report_.passes > kCarefulRounds;
     const auto failed = static_cast<double>(cells.size());
-    const double few = detail::NodeBudget::few(tree_.size());
+    const double few = NodeBudget::few(tree_.size());
     const double later = goes_on ? 8 * (kLateSteps - 1) * few : 0;
     detail::require_room(detail::kSplitMemory * (8 * failed + later));
     few_failed_ = is_few(cells.size());
@@ -288,7 +332,7 @@ class AdaptiveMesher {
       tree_.split(std::vector<std::int32_t>(tree_.new_leaves()));
     return count;
   }
-  bool is_few(std::size_t cells) const { return detail::NodeBudget::is_few(cells, tree_.size()); }
+  bool is_few(std::size_t cells) const { return NodeBudget::is_few(cells, tree_.size()); }
 
   detail::MeshCertifier certifier() const { return {field_, tree_, tolerance_, options_.threads}; }
 
@@ -313,7 +357,7 @@ class AdaptiveMesher {
   const ExactField& field_;
   const MeshPlan& options_;
   double tolerance_;  ///< mm
-  detail::NodeBudget budget_;
+  NodeBudget budget_;
   MeshReport& report_;
   StepTimer timer_;
   CellOctree tree_;
@@ -323,6 +367,7 @@ class AdaptiveMesher {
   std::vector<std::int32_t> redrawn_;   ///< cells, about what is drawn more finely since
   bool few_failed_ = true;              ///< cells in the round before
   std::optional<DualSurface> surface_;  ///< until its triangles are final
+  std::vector<FoundThin> lost_;         ///< of the mesh that was finished last
   detail::FlatMap passed_;              ///< by hashes of triangles within the tolerance
 };
 
@@ -347,8 +392,7 @@ std::optional<TriMesh> adaptive_mesh(const ExactField& field, double voxel, cons
       // Once the surface is drawn, the tolerance is raised without another octree.
       const bool may_retry = options.makes_new_octrees && has_no_mesh && report.passes == 0;
       report = {};
-      if (may_retry &&
-          2 * tolerance <= detail::NodeBudget::kRaisedForNodes * options.most_tolerance)
+      if (may_retry && 2 * tolerance <= NodeBudget::kRaisedForNodes * options.most_tolerance)
         continue;
       report.memory = memory;
       report.given_up = error.what();

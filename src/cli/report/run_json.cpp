@@ -147,9 +147,9 @@ Json mesh_json(const JobResult& r) {
           {"reduced", reduction_json(r.reduction)}};
 }
 
-// All are counted, the first hundred are named.
+// All are counted, the first ten thousand are named.
 Json thin_json(const JobResult& r) {
-  constexpr std::size_t kMostNamed = 100;
+  constexpr std::size_t kMostNamed = 10'000;
   Json places = Json::array();
   for (std::size_t i = 0; i < std::min(r.thin.size(), kMostNamed); ++i) {
     const ThinPlace& thin = r.thin[i];
