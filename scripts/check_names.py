@@ -1,12 +1,14 @@
 #!/usr/bin/env python3
-"""No two sources that are compiled together have an anonymous name in common, and no two classes or constants of the library one name.
+"""No two sources that are compiled together have an anonymous name in common, and no two classes or constants of the library one name; tests of threads say so.
 
 Builds with MRSIM_UNITY join sources in groups, in which two equal names are one definition too many. Which sources share a
 group changes with each new file, so an ordinary build does not show it. Configures such a build in a temporary folder (some
-seconds) and reads its groups, compiles nothing. Exit 1 and one line a breach.
+seconds) and reads its groups, compiles nothing. The preset tsan finds its tests by their names: those of the stages that run something on
+several numbers of threads must have one that it finds. Exit 1 and one line a breach.
 """
 
 import collections
+import json
 import pathlib
 import re
 import subprocess
@@ -20,6 +22,8 @@ ALIAS = re.compile(r"^using (\w+) = (.*)")
 VALUE = re.compile(r"^(?:inline |static |thread_local |constexpr |constinit |const )+[\w:<>,&* ]*?(\w+)(?:\[\w*\])* *(?:=|\{|;)")
 MORE = re.compile(r", *(k[A-Z]\w*) *(?:=|\{)")
 FUNCTION = re.compile(r"^[\w:<>,&*~\[\] ]+?[ &*](\w+)\((.*)$")
+TEST_BODY = re.compile(r"^TEST(?:_[FP])?\((\w+), (\w+)\) \{(.*?)^\}", re.M | re.S)
+THREADS = re.compile(r"\bfor \([\w: ]*\bthreads : ")
 TEST = re.compile(r"^(?:TEST|TEST_P|TEST_F)\((\w+, \w+)\)")
 
 
@@ -132,8 +136,26 @@ def check_classes():
     return not seen or faults > 0
 
 
+def check_threads():
+    """The tests that ThreadSanitizer is for, and those of them that the filter of its preset would leave out."""
+    presets = json.loads((ROOT / "CMakePresets.json").read_text())["testPresets"]
+    found = next(re.compile(preset["filter"]["include"]["name"]) for preset in presets if preset["name"] == "tsan")
+    count = faults = 0
+    for stage in ("core", "removal", "mesh", "compare"):
+        for path in sorted((ROOT / "tests" / stage).glob("*_test.cpp")):
+            for suite, test, body in TEST_BODY.findall(path.read_text()):
+                if THREADS.search(body):
+                    count += 1
+                    if not found.search(f"{suite}.{test}"):
+                        faults += 1
+                        print(f"{path.relative_to(ROOT)}: {suite}.{test} is not found by the preset tsan ({found.pattern})")
+    print(f"{count} tests run on several numbers of threads, {faults} are not found by the preset tsan")
+    return count == 0 or faults > 0
+
+
 def main():
     twice = check_classes()
+    twice = check_threads() or twice
     with tempfile.TemporaryDirectory() as build:
         subprocess.run(["cmake", "--preset", "ci", "-B", build], cwd=ROOT, check=True, stdout=subprocess.DEVNULL)
         return check(build) or twice

@@ -11,7 +11,7 @@
 namespace mrsim {
 namespace {
 
-TEST(MakeInOrder, TakesEachPartOnceInItsOrder) {
+TEST(MakeInOrderOnThreads, TakesEachPartOnceInItsOrder) {
   for (const int threads : {1, 2, 7})
     for (const std::size_t count : {0u, 1u, 2u, 7u, 8u, 100u})
       for (const std::size_t together : {1u, 3u, 16u}) {
@@ -25,7 +25,7 @@ TEST(MakeInOrder, TakesEachPartOnceInItsOrder) {
 }
 
 // Parts of very different length, some of them waiting for their turn: no more than told are there.
-TEST(MakeInOrder, KeepsFewParts) {
+TEST(MakeInOrderOnThreads, KeepsFewParts) {
   for (const int threads : {1, 2, 7})
     for (const std::size_t together : {1u, 5u}) {
       std::atomic<int> there{0}, most{0};
@@ -44,7 +44,7 @@ TEST(MakeInOrder, KeepsFewParts) {
     }
 }
 
-TEST(MakeInOrder, EndsWhenTakingFails) {
+TEST(MakeInOrderOnThreads, EndsWhenTakingFails) {
   for (const int threads : {1, 2, 7})
     EXPECT_THROW(make_in_order(
                      100, threads, [](std::size_t k) { return k; },
@@ -55,7 +55,7 @@ TEST(MakeInOrder, EndsWhenTakingFails) {
                  std::runtime_error);
 }
 
-TEST(MakeInOrder, ThrowsWhatTheFirstPartAtFaultThrows) {
+TEST(MakeInOrderOnThreads, ThrowsWhatTheFirstPartAtFaultThrows) {
   for (const int threads : {1, 2, 7}) {
     std::size_t taken = 0;
     try {

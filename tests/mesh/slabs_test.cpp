@@ -69,7 +69,7 @@ class CountingSpill final : public MeshSink {
   int blocks = 0, restarts = 0;
 };
 
-TEST(Slabs, TilesThatAreMadeAgainGiveTheSameFiles) {
+TEST(Slabs, TilesThatAreMadeAgainGiveTheSameFilesOnAnyThreads) {
   const PartField part = crossed_part(0);
   for (const int threads : {1, 2}) {
     MeshPlan options;

@@ -41,7 +41,7 @@ TEST(Stl, ReadsBackWhatItWrites) {
   }
 }
 
-TEST(Stl, StreamGivesTheSameBytes) {
+TEST(Stl, StreamGivesTheSameBytesOnAnyNumberOfThreads) {
   const testing::TempFolder temporary;
   const std::string path = temporary.path("stream.stl");
   for (const int threads : {1, 2}) {

@@ -179,7 +179,7 @@ TEST(RemovedVolumes, AMotionRemovesWhatItLowersInEachColumn) {
 }
 
 // Asked with the share that is done, which grows; and stops for good where the answer is no.
-TEST(RemovedVolumes, AskWhetherToGoOn) {
+TEST(RemovedVolumes, ThreadsAskWhetherToGoOn) {
   const VolumeScene heights = pocket(),
                     space{kBlock, ballmill(6), {line({-10, 30, 9}, {50, 30, -9})}};
   Tool tool = mill(ToolType::turning, 0);
