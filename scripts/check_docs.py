@@ -2,8 +2,9 @@
 """Checks what documents and comments say of the repository: files that they name exist, and ARCHITECTURE.md tells every room.
 
 Checked are links and names of sources in backquotes, and in comments of src and include the names of sources, of members (Name::member)
-and of functions (name()): code must have them, outside of comments. Lines of prose have at most 120 characters. ARCHITECTURE.md has each room of
-scripts/check_includes.py, and a walk of at most 12 files. Exit 1 and one line a fault.
+and of functions (name()): code must have them, outside of comments. Lines of prose have at most 120 characters; the rule of a table
+(|---|) stands alone in its line, or the table was wrapped as prose. ARCHITECTURE.md has each room of scripts/check_includes.py, and a walk
+of at most 12 files. Exit 1 and one line a fault.
 """
 
 import glob
@@ -22,6 +23,8 @@ CALLED = re.compile(r"(\w+)\s*\(")
 MEMBER = re.compile(r"\b([A-Z]\w+)::(~?\w+)")
 FUNCTION = re.compile(r"(?<![\w.:>-])([a-z]\w+)\(\)")
 LINK = re.compile(r"\]\(([^)#:]+)(?:#[^)]*)?\)")
+TABLE_RULE = re.compile(r"\|\s*:?-{3,}:?\s*\|")
+TABLE_RULES = re.compile(r"\|(\s*:?-+:?\s*\|)+")
 WHERE = ("", "src", "include", "include/mrsim", "tests", "bench", "scripts")
 
 
@@ -82,6 +85,8 @@ def check_lines(path, text):
         fenced ^= line.lstrip().startswith("```")
         if len(line) > 120 and not fenced and not line.lstrip().startswith("|") and not line.startswith(("    ", "[")):
             yield f"{path}:{number}: {len(line)} characters, at most 120 are wanted"
+        if TABLE_RULE.search(line) and not fenced and not TABLE_RULES.fullmatch(line.strip()):
+            yield f"{path}:{number}: the rule of a table does not stand alone, so there is no table"
 
 
 def check_architecture(text):
