@@ -49,6 +49,9 @@ TEST_F(OptionNames, CompletionOffersWhatHelpNames) {
   Names render = helped("render");
   render.merge(helped("render p.mpf --frames 2"));
   EXPECT_EQ(found(offered("mrsim render --"), "(--[a-z-]+)"), render);
+  Names view = helped("view");
+  view.merge(helped(""));
+  EXPECT_EQ(found(offered("mrsim view --"), "(--[a-z-]+)"), view);
 }
 
 TEST_F(OptionNames, CompletionOffersValuesAndCommands) {
