@@ -5,6 +5,7 @@
 #include "removal/prune/list_candidates.h"
 #include "removal/prune/prune.h"
 #include "removal/prune/prune_strips.h"
+#include "removal/simd/sweep_kernels.h"
 #include "support/rounds.h"
 #include "sweep_support.h"
 

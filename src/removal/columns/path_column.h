@@ -3,7 +3,7 @@
 #pragma once
 
 #include "core/process/heap.h"
-#include "removal/forms/path_sweep.h"
+#include "removal/forms/tool_path.h"
 
 #include <cstdint>
 #include <optional>

@@ -7,6 +7,7 @@
 #include "core/process/error.h"
 #include "removal/forms/disc_sweep.h"
 #include "removal/forms/flank_sweep.h"
+#include "removal/forms/path_sweep.h"
 #include "removal/forms/sweep_motion.h"
 #include "removal/forms/upright_sweep.h"
 

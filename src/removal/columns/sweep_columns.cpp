@@ -1,7 +1,9 @@
 #include "removal/columns/sweep_columns.h"
 
 #include "removal/columns/plan_foot.h"
+#include "removal/forms/path_sweep.h"
 #include "removal/forms/sweep_motion.h"
+#include "removal/forms/tool_at_rest.h"
 #include "removal/simd/scalar_forms.h"
 
 #include <algorithm>

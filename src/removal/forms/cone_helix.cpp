@@ -13,6 +13,7 @@
 
 #include "core/numbers/trig.h"
 #include "core/numbers/units.h"
+#include "removal/forms/tool_at_rest.h"
 
 #include <algorithm>
 #include <cmath>

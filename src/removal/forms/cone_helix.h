@@ -3,7 +3,8 @@
 // search (docs/sweeps.md, Cones on helices).
 #pragma once
 
-#include "removal/forms/path_sweep.h"
+#include "removal/forms/tool_path.h"
+#include "removal/tool/profile.h"
 
 #include <limits>
 #include <optional>

@@ -2,7 +2,8 @@
 // Z, without a search over their positions (docs/sweeps.md, Closed discs).
 #pragma once
 
-#include "removal/forms/path_sweep.h"
+#include "removal/forms/tool_path.h"
+#include "removal/tool/profile.h"
 
 namespace mrsim {
 

@@ -2,7 +2,8 @@
 // (corner-rounding mills).
 #pragma once
 
-#include "removal/forms/path_sweep.h"
+#include "removal/forms/tool_path.h"
+#include "removal/tool/profile.h"
 
 namespace mrsim {
 

@@ -3,7 +3,8 @@
 // on upright arcs).
 #pragma once
 
-#include "removal/forms/path_sweep.h"
+#include "removal/forms/tool_path.h"
+#include "removal/tool/profile.h"
 
 #include <optional>
 

@@ -2,8 +2,9 @@
 // search over its positions (docs/sweeps.md, Flat, bull-nose and ball on helices and upright arcs).
 #pragma once
 
-#include "removal/forms/path_sweep.h"
+#include "removal/forms/tool_path.h"
 #include "removal/simd/form_records.h"
+#include "removal/tool/profile.h"
 
 namespace mrsim {
 

@@ -6,6 +6,7 @@
 #include "core/numbers/trig.h"
 #include "core/numbers/units.h"
 #include "removal/forms/path_search.h"
+#include "removal/forms/tool_at_rest.h"
 
 #include <algorithm>
 #include <cmath>

@@ -2,7 +2,8 @@
 // bracket, where there is no closed form.
 #pragma once
 
-#include "removal/forms/path_sweep.h"
+#include "removal/forms/tool_path.h"
+#include "removal/tool/profile.h"
 
 namespace mrsim {
 

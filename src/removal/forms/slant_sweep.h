@@ -2,8 +2,9 @@
 // slant_lanes.inl for one point.
 #pragma once
 
-#include "removal/forms/path_sweep.h"
+#include "removal/forms/tool_path.h"
 #include "removal/simd/form_records.h"
+#include "removal/tool/profile.h"
 
 namespace mrsim {
 

@@ -3,8 +3,9 @@
 // upright arcs).
 #pragma once
 
-#include "removal/forms/path_sweep.h"
+#include "removal/forms/tool_path.h"
 #include "removal/simd/form_records.h"
+#include "removal/tool/profile.h"
 
 #include <vector>
 

@@ -2,7 +2,7 @@
 // at a place, found on the path itself. Private to src/removal.
 #pragma once
 
-#include "removal/forms/path_sweep.h"
+#include "removal/forms/tool_path.h"
 #include "removal/tool/underside.h"
 
 #include <array>

@@ -3,7 +3,7 @@
 // Private to src/removal.
 #pragma once
 
-#include "removal/forms/path_sweep.h"
+#include "removal/forms/tool_path.h"
 #include "removal/tool/underside.h"
 
 namespace mrsim {

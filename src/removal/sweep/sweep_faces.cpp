@@ -3,6 +3,8 @@
 #include "core/numbers/trig.h"
 #include "core/numbers/units.h"
 #include "removal/columns/plan_foot.h"
+#include "removal/forms/path_sweep.h"
+#include "removal/forms/tool_at_rest.h"
 #include "removal/forms/upright_sweep.h"
 #include "removal/simd/scalar_forms.h"
 #include "removal/sweep/sheared_cylinder.h"

@@ -2,6 +2,7 @@
 #include "removal/sweep/sweep_range.h"
 
 #include "removal/field/face_range.h"
+#include "removal/forms/tool_at_rest.h"
 #include "removal/sweep/sweep_faces.h"
 #include "removal/tool/profile.h"
 
