@@ -189,8 +189,7 @@ void Engine::end_block() {
 }
 
 bool Engine::ends_data() {
-  for (const Word& word : control_.block.words)
-    if (word.address == letter('G') && word.value == 11) control_.skips_data = false;
+  if (control_.block.has_code('G', 11)) control_.skips_data = false;
   return !control_.skips_data;
 }
 

@@ -1,6 +1,7 @@
 #include "interp/comments/tool_id.h"
 
-#include <algorithm>
+#include "core/words/tool_number.h"
+
 #include <string>
 
 namespace mrsim {
@@ -10,8 +11,7 @@ namespace {
 void set_id(CommentView& view, ToolFacts& facts, std::size_t i) {
   const CommentToken& t = view[i];
   if (!view.whole(i) || t.text.size() > 8) return;
-  std::string id(t.text);
-  id.erase(0, std::min(id.find_first_not_of('0'), id.size() - 1));
+  const std::string id(without_leading_zeros(t.text));
   view.take(i);
   facts.names_tool = true;
   facts.several_ids |= !facts.id.empty() && facts.id != id;

@@ -2,6 +2,7 @@
 
 #include "core/numbers/units.h"
 #include "core/text/text_io.h"
+#include "core/words/tool_number.h"
 #include "interp/comments/comment_tokens.h"
 #include "interp/comments/tool_kind.h"
 
@@ -103,8 +104,7 @@ bool read_number_and_size(std::string_view text, ToolHint& hint) {
     return false;
   hint.names_tool = true;
   hint.id_digits = tokens[1].text.size();
-  hint.id = std::string(tokens[1].text);
-  hint.id.erase(0, std::min(hint.id.find_first_not_of('0'), hint.id.size() - 1));
+  hint.id = without_leading_zeros(tokens[1].text);
   set_diameter(hint, {tokens[3].value, tokens[3].unit, tokens[3].fraction});
   return true;
 }

@@ -49,6 +49,13 @@ class BlockWords : public Block {
     const Slot& slot = slots_[static_cast<std::size_t>(a)];
     return slot.epoch == epoch_ ? &words[slot.index] : nullptr;
   }
+  /// Whether a word of the address, G or M, has a value from `least` to `most`.
+  bool has_code(char address, double least, double most) const {
+    return std::any_of(words.begin(), words.end(), [&](const Word& word) {
+      return word.address == letter(address) && word.value >= least && word.value <= most;
+    });
+  }
+  bool has_code(char address, double value) const { return has_code(address, value, value); }
   /// As find(), for the parts that change words before add() has been called for them.
   Word* search(char c) {
     const auto at = std::find_if(words.begin(), words.end(),

@@ -46,15 +46,6 @@ bool sets_table(const Tokens& tokens) {
 
 }  // namespace
 
-std::size_t closing_round_bracket(std::string_view line, std::size_t open) {
-  int depth = 0;
-  for (std::size_t i = open; i < line.size(); ++i) {
-    if (line[i] == '(') ++depth;
-    if (line[i] == ')' && --depth == 0) return i;
-  }
-  return std::string_view::npos;
-}
-
 std::string bracket_statement(std::string_view text) {
   const std::string folded = fold_comment(text);
   const Tokens tokens = comment_tokens(folded);

@@ -7,9 +7,6 @@
 
 namespace mrsim {
 
-/// The bracket that closes the one at `open`, or npos.
-std::size_t closing_round_bracket(std::string_view line, std::size_t open);
-
 /// The word that makes a statement of the text between brackets ("IF", "RPT"); empty: a comment.
 std::string bracket_statement(std::string_view text);
 

@@ -101,19 +101,13 @@ bool ExpressionLexer::number(Value& out) {
 // Numbers to the bases 16 and 2: 'HFF' and 'B101'.
 bool ExpressionLexer::radix(Value& out) {
   const std::size_t from = p_, end = line_.find('\'', p_ + 1);
-  const char kind = upper(at(p_ + 1));
-  const int base = kind == 'H' ? 16 : kind == 'B' ? 2 : 0;
+  const int base = radix_base(at(p_ + 1));
   if (base == 0 || end == std::string_view::npos || end - from > 34 || end == from + 2)
     return fail("number-malformed", "expected 'H...' or 'B...'", from, from + 1);
-  double value = 0;
-  for (std::size_t i = from + 2; i < end; ++i) {
-    const char c = upper(line_[i]);
-    const int digit = is_digit(c) ? c - '0' : c >= 'A' && c <= 'F' ? c - 'A' + 10 : 99;
-    if (digit >= base) return fail("number-malformed", "expected 'H...' or 'B...'", from, end + 1);
-    value = value * base + digit;
-  }
+  const std::optional<double> value = radix_number(line_.substr(from + 2, end - from - 2), base);
+  if (!value) return fail("number-malformed", "expected 'H...' or 'B...'", from, end + 1);
   p_ = end + 1;
-  out = Value::of(value);
+  out = Value::of(*value);
   return true;
 }
 

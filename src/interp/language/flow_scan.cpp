@@ -1,5 +1,6 @@
 #include "interp/language/flow_scan.h"
 
+#include "core/words/tool_number.h"
 #include "interp/language/stray_words.h"
 #include "interp/text/characters.h"
 #include "interp/text/line_scan.h"
@@ -122,10 +123,11 @@ bool ends_block(std::string_view line, std::size_t p) {
 }
 
 std::size_t closing_bracket(std::string_view line, std::size_t open) {
+  const char opening = line[open], closing = opening == '[' ? ']' : ')';
   int depth = 0;
   for (std::size_t i = open; i < line.size(); ++i) {
-    if (line[i] == '[') ++depth;
-    if (line[i] == ']' && --depth == 0) return i;
+    if (line[i] == opening) ++depth;
+    if (line[i] == closing && --depth == 0) return i;
   }
   return std::string_view::npos;
 }
@@ -169,9 +171,8 @@ bool oword_name(std::string_view line, std::size_t& p, std::string& name) {
       if (line[i] != ' ' && line[i] != '\t') name += upper(line[i]);
     q = end + 1;
   } else if (is_digit(c)) {
-    name = digits_at(line, q);
-    const std::size_t zeros = name.find_first_not_of('0');
-    name.erase(0, zeros == std::string::npos ? name.size() - 1 : zeros);
+    const std::string digits = digits_at(line, q);
+    name = without_leading_zeros(digits);
   } else if (c == '[') {
     const std::size_t end = closing_bracket(line, q);
     if (end == std::string_view::npos) return false;

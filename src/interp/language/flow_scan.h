@@ -35,7 +35,7 @@ std::size_t end_of_block(std::string_view line, std::size_t p);
 /// FANUC: whether only blanks and comments stand between `p` and the end of the block.
 bool ends_block(std::string_view line, std::size_t p);
 
-/// The bracket that closes the one at `open`, or npos.
+/// The bracket that closes the one at `open`, [ or (, or npos.
 std::size_t closing_bracket(std::string_view line, std::size_t open);
 
 /// Reads the O word at `p`: its name (upper case, without blanks; empty for an expression). `p`

@@ -3,7 +3,6 @@
 #include "core/numbers/trig.h"
 #include "interp/path/stroke_font.h"
 
-#include <algorithm>
 #include <cmath>
 
 #include <fmt/format.h>
@@ -20,10 +19,7 @@ constexpr double kHaasWidth = 1.133;
 }  // namespace
 
 bool Engraving::holds_text(const BlockWords& block) {
-  return !block.comments.empty() && block.find(letter('P')) &&
-         std::any_of(block.words.begin(), block.words.end(), [](const Word& word) {
-           return word.address == letter('G') && word.value == 47;
-         });
+  return !block.comments.empty() && block.find(letter('P')) && block.has_code('G', 47);
 }
 
 // The control turns and scales the letters by its own G68 and G51.

@@ -21,10 +21,9 @@ double sense(const Motion& motion, const Basis& basis) {
 }
 
 int line_line(const PlanePiece& a, const PlanePiece& b, std::array<Vec2, 2>& out) {
-  const Vec2 d = a.end - a.start, e = b.end - b.start;
-  const double det = cross(d, e);
-  if (std::abs(det) <= kParallel * length(d) * length(e)) return 0;
-  out[0] = a.start + (cross(b.start - a.start, e) / det) * d;
+  const auto place = lines_meet(a.start, a.end - a.start, b.start, b.end - b.start, kParallel);
+  if (!place) return 0;
+  out[0] = *place;
   return 1;
 }
 
@@ -117,6 +116,12 @@ PlanePiece offset_piece(const PlanePiece& p, double distance) {
   out.start = p.center + factor * (p.start - p.center);
   out.end = p.center + factor * (p.end - p.center);
   return out;
+}
+
+std::optional<Vec2> lines_meet(Vec2 a, Vec2 d, Vec2 b, Vec2 e, double parallel) {
+  const double det = cross(d, e);
+  if (std::abs(det) <= parallel * length(d) * length(e)) return std::nullopt;
+  return a + (cross(b - a, e) / det) * d;
 }
 
 int intersect(const PlanePiece& a, const PlanePiece& b, std::array<Vec2, 2>& out) {

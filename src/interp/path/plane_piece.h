@@ -4,6 +4,7 @@
 #include "interp/path/corners.h"
 
 #include <array>
+#include <optional>
 
 namespace mrsim {
 
@@ -31,6 +32,10 @@ inline Vec2 left_of(Vec2 t) { return {-t.y, t.x}; }
 /// The piece moved to its left by `distance`; the radius of an arc may become <= 0 (then it is
 /// void).
 PlanePiece offset_piece(const PlanePiece& piece, double distance);
+
+/// Where the line through `a` along `d` meets the one through `b` along `e`; nothing if the sine
+/// between them is at most `parallel`.
+std::optional<Vec2> lines_meet(Vec2 a, Vec2 d, Vec2 b, Vec2 e, double parallel);
 
 /// Up to two points common to the whole lines or circles of a and b.
 int intersect(const PlanePiece& a, const PlanePiece& b, std::array<Vec2, 2>& out);

@@ -1,6 +1,7 @@
 #include "interp/path/turn_profile.h"
 
 #include "core/numbers/rounding.h"
+#include "interp/path/plane_piece.h"
 #include "interp/path/turn_levels.h"
 
 #include <algorithm>
@@ -87,11 +88,9 @@ Vec2 middle(Vec2 a, Vec2 b) { return 0.5 * (a + b); }
 
 Vec2 nearer(Vec2 to, Vec2 a, Vec2 b) { return length(a - to) < length(b - to) ? a : b; }
 
-Vec2 lines_meet(const ProfilePiece& a, const ProfilePiece& b) {
-  const Vec2 d = a.end - a.start, e = b.end - b.start;
-  const double det = cross(d, e);
-  if (std::abs(det) <= kTurnRounding * length(d) * length(e)) return middle(a.end, b.start);
-  return a.start + (cross(b.start - a.start, e) / det) * d;
+Vec2 straight_meet(const ProfilePiece& a, const ProfilePiece& b) {
+  return lines_meet(a.start, a.end - a.start, b.start, b.end - b.start, kTurnRounding)
+      .value_or(middle(a.end, b.start));
 }
 
 // The place where line and circle meet, else where they are nearest to each other. The radius of
@@ -124,7 +123,7 @@ void join(ProfilePiece& a, ProfilePiece& b) {
   a.end = b.start = a.arc && b.arc ? circles_meet(a, b)
                     : a.arc        ? line_meets_circle(b, a, b.start)
                     : b.arc        ? line_meets_circle(a, b, b.start)
-                                   : lines_meet(a, b);
+                                   : straight_meet(a, b);
 }
 
 // Makes a fillet or chamfer of the piece's size between its neighbours. False: there is no room.

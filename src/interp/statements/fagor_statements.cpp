@@ -21,13 +21,13 @@ FagorStatements::FagorStatements(Control& control, BlockReader& reader)
 
 bool FagorStatements::starts_statement(std::string_view line, std::size_t p) {
   if (p >= line.size() || line[p] != '(') return false;
-  const std::size_t close = closing_round_bracket(line, p);
+  const std::size_t close = closing_bracket(line, p);
   return close != std::string_view::npos &&
          !bracket_statement(line.substr(p + 1, close - p - 1)).empty();
 }
 
 bool FagorStatements::statement(std::size_t from) {
-  end_ = close_ = closing_round_bracket(block_.line, from);
+  end_ = close_ = closing_bracket(block_.line, from);
   return action(from + 1);
 }
 

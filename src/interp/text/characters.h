@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cstddef>
+#include <optional>
 #include <string>
 #include <string_view>
 
@@ -22,6 +23,22 @@ inline constexpr std::array<double, 16> kPowersOfTen = {
 constexpr std::size_t behind_blanks(std::string_view line, std::size_t p) {
   while (p < line.size() && (line[p] == ' ' || line[p] == '\t')) ++p;
   return p;
+}
+
+/// The base of a number in quotes, 'HFF' or 'B101', by its letter: 16, 2, else 0.
+constexpr int radix_base(char letter) {
+  return upper(letter) == 'H' ? 16 : upper(letter) == 'B' ? 2 : 0;
+}
+/// `digits` as a number to that base; nothing if one of them is no digit of it.
+constexpr std::optional<double> radix_number(std::string_view digits, int base) {
+  double value = 0;
+  for (const char digit : digits) {
+    const char c = upper(digit);
+    const int worth = is_digit(c) ? c - '0' : c >= 'A' && c <= 'F' ? c - 'A' + 10 : 99;
+    if (worth >= base) return std::nullopt;
+    value = value * base + worth;
+  }
+  return value;
 }
 
 inline std::string upper_case(std::string_view text) {

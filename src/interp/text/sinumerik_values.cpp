@@ -169,20 +169,12 @@ bool SinumerikValues::form_of_value(Block& block, Word& word) {
 }
 
 bool SinumerikValues::radix(Word& word) {
-  const char kind = upper(at(p_ + 1));
-  const int base = kind == 'H' ? 16 : kind == 'B' ? 2 : 0;
+  const int base = radix_base(at(p_ + 1));
   const std::size_t end = line_.find('\'', p_ + 1);
-  if (base == 0 || end == std::string_view::npos || end - p_ > 34) return false;
-  double value = 0;
-  std::size_t i = p_ + 2;
-  for (; i < end; ++i) {
-    const char c = upper(line_[i]);
-    const int digit = is_digit(c) ? c - '0' : c >= 'A' && c <= 'F' ? c - 'A' + 10 : 99;
-    if (digit >= base) return false;
-    value = value * base + digit;
-  }
-  if (i == p_ + 2 || value > 1e9) return false;
-  word.value = value;
+  if (base == 0 || end == std::string_view::npos || end - p_ > 34 || end == p_ + 2) return false;
+  const std::optional<double> value = radix_number(line_.substr(p_ + 2, end - p_ - 2), base);
+  if (!value || *value > 1e9) return false;
+  word.value = *value;
   p_ = end + 1;
   return true;
 }

@@ -74,10 +74,7 @@ bool TurnWords::axis_end(Target& to) {
 
 // G77 of Haas mills flats, for which a live tool is needed. True: it was reported as an error.
 bool TurnWords::mills_flats() {
-  const bool flats = std::any_of(block_.words.begin(), block_.words.end(), [](const Word& word) {
-    return word.address == letter('G') && word.value == 77;
-  });
-  if (!flats || has_axes() || !peek('L')) return false;
+  if (!block_.has_code('G', 77) || has_axes() || !peek('L')) return false;
   error("not-supported",
         "G77 with L mills flats with a live tool (Haas), which is not supported: write the moves",
         where());

@@ -36,11 +36,7 @@ bool IsoWords::has_any(std::string_view letters) {
   return false;
 }
 
-bool IsoWords::has_motion() const {
-  return std::any_of(block_.words.begin(), block_.words.end(), [](const Word& word) {
-    return word.address == letter('G') && word.value >= 0 && word.value <= 3;
-  });
-}
+bool IsoWords::has_motion() const { return block_.has_code('G', 0, 3); }
 
 bool IsoWords::rewrite() {
   bool ok = true;

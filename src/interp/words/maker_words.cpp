@@ -105,10 +105,7 @@ bool MakerWords::is_cycle_of_system_c(const Word& word) const {
   });
 }
 
-bool MakerWords::has_m6() const {
-  return std::any_of(block_.words.begin(), block_.words.end(),
-                     [](const Word& w) { return w.address == letter('M') && w.value == 6; });
-}
+bool MakerWords::has_m6() const { return block_.has_code('M', 6); }
 
 // Whether H of the block is that of G43, G44 or G49.
 bool MakerWords::has_length_word() const {

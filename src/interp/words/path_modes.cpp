@@ -1,7 +1,5 @@
 #include "interp/words/path_modes.h"
 
-#include <algorithm>
-
 #include <fmt/format.h>
 
 namespace mrsim {
@@ -28,11 +26,7 @@ bool PathModes::values_of(const Word& word) {
   return true;
 }
 
-bool PathModes::orients_spindle() const {
-  return std::any_of(block_.words.begin(), block_.words.end(), [](const Word& word) {
-    return word.address == letter('M') && word.value == 19;
-  });
-}
+bool PathModes::orients_spindle() const { return block_.has_code('M', 19); }
 
 // G5 P10000, G5.1 Q1 and G8 P1 switch look-ahead. The same G words with axes are splines.
 bool PathModes::look_ahead(const Word& word) {

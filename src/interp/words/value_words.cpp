@@ -181,11 +181,7 @@ bool ValueWords::feed() {
 }
 
 // M300 S440 P200 of routers' boards is a tone.
-bool ValueWords::beeps() const {
-  return std::any_of(block_.words.begin(), block_.words.end(), [](const Word& word) {
-    return word.address == letter('M') && word.value == 300;
-  });
-}
+bool ValueWords::beeps() const { return block_.has_code('M', 300); }
 
 // Whether D stands beside LinuxCNC's G96.
 bool ValueWords::d_limits_speed() const {

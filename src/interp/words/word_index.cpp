@@ -20,7 +20,6 @@ class CodeSystems : public ControlPart {
 
  private:
   bool has(std::string_view letters) const;
-  bool has_code(double least, double most) const;
   void see_units();
   void rewrite_feed(Word& code);
   void rewrite_c(Word& code);
@@ -31,12 +30,6 @@ bool CodeSystems::has(std::string_view letters) const {
   return std::any_of(block_.words.begin(), block_.words.end(), [&](const Word& word) {
     return word.address < Address::function &&
            letters.find(static_cast<char>(word.address)) != letters.npos;
-  });
-}
-
-bool CodeSystems::has_code(double least, double most) const {
-  return std::any_of(block_.words.begin(), block_.words.end(), [&](const Word& word) {
-    return word.address == letter('G') && word.value >= least && word.value <= most;
   });
 }
 
@@ -60,10 +53,10 @@ void CodeSystems::rewrite() {
 // the tool goes between holes.
 void CodeSystems::rewrite_feed(Word& code) {
   if (code.value == 95 && !has("R")) modal_.has_increments = true;
-  if (code.value == 94 && (modal_.has_increments || has_code(0, 3)))
+  if (code.value == 94 && (modal_.has_increments || block_.has_code('G', 0, 3)))
     code.value = 98;
   else if ((code.value == 98 || code.value == 99) && modal_.has_increments &&
-           (modal_.drill.number != 0 || has_code(80, 89)))
+           (modal_.drill.number != 0 || block_.has_code('G', 80, 89)))
     code.address = Address::data;
 }
 
@@ -140,10 +133,7 @@ bool WordIndex::refuse_address(const Word& word) {
 
 // E of Fadal and Centroid is a work offset. It never stands beside a feed.
 bool WordIndex::chooses_fixture() const {
-  return is(Dialect::fanuc) && !lathe() &&
-         std::none_of(block_.words.begin(), block_.words.end(), [](const Word& word) {
-           return word.address == letter('G') && word.value >= 1 && word.value <= 3;
-         });
+  return is(Dialect::fanuc) && !lathe() && !block_.has_code('G', 1, 3);
 }
 
 // HA and DA of Okuma are the register whose number is that of the tool in the spindle. HB and HC
