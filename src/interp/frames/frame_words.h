@@ -3,6 +3,7 @@
 #pragma once
 
 #include "interp/frames/transform_words.h"
+#include "interp/text/code_table.h"
 
 #include <string>
 

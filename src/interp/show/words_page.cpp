@@ -1,7 +1,7 @@
 #include "interp/show/words_page.h"
 
 #include "interp/text/code_names.h"
-#include "interp/text/codes.h"
+#include "interp/text/code_table.h"
 #include "interp/text/m_codes.h"
 
 #include <array>

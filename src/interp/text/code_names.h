@@ -1,7 +1,7 @@
 // SINUMERIK's functions by name, and the names of what is not read yet. Private to src/interp.
 #pragma once
 
-#include "interp/text/codes.h"
+#include "interp/text/code_table.h"
 
 #include <span>
 #include <string_view>

@@ -1,4 +1,4 @@
-// The G words of each control as rows of tables. codes.h finds what a word means in a program.
+// The G words of each control as rows of tables. code_table.h finds what a word means in a program.
 // Private to src/interp.
 #pragma once
 

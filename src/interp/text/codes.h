@@ -1,11 +1,7 @@
-// The function words of the controls as tables: number -> meaning and modal group.
+// The meanings of function words, the same for all controls, and their modal groups.
 #pragma once
 
-#include <mrsim/types.h>
-
-#include <array>
 #include <cstdint>
-#include <string_view>
 
 namespace mrsim {
 
@@ -184,18 +180,5 @@ enum class Group : std::uint8_t {
   feed_profile,
   other,
 };
-
-struct CodeEntry {
-  Code code = Code::unknown;
-  Group group = Group::none;
-  int number = 0;  ///< which one, of a work offset or a cycle
-};
-
-/// The meaning of "G<number>" (number * 10, so that G54.1 is 541 and G54 is 540).
-CodeEntry find_g_code(Dialect dialect, MachineKind machine, int number_by_10);
-/// What an unsupported G word does, in a few words ("tilted working plane"); may be empty.
-std::string_view unsupported_code(Dialect dialect, int number_by_10);
-using CodeTable = std::array<CodeEntry, 1000>;  ///< the entries of G0 to G999, made once
-const CodeTable& code_table(Dialect dialect, MachineKind machine);
 
 }  // namespace mrsim

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "interp/text/codes.h"
+#include <mrsim/types.h>
 
 #include <string_view>
 

@@ -2,6 +2,7 @@
 
 #include "core/numbers/rounding.h"
 #include "interp/path/arc.h"
+#include "interp/text/code_table.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,6 +1,7 @@
 // Modal G words: which mode each sets. Private to src/interp.
 #pragma once
 
+#include "interp/text/code_table.h"
 #include "interp/tools/compensation_words.h"
 #include "interp/words/maker_words.h"
 #include "interp/words/path_modes.h"

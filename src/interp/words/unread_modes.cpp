@@ -1,6 +1,7 @@
 #include "interp/words/unread_modes.h"
 
 #include "interp/text/characters.h"
+#include "interp/text/code_table.h"
 
 #include <cmath>
 #include <string_view>

@@ -1,4 +1,4 @@
-#include "interp/text/codes.h"
+#include "interp/text/code_table.h"
 
 #include "interp/text/code_rows.h"
 
