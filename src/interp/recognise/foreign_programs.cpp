@@ -132,8 +132,8 @@ void ForeignPrograms::weigh_printer(const std::string& code, int number, std::st
 // spindle turns.
 void ForeignPrograms::weigh_plotter(const std::string& code, int number, std::string_view raw) {
   for (const std::string_view word : {"M3", "M03", "M4", "M04"})
-    if (has_word(code, word)) spindle_ = true;
-  if (code.find('Z') != std::string::npos) z_ = true;
+    if (has_word(code, word)) turns_spindle_ = true;
+  if (code.find('Z') != std::string::npos) has_z_ = true;
   if (!has_word(code, "M300") || !has_axis(code, 'S') || has_axis(code, 'P')) return;
   if (++pen_moves_ != 2) return;
   pen_line_ = number;
@@ -171,22 +171,22 @@ void ForeignPrograms::weigh_laser(const LineScan& s, int number) {
   const std::string& c = s.code;
   if (upper_case(s.comment).find("LASER") != std::string::npos ||
       upper_case(s.comment).find("LIGHTBURN") != std::string::npos)
-    laser_word_ = true;
-  if (c.find('Z') != std::string::npos || c.find('K') != std::string::npos) z_ = true;
-  if (has_axis(c, 'Y')) y_ = true;
+    named_laser_ = true;
+  if (c.find('Z') != std::string::npos || c.find('K') != std::string::npos) has_z_ = true;
+  if (has_axis(c, 'Y')) has_y_ = true;
   for (const std::string_view word : {"M6", "M06", "M98", "G65", "G43", "G96"})
-    if (has_word(c, word)) other_ = true;
-  if (has_axis(c, 'T') || has(c, "CALL") || c.find('(') != std::string::npos) other_ = true;
+    if (has_word(c, word)) no_laser_ = true;
+  if (has_axis(c, 'T') || has(c, "CALL") || c.find('(') != std::string::npos) no_laser_ = true;
   const bool starts =
       has_word(c, "M3") || has_word(c, "M03") || has_word(c, "M4") || has_word(c, "M04");
   const bool power = has_axis(c, 'S');
-  if (starts && !on_) {
-    on_ = true;
+  if (starts && !beam_on_) {
+    beam_on_ = true;
     ++switches_;
     if (laser_line_ == 0) laser_line_ = number;
   }
-  if (has_word(c, "M5") || has_word(c, "M05")) on_ = false;
-  if (power) power_ = true;
+  if (has_word(c, "M5") || has_word(c, "M05")) beam_on_ = false;
+  if (power) has_power_ = true;
   if (power && !starts && (has_axis(c, 'X') || has_axis(c, 'Y'))) ++powered_moves_;
 }
 
@@ -229,11 +229,11 @@ void ForeignPrograms::line(std::string_view raw, const LineScan& scan, int numbe
 }
 
 void ForeignPrograms::finish() const {
-  if (pen_line_ > 0 && !(spindle_ && z_))
+  if (pen_line_ > 0 && !(turns_spindle_ && has_z_))
     refuse("a pen plotter's program (M300 S moves its pen)", pen_line_, pen_text_);
-  const bool switched = laser_line_ > 0 && power_ && y_;
+  const bool switched = laser_line_ > 0 && has_power_ && has_y_;
   if (settled() || !switched) return;
-  if (powered_moves_ >= 2 || switches_ >= 2 || laser_word_)
+  if (powered_moves_ >= 2 || switches_ >= 2 || named_laser_)
     refuse("a laser's program (S is its power, and nothing moves in Z)", laser_line_, "");
 }
 
