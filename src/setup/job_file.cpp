@@ -130,9 +130,8 @@ std::string JobReader::choice(const OptionRow& key, const toml::node& node) cons
 }
 
 double JobReader::number(const OptionRow& key, const toml::node& node, double largest) const {
-  const std::optional<double> value = node.value<double>();
-  if (!node.is_number() || !value || !std::isfinite(*value))
-    fail_value(key, node, "must be a number");
+  const std::optional<double> value = finite_number(node);
+  if (!value) fail_value(key, node, "must be a number");
   if (std::fabs(*value) > largest)
     fail_value(key, node, fmt::format("is too large: at most {:g}", largest));
   return *value;

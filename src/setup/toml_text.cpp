@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <iterator>
 #include <optional>
@@ -81,6 +82,11 @@ toml::table parse_toml(std::string_view text) {
     throw toml::parse_error("it is UTF-16 text: save it as UTF-8", toml::source_position{1, 1});
   require_flat_keys(text);
   return toml::parse(text);
+}
+
+std::optional<double> finite_number(const toml::node& node) {
+  const std::optional<double> value = node.value<double>();
+  return node.is_number() && value && std::isfinite(*value) ? value : std::nullopt;
 }
 
 void fail_at(const toml::source_position& at, std::string_view text, const std::string& name,

@@ -1,6 +1,7 @@
 // TOML of files that anybody may have written.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <string_view>
 
@@ -12,6 +13,9 @@ namespace mrsim {
 /// toml::parse_error, too: the library makes a table of each part, and frees them by recursion,
 /// which takes all of the stack. Throws Error "memory" as well (core/process/memory_limit.h).
 toml::table parse_toml(std::string_view text);
+
+/// The value of a number that is finite; nothing if `node` is none.
+std::optional<double> finite_number(const toml::node& node);
 
 /// Throws PlacedError `code` that says `what` of a place in `text`, the content of the file `name`,
 /// and shows the line there.

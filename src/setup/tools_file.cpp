@@ -77,9 +77,8 @@ void Reader::fail_key(const toml::key& key, const std::string& where, const Word
 }
 
 double Reader::number(std::string_view key, const toml::node& node) const {
-  const std::optional<double> value = node.value<double>();
-  if (!node.is_number() || !value || !std::isfinite(*value))
-    fail_value(key, node, "must be a number");
+  const std::optional<double> value = finite_number(node);
+  if (!value) fail_value(key, node, "must be a number");
   return *value;
 }
 

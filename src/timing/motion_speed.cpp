@@ -1,5 +1,6 @@
 #include "timing/motion_speed.h"
 
+#include "core/numbers/motions.h"
 #include "core/numbers/rounding.h"
 #include "core/numbers/trig.h"
 #include "core/numbers/units.h"
@@ -23,18 +24,13 @@ double along(const Vec3& direction, const Vec3& limits) {
   return most;
 }
 
-double arc_length(const Motion& m) {
-  const double turned = std::fabs(m.sweep) * m.radius;
-  return std::sqrt(turned * turned + m.rise * m.rise);
-}
-
 // Unit tangent of an arc `angle` radians after its start.
 Vec3 arc_tangent(const Motion& m, double angle) {
   const Vec3 radial = normalized(m.start - m.center), side = cross(m.axis, radial);
   const SinCos turn = sincos(angle);
   const double direction = m.sweep < 0 ? -1 : 1;
   const Vec3 round = direction * (turn.cos * side - turn.sin * radial);
-  const double length = arc_length(m);
+  const double length = length_of(m);
   if (!(length > 0)) return round;
   return normalized((std::fabs(m.sweep) * m.radius / length) * round + (m.rise / length) * m.axis);
 }
@@ -139,7 +135,7 @@ double spindle_speed(const Motion& m, double radius, const MachineData& machine)
 MotionSpeed motion_speed(const Motion& m, const MachineData& machine) {
   MotionSpeed s;
   if (m.kind == MotionKind::arc) {
-    s.length = arc_length(m);
+    s.length = length_of(m);
     s.begin = arc_tangent(m, 0), s.end = arc_tangent(m, m.sweep);
     s.acceleration = along_arc(m, machine.acceleration);
   } else {

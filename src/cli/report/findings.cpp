@@ -3,6 +3,7 @@
 #include "cli/console/standard_streams.h"
 #include "cli/console/stop.h"
 #include "cli/console/terminal.h"
+#include "core/text/counted.h"
 #include "core/text/json_text.h"
 #include <mrsim/mrsim.h>
 
@@ -57,11 +58,8 @@ void Findings::add(const Error& error, const std::string& path) {
 }
 
 std::string Findings::summary() const {
-  const auto part = [](std::size_t n, const char* word) {
-    return fmt::format("{} {}{}", n, word, n == 1 ? "" : "s");
-  };
-  return fmt::format("{}, {}, {}", part(errors(), "error"), part(warnings(), "warning"),
-                     part(notes(), "note"));
+  return fmt::format("{}, {}, {}", counted(errors(), "error"), counted(warnings(), "warning"),
+                     counted(notes(), "note"));
 }
 
 namespace {

@@ -1,6 +1,6 @@
 #include "compare/distance/nominal.h"
 
-#include "core/numbers/trig.h"
+#include "core/numbers/solid_angle.h"
 #include "core/numbers/units.h"
 #include "core/numbers/vec.h"
 #include "core/process/error.h"
@@ -108,15 +108,12 @@ SurfaceHit NominalSurface::signed_hit(const Vec3& p, const TriangleTree::Hit& hi
   return {winding_number(p) > 0.5 ? -d : d, hit.triangle};
 }
 
-// Solid angles by van Oosterom and Strackee 1983, summed over all triangles.
+// Of all triangles, each under the solid angle that p sees.
 double NominalSurface::winding_number(const Vec3& p) const {
   double sum = 0;
   for (std::uint32_t t = 0; t < tree_.size(); ++t) {
     const TriangleTree::Corners k = tree_.corners(t);
-    const Vec3 a = k.a - p, b = k.b - p, c = k.c - p;
-    const double la = length(a), lb = length(b), lc = length(c);
-    sum += mrsim::atan2(dot(a, cross(b, c)),
-                        la * lb * lc + dot(a, b) * lc + dot(b, c) * la + dot(c, a) * lb);
+    sum += half_solid_angle(k.a - p, k.b - p, k.c - p);
   }
   return sum / kTwoPi;
 }

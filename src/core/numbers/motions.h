@@ -1,8 +1,10 @@
 // What all stages ask of a motion.
 #pragma once
 
+#include "core/numbers/vec.h"
 #include <mrsim/types.h>
 
+#include <cmath>
 #include <cstddef>
 
 namespace mrsim {
@@ -13,6 +15,13 @@ inline bool is_cut(const Motion& m) { return m.kind != MotionKind::rapid && !m.a
 /// Whether the motion has any length.
 inline bool moves(const Motion& m) {
   return m.kind == MotionKind::arc ? m.sweep != 0 : !(m.start == m.end);
+}
+
+/// mm of the tool's way.
+inline double length_of(const Motion& m) {
+  if (m.kind != MotionKind::arc) return distance(m.start, m.end);
+  const double round = m.sweep * m.radius;
+  return std::sqrt(round * round + m.rise * m.rise);
 }
 
 /// Whether the motion leads straight up or down.

@@ -2,6 +2,7 @@
 
 #include "core/process/error.h"
 #include "core/process/parallel.h"
+#include "core/text/counted.h"
 
 #include <algorithm>
 #include <map>
@@ -19,9 +20,7 @@ std::string point_text(const Vec3& p) {
   return fmt::format("({:.6g}, {:.6g}, {:.6g}) mm", p.x + 0.0, p.y + 0.0, p.z + 0.0);
 }
 
-std::string plural(std::size_t n, const char* what) {
-  return fmt::format("{} {}{} in all", n, what, n == 1 ? "" : "s");
-}
+std::string in_all(std::size_t n, const char* what) { return counted(n, what) + " in all"; }
 
 std::uint32_t origin_of(Triangles triangles, std::uint32_t h) { return triangles[h / 3][h % 3]; }
 
@@ -282,10 +281,10 @@ std::vector<std::uint32_t> MeshAudit::components_of(std::size_t index,
 
 std::string MeshAudit::Fault::edge_text() const {
   if (first == kBoundaryEdge)
-    return fmt::format("open edge at {}; {}", edge, plural(boundary, "open edge"));
+    return fmt::format("open edge at {}; {}", edge, in_all(boundary, "open edge"));
   if (first == kTwistedEdge)
     return fmt::format("triangles of opposite orientation meet at {}; {}", edge,
-                       plural(twisted / 2, "such edge"));
+                       in_all(twisted / 2, "such edge"));
   return fmt::format("more than two triangles meet at the edge at {}; {} triangle sides in all",
                      edge, crowded);
 }
@@ -314,14 +313,14 @@ MeshSummary MeshAudit::summary(const std::vector<bool>& kept) const {
     out.first_fault = fault_.edge_text();
   else if (fault_.vertices > 0)
     out.first_fault = fmt::format("surfaces touch in one point at {}; {}", fault_.vertex,
-                                  plural(fault_.vertices, "place"));
+                                  in_all(fault_.vertices, "place"));
   else if (out.inverted)
     out.first_fault = fmt::format("inverted orientation: the volume is {:.6g} mm3", out.volume);
   else if (!out.oriented)
     out.first_fault = "the mesh encloses no volume";
   else if (out.degenerate > 0)
     out.first_fault = fmt::format("triangle without area at {}; {}", fault_.flat,
-                                  plural(out.degenerate, "such triangle"));
+                                  in_all(out.degenerate, "such triangle"));
   return out;
 }
 

@@ -1,6 +1,6 @@
 #include "mesh/solid/nesting.h"
 
-#include "core/numbers/trig.h"
+#include "core/numbers/solid_angle.h"
 #include "core/numbers/units.h"
 #include "mesh/solid/half_edges.h"
 
@@ -22,13 +22,6 @@ struct WindingQuestion {
   double angle = 0;
   bool is_yes() const { return std::fabs(angle) > kTwoPi; }  // half of the full 4 pi
 };
-
-// Solid angles [van Oosterom and Strackee 1983]: 4 pi about a point inside, 0 outside.
-double solid_angle(const Vec3& a, const Vec3& b, const Vec3& c) {
-  const double la = length(a), lb = length(b), lc = length(c);
-  return 2 * mrsim::atan2(dot(a, cross(b, c)),
-                          la * lb * lc + dot(a, b) * lc + dot(b, c) * la + dot(c, a) * lb);
-}
 
 // Calls body(component, corners) for each triangle.
 template <class Body>
@@ -181,7 +174,7 @@ class Nesting {
                       [&](std::uint32_t outer, const Vec3& a, const Vec3& b, const Vec3& c) {
                         for (std::size_t i = begin[outer]; i < begin[outer + 1]; ++i) {
                           const Vec3& p = questions[i].point;
-                          questions[i].angle += solid_angle(a - p, b - p, c - p);
+                          questions[i].angle += 2 * half_solid_angle(a - p, b - p, c - p);
                         }
                       });
   }

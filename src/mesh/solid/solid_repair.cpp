@@ -1,6 +1,7 @@
 #include "mesh/solid/solid_repair.h"
 
 #include "core/numbers/vec.h"
+#include "core/text/counted.h"
 #include "mesh/solid/check.h"
 #include "mesh/solid/double_faces.h"
 #include "mesh/solid/half_edges.h"
@@ -43,10 +44,6 @@ constexpr float kWeldSteps = 8;
 constexpr std::uint32_t kUnused = ~0u;
 
 bool is_solid(const TriMesh& mesh) { return check_mesh(mesh).oriented; }
-
-std::string counted(std::size_t n, const char* one, const char* many) {
-  return fmt::format("{} {}", n, n == 1 ? one : many);
-}
 
 float weld_distance(const TriMesh& mesh) {
   float largest = 0;

@@ -50,12 +50,6 @@ Motion part_of(const Motion& m, double from, double to) {
 
 }  // namespace
 
-double length_of(const Motion& m) {
-  if (m.kind != MotionKind::arc) return distance(m.start, m.end);
-  const double round = m.sweep * m.radius;
-  return std::sqrt(round * round + m.rise * m.rise);
-}
-
 int pieces_of(const Motion& m, const Tool& tool, double voxel, const PieceRule& rule) {
   if (m.kind == MotionKind::rapid || (m.kind == MotionKind::arc && !rule.arcs)) return 1;
   const PieceLength& length = is_plunge(m, tool) ? rule.plunge : rule.length;

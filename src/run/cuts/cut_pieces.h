@@ -35,9 +35,6 @@ struct CutPieces {
   }
 };
 
-/// Of the tool's way, mm.
-double length_of(const Motion& motion);
-
 /// Number of pieces of one motion, at least 1. `voxel` in mm.
 int pieces_of(const Motion& motion, const Tool& tool, double voxel, const PieceRule& rule);
 
