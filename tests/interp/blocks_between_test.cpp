@@ -43,7 +43,7 @@ TEST(BlocksBetween, TheyAreToldOfOnceInALoop) {
 }
 
 TEST(BlocksBetween, LinesAreShortened) {
-  const Scratch scratch;
+  const TempFolder scratch;
   const std::string file = scratch.write(
       "a.nc", "G0 X1\n; X2\nM8\nT2\nM99\nX123456789 Z123456789 F123456789 S123456789\nN1\n");
   const std::vector<ActiveBlock> blocks = active_blocks(file, {}, {1000, 0, 0});

@@ -28,7 +28,7 @@ TEST(CodesysLanguage, TheExampleOfTheDocumentationMovesAsItsPlainBlocks) {
 }
 
 TEST(CodesysLanguage, SubprogramsMayStandInFilesOfTheirOwn) {
-  const Scratch scratch;
+  const TempFolder scratch;
   scratch.write("step.cnc",
                 "SUBPROGRAM Step{#A : LREAL, #ON : BOOL}\nN1 G1 X#A Z#ON\nN2 RETURN\n"
                 "N3 X99\nEND_SUBPROGRAM\n");

@@ -10,10 +10,6 @@ namespace {
 
 using namespace mrsim::testing;
 
-std::string mill(const std::string& text, Dialect dialect = Dialect::fanuc) {
-  return path_text(read_text(text, at_origin(dialect)));
-}
-
 std::string lathe(const std::string& text) {
   return path_text(read_text(text, at_origin(Dialect::fanuc, MachineKind::lathe)));
 }

@@ -97,7 +97,7 @@ TEST(Events, ToolChangesNameTheToolThatComes) {
 
 // M2 in a subprogram of SINUMERIK is a return.
 TEST(Events, AReturnIsNoEnd) {
-  const Scratch scratch;
+  const TempFolder scratch;
   scratch.write("SUB.SPF", "G1 X1 F100\nM2\n");
   const Program p =
       read_program(scratch.write("MAIN.MPF", "SUB\nX2\nM30\n"), at_origin(Dialect::sinumerik));

@@ -33,7 +33,7 @@ TEST(FileKind, TextBehindTheTapeIsNamed) {
 // A part given in the place of the program is one error, not one for each of its characters.
 TEST(FileKind, FilesOfOtherKindsAreNoPrograms) {
   using namespace std::string_literals;
-  Scratch scratch;
+  TempFolder scratch;
   const std::string header(80, 'x'), triangle(50, '\0');
   const std::pair<std::string, const char*> kinds[] = {
       {header + "\x02\0\0\0"s + triangle + triangle, "STL"},

@@ -92,8 +92,8 @@ TEST(HaasCycles, G12OfMachGoesRoundOnce) {
   EXPECT_EQ(mach("G1 X5 F9\nG12 I0\n"), "l5,0,0 | value-range");
   EXPECT_EQ(mach("G1 X5 F9\nG12 I5 X9\n"), "l5,0,0 | not-supported");
   const std::string text = "G21 G90\nM3 S900\nG1 X20 Y20 F9\nG12 I10\nM30\n";
-  EXPECT_EQ(recognise(Scratch().write("a.tap", "(Mach3)\n" + text), {}).dialect, Dialect::iso);
-  EXPECT_EQ(recognise(Scratch().write("a.nc", text), {}).dialect, Dialect::iso);
+  EXPECT_EQ(recognise(TempFolder().write("a.tap", "(Mach3)\n" + text), {}).dialect, Dialect::iso);
+  EXPECT_EQ(recognise(TempFolder().write("a.nc", text), {}).dialect, Dialect::iso);
 }
 
 // The wall keeps the radius of 5; two cuts of 3 leave 1 mm, which the last one takes at the depth.

@@ -26,7 +26,7 @@ TEST(Habits, AColonBeforeWordsNumbersABlock) {
       milled_path("G1 X1. F1\n#1=0\nWHILE[#1LT2]DO1\n:50 T1 M6\nX[#1+2]\n#1=#1+1\nEND1\nM30\n"),
       "l1,0,0 l2,0,0 l3,0,0");
   EXPECT_EQ(
-      recognise(Scratch().write("a.nc", ":10 T1 M6 ; main block\nG1 X1 Y1 ; cut\n"), {}).dialect,
+      recognise(TempFolder().write("a.nc", ":10 T1 M6 ; main block\nG1 X1 Y1 ; cut\n"), {}).dialect,
       Dialect::sinumerik);
 }
 
@@ -185,7 +185,7 @@ TEST(Habits, ProbesAreCalledByM98Too) {
 
 // The number of the program stands before its mark, too: what follows is not read as another tape.
 TEST(Habits, TheProgramNumberMayStandBeforeTheMark) {
-  const Scratch scratch;
+  const TempFolder scratch;
   const auto told = [&](const std::string& text) {
     const std::string path = scratch.write("o.nc", text);
     InterpOptions options = kFanuc;
@@ -198,7 +198,7 @@ TEST(Habits, TheProgramNumberMayStandBeforeTheMark) {
 
 // FANUC's 30i names programs, and Haas' M98 takes the path of a file.
 TEST(Habits, ProgramsAreCalledByName) {
-  const Scratch scratch;
+  const TempFolder scratch;
   scratch.write("SUB1.nc", "<SUB1>\nG91 G1 X1. F100\nG90\nM99\n");
   scratch.write("bore.NC", "%\nO77\nG1 Z-#7 F100\nM99\n%\n");
   const auto path = [&](const std::string& text) {
@@ -415,7 +415,7 @@ TEST(Habits, MarksWherePathsWaitAreReadOver) {
 TEST(Habits, TwoSlashesBeginAComment) {
   EXPECT_EQ(milled_path("//T1 X9. Y9. (PART\nG1 X1. F9 // G1 X5.\n/X2.\n"), "l1,0,0 l2,0,0");
   EXPECT_EQ(notes("G1 X1. F9 //\n//\n"), "slash-comment");
-  Scratch folder;
+  TempFolder folder;
   const std::string file = folder.write("a.nc", "// O1234 M98 G65 P2\nG1 X1 Y1\n");
   EXPECT_NE(recognise(file, {}).dialect, Dialect::fanuc);
 }

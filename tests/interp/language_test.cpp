@@ -205,7 +205,7 @@ TEST(Owords, SubsReturnValuesAndHaveLocals) {
 }
 
 TEST(Owords, SubprogramsMayLieInFilesOfTheirOwn) {
-  const Scratch scratch;
+  const TempFolder scratch;
   scratch.write("square.ngc", "o<square> sub\nG1 X#1\nY#1\nX0\nY0\no<square> endsub\nM2\n");
   const std::string main =
       scratch.write("main.ngc", "G1 F100 Z1\no<square> call [5]\no<square> call [2]\nM2\n");
@@ -216,7 +216,7 @@ TEST(Owords, SubprogramsMayLieInFilesOfTheirOwn) {
 }
 
 TEST(Owords, AFileOfItsOwnGivesTheSubOfItsNameOnly) {
-  const Scratch scratch;
+  const TempFolder scratch;
   scratch.write("square.ngc",
                 "o<square> sub\nG1 X#1\no200 call\no<square> endsub\no200 sub\nY9\n"
                 "o200 endsub\n");
@@ -327,7 +327,7 @@ TEST(Sinumerik, ExpressionsWhereverANumberStands) {
 }
 
 TEST(Sinumerik, ProceduresTakeAndChangeParameters) {
-  const Scratch scratch;
+  const TempFolder scratch;
   scratch.write("HOLE.SPF",
                 "PROC HOLE(REAL DEPTH, REAL BACK=2, VAR REAL COUNT)\nG1 Z=-DEPTH\nZ=BACK\n"
                 "COUNT=COUNT+1\nRET\n");

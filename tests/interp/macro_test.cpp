@@ -157,7 +157,7 @@ TEST(Macro, AssignmentsAreToldOf) {
     std::string told;
   };
   const auto told = [](Dialect dialect, const std::string& text) {
-    const Scratch scratch;
+    const TempFolder scratch;
     InterpOptions options = at_origin(dialect);
     options.trace_variables = true;
     Assignments sink;

@@ -7,10 +7,6 @@ namespace {
 
 using namespace mrsim::testing;
 
-std::string mill(const std::string& text) {
-  return path_text(read_text(text, at_origin(Dialect::fanuc)));
-}
-
 // NCYL: the tool goes to the place, no hole is made there; the cycle is in force behind it.
 TEST(MillMakers, NcylOfOkumaDrillsNoHole) {
   const std::string holes = "G15 H1\nG0 X0 Y0 Z9\nG71 Z50\nNCYL G81 X1 Z-5 R2 F100 M53\nX3\n";

@@ -270,7 +270,7 @@ TEST(Policy, ACommentInBracketsIsOneFault) {
 }
 
 TEST(Policy, FilesThatAreNoProgramsAreRefused) {
-  const Scratch scratch;
+  const TempFolder scratch;
   const InterpOptions options = at_origin(Dialect::iso);
   EXPECT_THROW(read_program(scratch.write("empty.nc", ""), options), Error);
   EXPECT_THROW(read_program(scratch.write("blank.nc", " \n\r\n"), options), Error);

@@ -12,7 +12,7 @@ using namespace mrsim::testing;
 
 /// "w8" for a warning program-end-missing in line 8, "n8" for a note.
 std::string end_told(const std::string& text, Dialect dialect) {
-  const Scratch scratch;
+  const TempFolder scratch;
   std::string out;
   for (const Diagnostic& d :
        read_program(scratch.write("program.nc", text), at_origin(dialect)).diagnostics)

@@ -43,7 +43,7 @@ TEST(Recognise, DialectsAreRecognised) {
       {"a.nc", "O1;\nG1X1F1;X2Y5;", Dialect::fanuc},
       {"a.nc", "SUBPROGRAM Part\nG1 X1 Y1\nEND_SUBPROGRAM", Dialect::codesys},
   };
-  const Scratch scratch;
+  const TempFolder scratch;
   for (const Row& row : rows) {
     SCOPED_TRACE(row.text);
     const Recognition r = recognise(scratch.write(row.name, row.text), {});
@@ -70,7 +70,7 @@ TEST(Recognise, MachinesAreRecognised) {
                       {"G96 S100\nG1 X1 Y1", unclear},
                       {"TRANS X1 Y1\nG96 S100\nG1 X1", lathe},
                       {"G18\nG1 X1 Y1", mill}};
-  const Scratch scratch;
+  const TempFolder scratch;
   for (const Row& row : rows) {
     SCOPED_TRACE(row.text);
     const std::string path = scratch.write("a.MPF", row.text);
@@ -105,7 +105,7 @@ TEST(Recognise, FanucLathesAreRecognised) {
       {"O1\nT0101 (END MILL D10)\nG0 X50. Z2.\nG90 G1 X40. Z-10. F.2", MachineKind::automatic},
       {"O1\nT0101\nG50 S2000\nG0 X50. Y2.\nG90 X40. Z-10. F.2", MachineKind::mill},
       {"O1\nT1 M6\nG90 G54 G0 X50. Z2.\nG1 Z-3. F100\nG90 X40. Z-10.", MachineKind::automatic}};
-  const Scratch scratch;
+  const TempFolder scratch;
   for (const auto& [text, machine] : rows)
     EXPECT_EQ(recognise(scratch.write("a.nc", text), {}).machine, machine) << text;
 }
@@ -199,7 +199,7 @@ TEST(Subprograms, FanucCallsSubprogramsOfItsOwnFile) {
 }
 
 TEST(Subprograms, SubprogramsAreFoundBesideTheProgram) {
-  const Scratch scratch;
+  const TempFolder scratch;
   scratch.write("POCKET.SPF", "G91 G1 X1\nM17\n");
   scratch.write("L12.SPF", "G91 G1 Y1\nRET\n");
   scratch.write("O0007.nc", "G91 G1 X1\nM99\n");
@@ -338,7 +338,7 @@ TEST(Primer, TheTurningPrimerIsReadAsDrawn) {
 }
 
 TEST(Diagnostics, BeyondAHundredOfAKindAreCounted) {
-  Scratch folder;
+  TempFolder folder;
   const std::string path =
       folder.write("flood.nc", "/" + std::string(999999, '!') + "\nG1 X1 F100\n");
   const Program p = read_program(path, at_origin(Dialect::iso));
@@ -368,7 +368,7 @@ TEST(Text, NumbersAreShort) {
 
 // A link may lead to a file of the folder or of --path, to no other.
 TEST(Subprograms, ALinkDoesNotLeadOutOfTheFolder) {
-  const Scratch job, elsewhere;
+  const TempFolder job, elsewhere;
   const std::string main = job.write("main.nc", "O1\nM98 P2\nG1 X30 F1\nM30\n");
   const std::string far = elsewhere.write("far.nc", "G1 X20 F1\nM99\n");
   const std::filesystem::path link = std::filesystem::path(main).parent_path() / "O0002.nc";

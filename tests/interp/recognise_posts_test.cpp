@@ -11,7 +11,7 @@ namespace {
 using namespace mrsim::testing;
 
 Recognition recognised(const std::string& text, const std::string& name = "a.nc") {
-  const Scratch scratch;
+  const TempFolder scratch;
   return recognise(scratch.write(name, text), {});
 }
 
@@ -230,7 +230,7 @@ TEST(RecogniseForeign, MillsAndLathesAreNot) {
   InterpOptions told;
   told.dialect = Dialect::fanuc;
   told.machine = MachineKind::mill;
-  const Scratch scratch;
+  const TempFolder scratch;
   EXPECT_NO_THROW(recognise(scratch.write("a.nc", "M4 S0\nG1 X1 Y1 S5\nG1 X2 S6\nM5\n"), told));
 }
 

@@ -9,11 +9,10 @@ namespace {
 using namespace mrsim::testing;
 
 const char* const kDrills = "G71 G90 F100\nG0 X5\nCYCLE81(10,0,2,-5)\nM30\n";
-const char* const kDrilled = "r5,0,0 r5,0,10 r5,0,2 l5,0,-5 r5,0,10";
 
 Program beside(const std::string& main, const std::map<std::string, std::string>& files,
                const std::string& name = "MAIN.MPF") {
-  const Scratch scratch;
+  const TempFolder scratch;
   for (const auto& [file, text] : files) scratch.write(file, text);
   return read_program(scratch.write(name, main), at_origin(Dialect::sinumerik));
 }

@@ -10,7 +10,7 @@ namespace {
 using namespace mrsim::testing;
 
 std::string moves(const std::string& text, const std::map<std::string, std::string>& subs = {}) {
-  const Scratch scratch;
+  const TempFolder scratch;
   for (const auto& [name, sub] : subs) scratch.write(name, sub);
   const std::string main = scratch.write("MAIN.MPF", "G71 G90 G1 F100\n" + text + "M30\n");
   return path_text(read_program(main, at_origin(Dialect::sinumerik)));
@@ -207,7 +207,7 @@ TEST(SinumerikMacros, NamesStandForText) {
             "l5,0,0 l1,0,0 | subprogram-missing")
       << "not in a subprogram";
   EXPECT_EQ(moves("DEFINE ASK AS IF R1==1\nX1\n"), " | not-supported");
-  const Scratch scratch;
+  const TempFolder scratch;
   InterpOptions options = at_origin(Dialect::sinumerik);
   options.search_path = {scratch.write("UMAC.DEF", "DEFINE THERE AS X5\nDEF REAL _WIDE=7\nM30\n")};
   const std::string main = scratch.write("MAIN.MPF", "G90 G1 F100\nTHERE\nX=_WIDE\nSUB\nM30\n");
@@ -321,7 +321,7 @@ TEST(SinumerikLanguage, PartsOfBranchesAndLoopsBehindWordsAreErrors) {
 
 TEST(SinumerikLanguage, SubprogramsMayBeNamedAsInArchives) {
   for (const char* const file : {"_N_HOLES_SPF", "_N_HOLES_MPF", "_N_HOLES_SPF.SPF"}) {
-    const Scratch scratch;
+    const TempFolder scratch;
     scratch.write(file, "X1\nM17\n");
     const std::string main = scratch.write("MAIN.MPF", "G1 F9\nHOLES\nCALL \"HOLES\"\nX5\nM30\n");
     EXPECT_EQ(path_text(read_program(main, at_origin(Dialect::sinumerik))), "l1,0,0 l5,0,0")
@@ -347,7 +347,7 @@ TEST(SinumerikLanguage, ModalCodesInForceAreRead) {
 
 // $P_SUBPAR[n]: whether the call gives parameter n, or its default counts.
 TEST(SinumerikLanguage, ASubprogramKnowsWhichParametersItWasGiven) {
-  const Scratch scratch;
+  const TempFolder scratch;
   scratch.write("SUB.SPF",
                 "PROC SUB(REAL PA, REAL PB=7)\nIF $P_SUBPAR[1]\nX=PA\nENDIF\n"
                 "IF $P_SUBPAR[2]==TRUE\nY=PB\nELSE\nZ=PB\nENDIF\nM17\n");

@@ -150,7 +150,7 @@ TEST(Sinumerik, CyclesTakeExpressions) {
 }
 
 TEST(Sinumerik, DefinitionsAreReadFromFiles) {
-  const Scratch scratch;
+  const TempFolder scratch;
   const std::string defs = scratch.write(
       "UGUD.DEF",
       "; user data\nDEF NCK REAL WIDTH=7\nDEF CHAN SYNRW INT PHU 1 LLI 0 ULI 9 _COUNT[2]=SET(3,4)\n"

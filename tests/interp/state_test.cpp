@@ -69,7 +69,7 @@ TEST(Tools, ATBesideAMotionIsInDoubtWhereTheCommentNamesAnother) {
 TEST(Subprograms, M30ReturnsOnSinumerik) {
   for (const char* end : {"M30", "M2", "M17", "G1 X88 M30"}) {
     SCOPED_TRACE(end);
-    const Scratch scratch;
+    const TempFolder scratch;
     scratch.write("SUB.SPF", std::string("G1 X88\n") + end + "\n");
     const Program p =
         read_program(scratch.write("main.MPF", "G0 X0 F100\nSUB P2\nG1 X1\nM30\nX2\n"),
@@ -165,7 +165,7 @@ TEST(Sinumerik, ErrorsSayWhatIsPerhapsMeant) {
 }
 
 TEST(Subprograms, AFanucSubprogramEndsWithM99) {
-  const Scratch scratch;
+  const TempFolder scratch;
   const std::string path = scratch.write("f.nc", "O1\nG1 X1 F1\nM98 P7 L3\nG1 X3\nM30\n");
   for (const auto& [end, expected] : {std::pair("M99\n", ""), std::pair("", "program-end-missing"),
                                       std::pair("%\n", "program-end-missing")}) {

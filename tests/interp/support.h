@@ -7,7 +7,6 @@
 #include "support/collecting_sink.h"
 #include "support/temp_folder.h"
 
-#include <fstream>
 #include <string>
 #include <vector>
 
@@ -15,19 +14,6 @@
 #include <gtest/gtest.h>
 
 namespace mrsim::testing {
-
-/// A folder of its own that is removed at the end.
-class Scratch {
- public:
-  std::string write(const std::string& name, const std::string& text) const {
-    const std::string path = folder_.path(name);
-    std::ofstream(path, std::ios::binary) << text;
-    return path;
-  }
-
- private:
-  TempFolder folder_;
-};
 
 inline Program read_program(const std::string& path, const InterpOptions& options) {
   CollectingSink sink;
@@ -63,7 +49,7 @@ inline InterpOptions at_origin(Dialect dialect, MachineKind machine = MachineKin
 /// Most texts of tests are pieces of programs, with no word at their end: that is not kept.
 inline Program read_text(const std::string& text, const InterpOptions& options,
                          const std::string& name = "program.nc") {
-  const Scratch scratch;
+  const TempFolder scratch;
   Program program = read_program(scratch.write(name, text), options);
   std::erase_if(program.diagnostics, [](const Diagnostic& d) {
     return d.code == "program-end-missing" && d.text.starts_with("the file ends here");
@@ -96,6 +82,11 @@ inline std::string path_text(const Program& program) {
                        m.end.y + 0.0, m.end.z + 0.0);
   if (!out.empty()) out.pop_back();
   return out + (codes(program).empty() ? "" : " | " + codes(program));
+}
+
+/// path_text() of a mill's program that begins at the origin.
+inline std::string mill(const std::string& text, Dialect dialect = Dialect::fanuc) {
+  return path_text(read_text(text, at_origin(dialect)));
 }
 
 inline void expect_near(const Vec3& actual, const Vec3& expected, double tolerance = 1e-9) {

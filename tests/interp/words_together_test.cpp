@@ -6,10 +6,6 @@ namespace {
 
 using namespace mrsim::testing;
 
-std::string mill(const std::string& text, Dialect dialect = Dialect::fanuc) {
-  return path_text(read_text(text, at_origin(dialect)));
-}
-
 // H is that of G43 then. G15 H of Okuma, a work offset, has no G43 beside it.
 TEST(WordsTogether, PolarCoordinatesEndBesideALength) {
   const std::string polar = "G16\nG1 X10. Y90. F9\n";

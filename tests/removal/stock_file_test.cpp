@@ -4,6 +4,7 @@
 #include "removal/part/recipe_codec.h"
 #include "removal/part/stock_grid.h"
 #include "removal/vdb/level_set.h"
+#include "support/error_code.h"
 #include "support/random.h"
 #include "support/temp_folder.h"
 
@@ -51,12 +52,7 @@ std::string saved(const StockRecipe& recipe) {
 }
 
 std::string code_of(std::string_view bytes) {
-  try {
-    read_vdb(bytes, "a.vdb");
-  } catch (const Error& error) {
-    return error.code();
-  }
-  return "";
+  return testing::error_code([&] { read_vdb(bytes, "a.vdb"); });
 }
 
 // What a program does that reads the file and writes it again, with or without a change.

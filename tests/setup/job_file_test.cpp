@@ -1,5 +1,7 @@
 #include "setup/job_file.h"
 
+#include "support/error_code.h"
+
 #include <gtest/gtest.h>
 
 namespace mrsim {
@@ -7,15 +9,7 @@ namespace {
 
 // "line:column code text" of the fault in a job.
 std::string fault(std::string_view text) {
-  try {
-    parse_job(text, "jobs/j.toml");
-  } catch (const PlacedError& error) {
-    const Diagnostic& d = error.diagnostic();
-    EXPECT_EQ(d.place.file, "jobs/j.toml");
-    return std::to_string(d.place.line) + ":" + std::to_string(d.place.column) + " " + d.code +
-           " " + d.text;
-  }
-  return "";
+  return testing::placed_fault("jobs/j.toml", [&] { parse_job(text, "jobs/j.toml"); });
 }
 
 // All options as they would be typed.

@@ -1,17 +1,14 @@
 #include "setup/machine_file.h"
 
+#include "support/error_code.h"
+
 #include <gtest/gtest.h>
 
 namespace mrsim {
 namespace {
 
 std::string code_of(std::string_view text) {
-  try {
-    parse_machine(text, "job.toml");
-  } catch (const PlacedError& error) {
-    return error.code();
-  }
-  return "";
+  return testing::error_code([&] { parse_machine(text, "job.toml"); });
 }
 
 TEST(MachineFile, ReadsWhatItNamesAndKeepsTheRest) {

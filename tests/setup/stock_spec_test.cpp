@@ -1,19 +1,14 @@
 #include "setup/stock_spec.h"
 
+#include "support/error_code.h"
+
 #include <gtest/gtest.h>
 
 namespace mrsim {
 namespace {
 
 std::string complaint(const std::string& spec) {
-  try {
-    parse_stock_spec(spec);
-  } catch (const Error& error) {
-    EXPECT_EQ(error.code(), "stock-spec");
-    EXPECT_EQ(error.kind(), Error::Kind::usage);
-    return error.what();
-  }
-  return "";
+  return testing::usage_fault("stock-spec", [&] { parse_stock_spec(spec); });
 }
 
 TEST(StockSpec, ReadsTheThreeForms) {

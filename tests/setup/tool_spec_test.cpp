@@ -1,6 +1,7 @@
 #include "setup/tool_spec.h"
 
 #include "core/numbers/units.h"
+#include "support/error_code.h"
 
 #include <gtest/gtest.h>
 
@@ -8,14 +9,7 @@ namespace mrsim {
 namespace {
 
 std::string fault(const std::string& spec) {
-  try {
-    parse_tool_spec(spec);
-  } catch (const Error& error) {
-    EXPECT_EQ(error.code(), "tool-spec");
-    EXPECT_EQ(error.kind(), Error::Kind::usage);
-    return error.what();
-  }
-  return "";
+  return testing::usage_fault("tool-spec", [&] { parse_tool_spec(spec); });
 }
 
 TEST(ToolSpec, ReadsNumberTypeAndKeys) {

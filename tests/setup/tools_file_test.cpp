@@ -11,15 +11,7 @@ namespace {
 
 // "line:column code text" of the fault in a table.
 std::string fault(std::string_view text) {
-  try {
-    parse_tools(text, "t.toml");
-  } catch (const PlacedError& error) {
-    const Diagnostic& d = error.diagnostic();
-    EXPECT_EQ(d.place.file, "t.toml");
-    return std::to_string(d.place.line) + ":" + std::to_string(d.place.column) + " " + d.code +
-           " " + d.text;
-  }
-  return "";
+  return testing::placed_fault("t.toml", [&] { parse_tools(text, "t.toml"); });
 }
 
 TEST(ToolsFile, ReadsTheWholeSchema) {
