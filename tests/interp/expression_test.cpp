@@ -1,7 +1,6 @@
 // Expressions of each control against results from the manuals and from arithmetic by hand.
-#include "interp/language/expression.h"
-
 #include "core/numbers/exponential.h"
+#include "interp/language/evaluator.h"
 #include "interp/language/variables.h"
 
 #include <cmath>

@@ -3,7 +3,7 @@
 // bounded. Does not know the state of the control: SystemVariables gives the variables of that.
 #pragma once
 
-#include "interp/language/expression.h"
+#include "interp/language/evaluator.h"
 #include "interp/language/loop_watch.h"
 #include "interp/language/unread_presets.h"
 #include "interp/language/value.h"

@@ -1,8 +1,8 @@
 #include "interp/path/turn_profile.h"
 
 #include "core/numbers/rounding.h"
+#include "interp/path/level_cuts.h"
 #include "interp/path/plane_piece.h"
-#include "interp/path/turn_levels.h"
 
 #include <algorithm>
 #include <cmath>

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "interp/calls/block_reader.h"
-#include "interp/language/expression.h"
+#include "interp/language/evaluator.h"
 #include "interp/language/variables.h"
 
 #include <optional>

@@ -6,9 +6,9 @@
 // again with 16 rays.
 #pragma once
 
-#include "mesh/draw/light.h"
 #include "mesh/draw/picture.h"
 #include "mesh/draw/ray_scene.h"
+#include "mesh/draw/studio.h"
 #include "mesh/draw/view.h"
 #include "mesh/solid/creases.h"
 

@@ -1,4 +1,4 @@
-#include "interp/language/expression.h"
+#include "interp/language/evaluator.h"
 
 #include "interp/language/operations.h"
 

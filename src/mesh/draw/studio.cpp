@@ -1,4 +1,4 @@
-#include "mesh/draw/light.h"
+#include "mesh/draw/studio.h"
 
 #include "core/numbers/trig.h"
 #include "core/numbers/units.h"

@@ -1,4 +1,4 @@
-#include "interp/path/turn_levels.h"
+#include "interp/path/level_cuts.h"
 
 #include <algorithm>
 #include <cmath>
