@@ -200,11 +200,6 @@ class Case:
         self.repack = repack
 
 
-def unpacked_3mf(path):
-    with zipfile.ZipFile(path) as archive:
-        return {n: archive.read(n) for n in archive.namelist()}
-
-
 def make_seeds(program, folder):
     """Files that only the program itself can make."""
     (folder / "p.nc").write_bytes(MILL)
