@@ -26,10 +26,6 @@ class CollisionsSeen : public CliTest {
   }
 };
 
-bool contains(const std::string& text, const std::string& part) {
-  return text.find(part) != std::string::npos;
-}
-
 TEST_F(CollisionsSeen, ARapidInMaterialIsAWarningWithItsLine) {
   const Outcome outcome = dive("--tool 1=endmill:d=6 -o part.stl");
   ASSERT_EQ(outcome.code, 0) << outcome.err;

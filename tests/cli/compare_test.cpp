@@ -8,13 +8,8 @@ namespace {
 
 using namespace mrsim::testing;
 
-class Compare : public CliTest {
+class Compare : public NominalTest {
  protected:
-  void SetUp() override {
-    CliTest::SetUp();
-    for (const char* name : {"PRIMER_2F.nominal.stl", "PRIMER_2S.nominal.stl"})
-      std::filesystem::copy(std::filesystem::path(MRSIM_DATA_DIR) / name, folder_ / name);
-  }
   /// PRIMER_2F with `from` replaced by `to`, cut and compared; the JSON.
   Json spoiled(const std::string& from, const std::string& to, const std::string& options = "") {
     std::string program = read("PRIMER_2F.MPF");

@@ -89,6 +89,16 @@ class CliTest : public TempFolderTest {
   }
 };
 
+/// With the nominals of both parts in the folder.
+class NominalTest : public CliTest {
+ protected:
+  void SetUp() override {
+    CliTest::SetUp();
+    for (const char* name : {"PRIMER_2F.nominal.stl", "PRIMER_2S.nominal.stl"})
+      std::filesystem::copy(std::filesystem::path(MRSIM_DATA_DIR) / name, folder_ / name);
+  }
+};
+
 /// The number after `label` in a report, its thousands apart.
 inline double number_after(const std::string& text, const std::string& label) {
   const std::size_t at = text.find(label);

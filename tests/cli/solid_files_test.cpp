@@ -25,13 +25,8 @@ namespace {
 
 using namespace mrsim::testing;
 
-class SolidFiles : public CliTest {
+class SolidFiles : public NominalTest {
  protected:
-  void SetUp() override {
-    CliTest::SetUp();
-    for (const char* name : {"PRIMER_2F.nominal.stl", "PRIMER_2S.nominal.stl"})
-      std::filesystem::copy(std::filesystem::path(MRSIM_DATA_DIR) / name, folder_ / name);
-  }
   nlohmann::json json(const std::string& name) {
     return nlohmann::json::parse(read(name), nullptr, false);
   }

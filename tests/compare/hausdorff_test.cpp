@@ -5,29 +5,19 @@
 #include "compare/distance/sampling.h"
 #include "core/numbers/trig.h"
 #include "mesh/solid/half_edges.h"
+#include "support/cgal_mesh.h"
 #include "support/shapes.h"
 
 #include <cmath>
 
-#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Kernel/global_functions_3.h>  // which distance.h of CGAL 5.5 uses and does not include
 #include <CGAL/Polygon_mesh_processing/distance.h>
-#include <CGAL/Surface_mesh.h>
 #include <gtest/gtest.h>
 
 namespace mrsim {
 namespace {
 
-using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
-using SurfaceMesh = CGAL::Surface_mesh<Kernel::Point_3>;
-
-SurfaceMesh to_cgal(const TriMesh& mesh) {
-  SurfaceMesh out;
-  for (const auto& v : mesh.vertices) out.add_vertex({v[0], v[1], v[2]});
-  using V = SurfaceMesh::Vertex_index;
-  for (const auto& t : mesh.triangles) out.add_face(V(t[0]), V(t[1]), V(t[2]));
-  return out;
-}
+using testing::to_cgal;
 
 HausdorffBound ours(const TriMesh& from, const TriMesh& to, double error,
                     std::size_t budget = 300'000) {

@@ -3,7 +3,6 @@
 #include "core/numbers/trig.h"
 #include "core/numbers/units.h"
 #include "mesh/mesh_part.h"
-#include "mesh/solid/check.h"
 #include "mesh/solid/self_intersection.h"
 #include "support/analytic_field.h"
 #include "support/cgal_mesh.h"
@@ -206,13 +205,7 @@ AnalyticField random_part(std::uint64_t seed) {
 }
 
 void expect_sound(const AnalyticField& part, double voxel, double tolerance, std::uint64_t seed) {
-  const TriMesh mesh = mesh_part(part, voxel, with_tolerance(tolerance));
-  const MeshSummary s = check_mesh(mesh);
-  EXPECT_TRUE(s.closed && s.oriented && s.manifold && s.degenerate == 0) << seed << s.first_fault;
-  EXPECT_EQ(self_intersections(mesh), 0u) << seed;
-  const Candidates all = part.all();
-  for (const auto& v : mesh.vertices)
-    ASSERT_LE(std::abs(part.sample({v[0], v[1], v[2]}, all).distance), 1e-3) << seed;
+  testing::expect_sound(part, mesh_part(part, voxel, with_tolerance(tolerance)), seed);
 }
 
 TEST(AdaptiveCgal, RandomPartsAreSoundAtTheVoxel) {

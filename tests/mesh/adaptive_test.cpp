@@ -1,5 +1,6 @@
 #include "mesh/mesh_part.h"
 #include "mesh/solid/check.h"
+#include "mesh/solid/half_edges.h"
 #include "support/analytic_field.h"
 #include "support/mesh_asserts.h"
 
@@ -14,16 +15,6 @@ namespace {
 
 using namespace mrsim::testing;
 
-Vec3 vec(const std::array<float, 3>& v) { return {v[0], v[1], v[2]}; }
-
-double largest_vertex_error(const ExactField& field, const TriMesh& mesh) {
-  const Candidates all = field.all();
-  double most = 0;
-  for (const auto& v : mesh.vertices)
-    most = std::max(most, std::abs(field.sample(vec(v), all).distance));
-  return most;
-}
-
 // Largest |d| over samples of every triangle, n to a side.
 double largest_mesh_error(const ExactField& field, const TriMesh& mesh, int n) {
   const Candidates all = field.all();
@@ -32,8 +23,8 @@ double largest_mesh_error(const ExactField& field, const TriMesh& mesh, int n) {
     for (int i = 0; i <= n; ++i)
       for (int j = 0; i + j <= n; ++j) {
         const double x = double(i) / n, y = double(j) / n;
-        const Vec3 p = (1 - x - y) * vec(mesh.vertices[t[0]]) + x * vec(mesh.vertices[t[1]]) +
-                       y * vec(mesh.vertices[t[2]]);
+        const Vec3 p = (1 - x - y) * to_vec(mesh.vertices[t[0]]) + x * to_vec(mesh.vertices[t[1]]) +
+                       y * to_vec(mesh.vertices[t[2]]);
         most = std::max(most, std::abs(field.sample(p, all).distance));
       }
   return most;
@@ -170,8 +161,8 @@ TEST(MeshPart, OwnersAreThoseOfTheExactPart) {
   std::size_t wrong = 0;
   for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
     const auto& x = mesh.triangles[t];
-    const Vec3 p = (1.0 / 3) *
-                   (vec(mesh.vertices[x[0]]) + vec(mesh.vertices[x[1]]) + vec(mesh.vertices[x[2]]));
+    const Vec3 p = (1.0 / 3) * (to_vec(mesh.vertices[x[0]]) + to_vec(mesh.vertices[x[1]]) +
+                                to_vec(mesh.vertices[x[2]]));
     wrong += part.sample(p, all).owner != mesh.owners[t];
   }
   EXPECT_LE(wrong, mesh.triangles.size() / 500);  // where owners change on one smooth surface
@@ -216,7 +207,8 @@ TEST(MeshPart, ThinWallsAreKeptOrReportedWhereverTheyLieInATile) {
         const TriMesh mesh = mesh_part(part, kVoxel, {}, &report);
         const bool is_kept =  // a plane of the grid lies in it
             std::any_of(mesh.vertices.begin(), mesh.vertices.end(), [&](const auto& v) {
-              return std::abs(component(vec(v), axis) - at) < 2 * kHalf && v[2] > 1.5 && v[2] < 2.5;
+              return std::abs(component(to_vec(v), axis) - at) < 2 * kHalf && v[2] > 1.5 &&
+                     v[2] < 2.5;
             });
         // The first edge of each pair of owners is told, where the slots' round ends may be.
         const auto is_wall = [&](const ThinFeature& f) {

@@ -5,7 +5,6 @@
 #include "core/numbers/units.h"
 #include "core/numbers/vec.h"
 #include "mesh/mesh_part.h"
-#include "mesh/solid/check.h"
 #include "removal/part/part_field.h"
 #include "support/cgal_mesh.h"
 #include "support/random.h"
@@ -100,12 +99,7 @@ void expect_sound(const PartField& part, double voxel, double tolerance, std::ui
     ASSERT_EQ(error.code(), "part-empty") << seed;
     return;
   }
-  const MeshSummary s = check_mesh(mesh);
-  EXPECT_TRUE(s.closed && s.oriented && s.manifold && s.degenerate == 0) << seed << s.first_fault;
-  EXPECT_EQ(self_intersections(mesh), 0u) << seed;
-  const Candidates all = part.all();
-  for (const auto& v : mesh.vertices)
-    ASSERT_LE(std::abs(part.sample({v[0], v[1], v[2]}, all).distance), 1e-3) << seed;
+  testing::expect_sound(part, mesh, seed);
 }
 
 class RandomPrograms : public ::testing::TestWithParam<unsigned> {};

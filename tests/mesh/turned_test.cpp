@@ -6,6 +6,7 @@
 #include "core/numbers/vec.h"
 #include "mesh/mesh_part.h"
 #include "mesh/solid/check.h"
+#include "mesh/solid/half_edges.h"
 #include "mesh/turned/turned_chords.h"
 #include "mesh/turned/turned_mesh.h"
 #include "removal/part/part_field.h"
@@ -43,8 +44,6 @@ MeshPlan within(double tolerance, int threads = 1) {
   options.threads = threads;
   return options;
 }
-
-Vec3 vec(const std::array<float, 3>& v) { return {v[0], v[1], v[2]}; }
 
 Motion arc_about_y(Vec3 start, Vec3 center, double sweep) {
   return testing::arc(start, center, {0, 1, 0}, sweep);
@@ -155,8 +154,8 @@ TEST(Turned, OwnersAreThoseOfTheCuts) {
   const TriMesh mesh = mesh_part(field, 0.5, within(0.01));
   for (std::size_t k = 0; k < mesh.triangles.size(); ++k) {
     const auto& t = mesh.triangles[k];
-    const Vec3 middle = (1.0 / 3) * (vec(mesh.vertices[t[0]]) + vec(mesh.vertices[t[1]]) +
-                                     vec(mesh.vertices[t[2]]));
+    const Vec3 middle = (1.0 / 3) * (to_vec(mesh.vertices[t[0]]) + to_vec(mesh.vertices[t[1]]) +
+                                     to_vec(mesh.vertices[t[2]]));
     const double radius = std::hypot(middle.x, middle.y);
     const bool is_stock = (radius > 12.5 && middle.z < 29) || middle.z < 1 || middle.z > 49;
     EXPECT_EQ(mesh.owners[k] == kStockOwner, is_stock) << radius << ' ' << middle.z;

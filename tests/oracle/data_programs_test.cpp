@@ -4,6 +4,7 @@
 #include "mesh/solid/check.h"
 #include "support/analytic_field.h"
 #include "support/cgal_mesh.h"
+#include "support/mesh_asserts.h"
 #include "support/temp_folder.h"
 
 #include <algorithm>
@@ -80,20 +81,11 @@ std::string name_of(const ::testing::TestParamInfo<std::string>& at) {
 INSTANTIATE_TEST_SUITE_P(Data, DataPrograms, ::testing::ValuesIn(programs(false)), name_of);
 INSTANTIATE_TEST_SUITE_P(SlowData, DataPrograms, ::testing::ValuesIn(programs(true)), name_of);
 
-double largest_vertex_error(const TriMesh& mesh) {
-  const AnalyticField part = primer_2f();
-  const Candidates all = part.all();
-  double most = 0;
-  for (const auto& v : mesh.vertices)
-    most = std::max(most, std::fabs(part.sample({v[0], v[1], v[2]}, all).distance));
-  return most;
-}
-
 void expect_vertices_on_part(const char* voxel) {
   const std::optional<TriMesh> mesh =
       mesh_of(std::string("PRIMER_2F.MPF --stock block.stl --voxel ") + voxel);
   ASSERT_TRUE(mesh);
-  const double most = largest_vertex_error(*mesh);
+  const double most = largest_vertex_error(primer_2f(), *mesh);
   EXPECT_LE(most, 0.001) << "voxel " << voxel;
   ::testing::Test::RecordProperty("largest_error_mm", std::to_string(most));
 }

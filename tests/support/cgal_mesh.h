@@ -1,8 +1,11 @@
 // Meshes as CGAL sees them: the independent judge of self-intersections and distances.
 #pragma once
 
+#include "mesh/solid/check.h"
+#include "support/mesh_asserts.h"
 #include <mrsim/types.h>
 
+#include <cstdint>
 #include <iterator>
 #include <utility>
 #include <vector>
@@ -35,5 +38,14 @@ inline std::vector<std::pair<SurfaceMesh::Face_index, SurfaceMesh::Face_index>> 
 }
 
 inline std::size_t self_intersections(const TriMesh& mesh) { return meeting_faces(mesh).size(); }
+
+/// A closed 2-manifold that does not meet itself, its vertices on the exact part. `seed` tells it
+/// from others.
+inline void expect_sound(const ExactField& part, const TriMesh& mesh, std::uint64_t seed) {
+  const MeshSummary s = check_mesh(mesh);
+  EXPECT_TRUE(s.closed && s.oriented && s.manifold && s.degenerate == 0) << seed << s.first_fault;
+  EXPECT_EQ(self_intersections(mesh), 0u) << seed;
+  EXPECT_LE(largest_vertex_error(part, mesh), 1e-3) << seed;
+}
 
 }  // namespace mrsim::testing

@@ -3,9 +3,14 @@
 
 #include "core/text/text_io.h"
 #include "mesh/solid/check.h"
+#include "mesh/solid/half_edges.h"
+#include "removal/field/field.h"
 #include "support/error_code.h"
 #include <mrsim/types.h>
 
+#include <algorithm>
+#include <array>
+#include <cmath>
 #include <functional>
 #include <string>
 #include <vector>
@@ -29,6 +34,15 @@ inline std::vector<std::array<std::array<float, 3>, 3>> corners_of(const TriMesh
   for (const auto& t : mesh.triangles)
     out.push_back({mesh.vertices[t[0]], mesh.vertices[t[1]], mesh.vertices[t[2]]});
   return out;
+}
+
+/// mm: how far vertices are from the surface of the exact part, at most.
+inline double largest_vertex_error(const ExactField& part, const TriMesh& mesh) {
+  const Candidates all = part.all();
+  double most = 0;
+  for (const auto& v : mesh.vertices)
+    most = std::max(most, std::abs(part.sample(to_vec(v), all).distance));
+  return most;
 }
 
 inline void expect_closed_manifold(const TriMesh& mesh) {
