@@ -294,14 +294,15 @@ TEST(Corners, AnInfeedComesBehindTheRounding) {
   expect_near(p.motions[3].end, {50, 60, -5});
 }
 
-// Slanted neighbours: the rounding joins the heights at which it touches them.
+// Slanted neighbours: the rounding joins the heights at which it touches them; before an infeed it
+// ends at that of the corner.
 TEST(Corners, ARoundingJoinsTheHeightsOfSlantedLines) {
   const Program p = read_text("G1 X50 Z10 RND=5 F1\nZ4\nY60 Z16\n", at_origin(Dialect::sinumerik));
   ASSERT_EQ(p.motions.size(), 4U) << listing(p);
   expect_near(p.motions[0].end, {45, 0, 9});
-  expect_near(p.motions[1].end, {50, 5, 11});
-  expect_near(p.motions[2].end, {50, 5, 5});
-  expect_near(p.motions[3].start, {50, 5, 5});
+  expect_near(p.motions[1].end, {50, 5, 10});
+  expect_near(p.motions[2].end, {50, 5, 4});
+  expect_near(p.motions[3].start, {50, 5, 4});
   expect_near(p.motions[3].end, {50, 60, 16});
 }
 

@@ -109,7 +109,8 @@ void MotionEmitter::give_events(std::size_t order) {
 }
 
 void MotionEmitter::emit(const Motion& motion) {
-  emit(motion, motion.kind == MotionKind::rapid ? CornerSpec{} : corner_spec());
+  const bool hole = modal_.drill.number != 0;  // ,R1 beside G84 is a rigid tap
+  emit(motion, hole || motion.kind == MotionKind::rapid ? CornerSpec{} : corner_spec());
 }
 
 void MotionEmitter::emit(Motion motion, const CornerSpec& corner) {
@@ -366,6 +367,7 @@ CornerSpec MotionEmitter::corner_spec() {
   } else if (modal_.rndm > 0) {
     spec = {Kind::round, modal_.rndm, 0, true};
   }
+  spec.next = is(Dialect::fanuc);
   for (const Word* word : {round, leg, cut})
     if (word && word->value < 0 && word->address >= Address::function)
       warning("corner-void", "the size is negative: no rounding or chamfer is inserted", *word);

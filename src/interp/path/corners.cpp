@@ -111,13 +111,14 @@ bool travels(const Motion& motion) {
 }
 
 // Shortens the move to `piece`, whose coordinates are those of `basis`. The basis of the move may
-// be turned against it.
-void shorten(PathMove& move, const Basis& basis, PlanePiece piece, bool at_end, Vec2 to) {
+// be turned against it. `keep_heights`: the shorter move has the whole change of height.
+void shorten(PathMove& move, const Basis& basis, PlanePiece piece, bool at_end, Vec2 to,
+             bool keep_heights) {
   const double start = dot(move.motion.start, basis.w);
   const double end = dot(move.motion.end, basis.w);
   const double share = position_on(piece, to) / extent(piece);
   if (piece.arc) piece.sweep *= at_end ? share : 1 - share;
-  const double height = start + (end - start) * share;
+  const double height = keep_heights ? (at_end ? end : start) : start + (end - start) * share;
   (at_end ? piece.end : piece.start) = to;
   from_piece(piece, basis, at_end ? start : height, at_end ? height : end, move.motion);
 }
@@ -130,12 +131,15 @@ bool CornerStage::insert(PathMove& before, PathMove& after, PathMove& inserted) 
                    b = to_plane(after.motion, before.basis);
   const double turn = cross(end_tangent(a), start_tangent(b));
   if (std::abs(turn) < kTangent) {
-    if (dot(end_tangent(a), start_tangent(b)) < 0) nothing_inserted("the path turns straight back");
+    if (dot(end_tangent(a), start_tangent(b)) < 0)
+      nothing_inserted("the path turns straight back", before);
     return false;
   }
   const double side = turn > 0 ? 1 : -1;
-  // Travel along the normal between the two moves, in its own blocks, follows the inserted element.
-  const double infeed = dot(after.motion.start - before.motion.end, before.basis.w);
+  // Behind an infeed, which may be a retract, the next move begins at the infeed's height, and the
+  // element ends at the height of the corner.
+  const double corner_height = dot(before.motion.end, before.basis.w);
+  const bool apart = held_.size() > 1;
   Contact c;
   if (!contacts(before.corner, a, b, side, before.corner.size, c)) {
     const double size = largest_fit(before.corner, a, b, side, c);
@@ -147,8 +151,8 @@ bool CornerStage::insert(PathMove& before, PathMove& after, PathMove& inserted) 
   inserted = before;
   inserted.corner = {};
   if (before.corner.feed > 0) inserted.motion.feed = before.corner.feed;
-  shorten(before, before.basis, a, true, c.first);
-  shorten(after, before.basis, b, false, c.second);
+  shorten(before, before.basis, a, true, c.first, false);
+  shorten(after, before.basis, b, false, c.second, apart);
   PlanePiece piece;
   piece.start = c.first;
   piece.end = c.second;
@@ -159,22 +163,21 @@ bool CornerStage::insert(PathMove& before, PathMove& after, PathMove& inserted) 
     piece.sweep = fold_sweep(c.first - c.center, c.second - c.center, side > 0);
   }
   from_piece(piece, before.basis, dot(before.motion.end, before.basis.w),
-             dot(after.motion.start, before.basis.w) - infeed, inserted.motion);
+             apart ? corner_height : dot(after.motion.start, before.basis.w), inserted.motion);
   inserted.motion.assumed_start = false;
   return true;
 }
 
 void CornerStage::flush() {
   if (!held_.empty() && !held_.front().corner.modal)
-    nothing_inserted("no move in the plane follows");
+    nothing_inserted("no move in the plane follows", held_.front());
   for (const PathMove& move : held_) next_(move);
   held_.clear();
 }
 
-void CornerStage::nothing_inserted(const char* why) {
+void CornerStage::nothing_inserted(const char* why, const PathMove& move) {
   reporter_.add_at(Severity::warning, "corner-void",
-                   fmt::format("{}: no rounding or chamfer is inserted", why),
-                   held_.front().motion);
+                   fmt::format("{}: no rounding or chamfer is inserted", why), move.motion);
 }
 
 void CornerStage::reduced(const PathMove& move, double size) {
@@ -187,18 +190,26 @@ void CornerStage::reduced(const PathMove& move, double size) {
 bool CornerStage::may_insert(const PathMove& after) {
   const PathMove& before = held_.front();
   if (after.block > before.block + kMostBetween + 1 || is_infeed(after)) {
-    nothing_inserted("more than three blocks without travel in the plane follow");
+    nothing_inserted("more than three blocks without travel in the plane follow", before);
+    return false;
+  }
+  if (before.corner.next && held_.size() > 1) {
+    nothing_inserted("the next block does not move in the plane, where FANUC's controls stop",
+                     before);
     return false;
   }
   if (!is_tilted(after) && length(before.basis.w - after.basis.w) < kSameAxis) return true;
-  if (!before.corner.modal) nothing_inserted("the next move lies in another plane");
+  if (!before.corner.modal) nothing_inserted("the next move lies in another plane", before);
   return false;
 }
 
 void CornerStage::push(const PathMove& move) {
   if (held_.empty()) {
-    if (move.corner.kind == CornerSpec::Kind::none || is_infeed(move) || is_tilted(move))
-      return next_(move);
+    const bool cornered = move.corner.kind != CornerSpec::Kind::none;
+    const bool flat = !is_infeed(move) && !is_tilted(move);
+    if (cornered && !flat && !move.corner.modal)
+      nothing_inserted("the block does not move in the plane", move);
+    if (!cornered || !flat) return next_(move);
     held_.push_back(move);
     return;
   }

@@ -17,6 +17,7 @@ struct CornerSpec {
   double size = 0;     ///< mm
   double feed = 0;     ///< of the inserted element; 0: the feed of the move before
   bool modal = false;  ///< of RNDM: it holds for each corner, and need not have one
+  bool next = false;   ///< ,R ,C: no infeed may come before the next move
 };
 
 /// Radius compensation in force for a move.
@@ -58,7 +59,7 @@ class CornerStage {
 
  private:
   bool may_insert(const PathMove& after);
-  void nothing_inserted(const char* why);
+  void nothing_inserted(const char* why, const PathMove& move);
   void reduced(const PathMove& move, double size);
   bool insert(PathMove& before, PathMove& after, PathMove& inserted);
 
