@@ -198,6 +198,20 @@ TEST(LinuxCncWords, NumbersHaveNoExponents) {
   ASSERT_FALSE(p.diagnostics.empty());
   EXPECT_EQ(p.diagnostics[0].code, "number-malformed");
   EXPECT_NE(p.diagnostics[0].text.find("exponent"), std::string::npos);
+  for (const char* text : {"X-1.42e-14", "X1.5E+01", "X1.5E2", "G1 Y2e-7 F9"})
+    EXPECT_EQ(path_of_words(std::string("F9\nG1 ") + text + "\nM2\n"), " | number-malformed")
+        << text;
+  EXPECT_EQ(path_of_words("M68 E0 Q1\nM68E2Q1\nG1 X1 F9\nM2\n"), "l1,0,0");
+}
+
+// A work offset of Fadal is E1, never E+01.
+TEST(LinuxCncWords, FanucsNumbersHaveNoExponentsEither) {
+  const auto fanuc = [](const std::string& text) {
+    return path_text(read_text("F9\nG1 " + text + "\n", at_origin(Dialect::fanuc)));
+  };
+  EXPECT_EQ(fanuc("X-1.42e-14"), " | number-malformed");
+  EXPECT_EQ(fanuc("X1.5E+01"), " | number-malformed");
+  EXPECT_EQ(fanuc("Y3.\nG0X2.E1"), "l0,3,0 r2,3,0");
 }
 
 // G61, G64 and G92.1 to G92.3 have no axes of their own: those beside them belong to the motion.

@@ -78,7 +78,7 @@ TEST(MillMakers, EChoosesAWorkOffset) {
   EXPECT_NE(codes(p, Severity::note).find("work-offset-unset"), std::string::npos);
   const Program home = read_text(path + "G0 E0 X0 Y0\nG1 Z-2.\n", options);
   EXPECT_TRUE(home.motions.back().assumed_start);
-  EXPECT_EQ(mill("G1 X1.5E-2 F100\n"), " | address-unknown");
+  EXPECT_EQ(mill("G1 X1.5E-2 F100\n"), " | number-malformed");
 }
 
 // R0+.1 of Fadal is R.1.

@@ -33,6 +33,7 @@ void WordReader::plain_words(Block& block) {
     Word word;
     const char* const number_end = read_digits(p + 1, end, word);
     if (number_end == nullptr) return;
+    if (number_end < end && upper(*number_end) == 'E') return;  // perhaps an exponent
     const char* next = number_end;
     while (next < end && blank(*next)) ++next;
     if (next < end && !is_letter(*next)) return;
@@ -286,6 +287,24 @@ void WordReader::bare_number(Block& block) {
         from, p_);
 }
 
+// Whether "E-14" or "E+01" is glued to the number that ends here, as programming languages print
+// exponents. LinuxCNC has E as a word only beside G76 and M66 to M68.
+bool WordReader::exponent_follows(const Block& block, char address) const {
+  if (upper(at(p_)) != 'E' || (dialect_ != Dialect::fanuc && dialect_ != Dialect::ngc) ||
+      address == 'G' || address == 'M')
+    return false;
+  const bool sign = at(p_ + 1) == '+' || at(p_ + 1) == '-';
+  std::size_t end = p_ + (sign ? 2 : 1);
+  if (!is_digit(at(end))) return false;
+  while (is_digit(at(end))) ++end;
+  if (at(end) == '.') return false;
+  return sign || (dialect_ == Dialect::ngc &&
+                  std::none_of(block.words.begin(), block.words.end(), [](const Word& word) {
+                    return (word.address == letter('G') && word.value == 76) ||
+                           (word.address == letter('M') && word.value >= 66 && word.value <= 68);
+                  }));
+}
+
 // The word of the letter `c` at `from`, whose number, or whose expression that begins with a
 // number, is at the place.
 void WordReader::numbered_word(Block& block, std::size_t from, char c) {
@@ -299,6 +318,11 @@ void WordReader::numbered_word(Block& block, std::size_t from, char c) {
     return;
   }
   if (!plain && !number(block, word, false)) return;
+  if (exponent_follows(block, c)) {
+    for (p_ += 2; is_digit(at(p_));) ++p_;
+    return fault(block, "number-malformed",
+                 "numbers of this control have no exponent: write them out", digits, p_);
+  }
   if (c == 'S' && at(p_) == '=' && special_.spindle_speed(block, word))
     return push(block, word, from);
   if (glued_blanks_) strange_.check_inner_blanks(digits);

@@ -30,6 +30,7 @@ class WordReader : public LineParser {
   bool skip_rest(Block& block);
   void warn_of_division(const Block& block, std::size_t end);
   void letter_word(Block& block);
+  bool exponent_follows(const Block& block, char address) const;
   void numbered_word(Block& block, std::size_t from, char c);
   bool ends_block() const;
   void slashes(Block& block);
