@@ -76,6 +76,30 @@ TEST(LinuxCncCompensation, AnEntryThatLeadsNowhereIsAnError) {
   EXPECT_NE(path_text(p).find("comp-"), std::string::npos);
 }
 
+// L of G42.1 is LinuxCNC's orientation of the tip: 2 lies towards -X and -Z. Without L, and with 0
+// or 9, the path is that of the nose's centre.
+TEST(LinuxCncCompensation, LBesideG421IsTheTipOfALathe) {
+  InterpOptions options = at_origin(Dialect::ngc);
+  options.machine = MachineKind::lathe;
+  options.table.tools[0].type = ToolType::turning;
+  options.table.tools[0].nose_radius = 0.8;
+  const auto turned = [&](const std::string& words) {
+    return path_text(
+        read_text("G7 G18 G21\nF9\nG0 X30 Z5\n" + words + " G1 X20 Z2\nZ-10\nX30\nG40 G0 X60\nM2\n",
+                  options));
+  };
+  EXPECT_EQ(turned("G42.1 D1.6 L2"), turned("G42 D1"));
+  EXPECT_EQ(turned("G41.1 D-1.6 L2"), turned("G42 D1"));
+  EXPECT_NE(turned("G42.1 D1.6"), turned("G42 D1"));
+  EXPECT_NE(turned("G42.1 D1.6").find("| nose-differs"), std::string::npos);
+  EXPECT_NE(turned("G42.1 D1.6 L3").find("| nose-differs"), std::string::npos);
+  EXPECT_NE(turned("G42.1 D1.6 L10").find("| value-range"), std::string::npos);
+  options.table.tools[0].tip_is_nose_centre = true;
+  EXPECT_EQ(turned("G42.1 D1.6").find('|'), std::string::npos);
+  EXPECT_EQ(path_text(read_text("F9\nG42.1 D2 L2\nG1 X5\nM2\n", at_origin(Dialect::ngc))),
+            "l5,0,0 | comp-plane");
+}
+
 // What its interpreter, and that of Mach, refuse between G41 and G40.
 TEST(LinuxCncCompensation, WhatMustNotStandWithinIt) {
   for (const char* text : {"T1 M6", "G55", "G92 X3", "G52 X3", "G28", "G53 G0 X5", "G42.1 D4"})

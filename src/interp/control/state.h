@@ -104,6 +104,7 @@ struct Modal {
   Code comp = Code::comp_off;
   bool comp_suspended = false;
   bool comp_diameter = false;  ///< G41.1 G42.1: D is the diameter of the tool, see edge_radius
+  int comp_tip = 0;            ///< tip orientation by L of G41.1 G42.1, as Tool::tip; 0: centre
   Code corner = Code::corner_arc;
   Code approach = Code::approach_normal;
   double disc = 0;

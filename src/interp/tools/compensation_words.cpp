@@ -125,9 +125,8 @@ void CompensationWords::set_radius(const Word& where) {
   asked_option_ = asked_option_ || is_off;
   if (is(Dialect::codesys) || modal_.comp_diameter) {  // D is the size, not a number
     radius_ = is_off ? 0 : modal_.edge_radius;
-    tip_ = {};
     key_.clear();
-    return;
+    return use_told_tip(where);
   }
   const std::string edge = edge_name();
   const std::string key = fmt::format("T{}.{}", control_.tool.current, edge);
@@ -152,7 +151,22 @@ void CompensationWords::set_radius(const Word& where) {
                 : (comp == CompRadius::wear ? 0 : own) + control_.bare_wear(edge);
   if (comp == CompRadius::off) radius_ = 0;
   if (!reg && comp == CompRadius::automatic) warn_of_register(where, tool, own);
-  if (turning && !tool->tip_is_nose_centre) tip_ = tip_vector(*tool, radius_);
+  if (turning && !tool->tip_is_nose_centre) tip_ = tip_vector(tip_orientation(*tool), radius_);
+}
+
+// L of G41.1 and G42.1 says where the tip lies. Without it the path is that of the nose's centre.
+void CompensationWords::use_told_tip(const Word& where) {
+  tip_ = tip_vector(modal_.comp_tip, std::abs(radius_));
+  const Tool* tool = tools_.current();
+  if (!modal_.comp_diameter || !tool || !is_turning(tool->type)) return;
+  const int own = tool->tip_is_nose_centre ? 0 : tip_orientation(*tool) % 9;
+  if (own == modal_.comp_tip % 9) return;
+  reporter_.once(
+      Severity::warning, "nose-differs",
+      fmt::format("L of G41.1 or G42.1 gives the tip of tool {0} LinuxCNC's orientation {1}, its "
+                  "data say {2} (0: the nose's centre), which cuts here: they must agree",
+                  tool->id, tip_of_linuxcnc(modal_.comp_tip), tip_of_linuxcnc(own)),
+      where, tool->id + " tip");
 }
 
 // The tool table has no register, so that the radius `own` of the tool itself is used.
@@ -183,10 +197,9 @@ void CompensationWords::warn_of_register(const Word& where, const Tool* tool, do
 
 // The way from the programmed point to the centre of the nose, in the plane (first axis Z, second
 // X).
-Vec2 CompensationWords::tip_vector(const Tool& tool, double radius) {
+Vec2 CompensationWords::tip_vector(int tip, double radius) {
   static constexpr int kZ[] = {0, -1, 1, 1, -1, -1, 0, 1, 0, 0};
   static constexpr int kX[] = {0, -1, -1, 1, 1, 0, -1, 0, 1, 0};
-  const int tip = tip_orientation(tool);
   return {radius * kZ[tip], radius * kX[tip]};
 }
 
@@ -198,7 +211,7 @@ Compensation CompensationWords::of_tool() {
   c.radius = tools_.radius(modal_.edge);
   const Tool* tool = tools_.current();
   if (tool && is_turning(tool->type) && !tool->tip_is_nose_centre)
-    c.tip = tip_vector(*tool, c.radius);
+    c.tip = tip_vector(tip_orientation(*tool), c.radius);
   return c;
 }
 

@@ -42,7 +42,8 @@ class CompensationWords : public ControlPart {
   bool work_selected() const;
   std::string edge_name() const;
   const Tool* tool_of_edge() const;
-  static Vec2 tip_vector(const Tool& tool, double radius);
+  void use_told_tip(const Word& where);
+  static Vec2 tip_vector(int tip, double radius);
 
   ToolChanger& tools_;
   bool started_ = false;

@@ -51,6 +51,7 @@ bool SavedModes::restore(const Saved& saved, const Word* word) {
   modal_.edge_given = now.edge_given;
   modal_.edge_radius = now.edge_radius;
   modal_.comp_diameter = now.comp_diameter;
+  modal_.comp_tip = now.comp_tip;
   if (frames_.work_name == saved.work) return true;
   FrameWords frames(control_);
   frames.save();

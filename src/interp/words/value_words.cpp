@@ -1,6 +1,7 @@
 #include "interp/words/value_words.h"
 
 #include "core/text/text_io.h"
+#include "core/words/tool_types.h"
 #include "interp/text/characters.h"
 #include "interp/words/unread_modes.h"
 
@@ -225,7 +226,7 @@ bool ValueWords::edge() {
   if (!word || d_limits_speed()) return true;
   if (modal_.comp_diameter) {  // D of G41.1 is the diameter; below 0 it means the other side
     modal_.edge_radius = word->value * length_unit(*word) / 2;
-    return true;
+    return tip_of_diameter();
   }
   if (word->value < 0 || word->value != std::floor(word->value) || word->value > 1e6)
     return error("value-range", "D is a whole number", *word);
@@ -233,6 +234,20 @@ bool ValueWords::edge() {
   if (lathe() && is(Dialect::sinumerik) && !control_.tool.failed) control_.tool.index = -1;
   modal_.edge_given = true;
   control_.edge_word = *word;
+  return true;
+}
+
+// L beside G41.1 and G42.1 is the orientation of a lathe's tip. Without it they lead the centre.
+bool ValueWords::tip_of_diameter() {
+  modal_.comp_tip = 0;
+  const Word* word = block_.comp_word ? take('L') : nullptr;
+  if (!word) return true;
+  if (word->value < 0 || word->value > 9 || word->value != std::floor(word->value))
+    return error("value-range", "L of G41.1 and G42.1 is the orientation of the tip, 0 to 9",
+                 *word);
+  if (modal_.plane != kPlaneZX)
+    return error("comp-plane", "L of G41.1 and G42.1 is for lathes and needs G18", *word);
+  modal_.comp_tip = tip_of_linuxcnc(static_cast<int>(word->value));
   return true;
 }
 

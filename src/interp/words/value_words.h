@@ -24,6 +24,7 @@ class ValueWords : public ControlPart {
   bool d_limits_speed() const;
   bool limits_speed(const Word* s);
   bool edge();
+  bool tip_of_diameter();
   bool take_lengths(const Word* h);
   void meet_table(const Word* h);
   bool length_register();
