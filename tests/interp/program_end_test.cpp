@@ -34,6 +34,35 @@ TEST(ProgramEnd, AFileThatEndsInACutIsAWarning) {
   EXPECT_EQ(end_told("G1 X5 F1\n", Dialect::codesys), "") << "its programs have no such word";
 }
 
+// Programs of Grbl retract by machine coordinates, and those of routers have no rapids.
+TEST(ProgramEnd, AToolThatHasLeftThePartIsInNoCut) {
+  const std::string cut = "G21 G90\nG0 Z5\nX1 Y1\nG1 Z-3 F200\nX5\n";
+  EXPECT_EQ(end_told(cut + "G53 G0 Z0\n", Dialect::ngc), "n6");
+  EXPECT_EQ(end_told(cut + "G28\n", Dialect::fanuc), "n6");
+  EXPECT_EQ(end_told(cut + "G1 Z5\nX0 Y0\n", Dialect::ngc), "n7") << "at clearance height";
+  EXPECT_EQ(end_told(cut + "G1 X9 Z5\n", Dialect::ngc), "n6") << "a slanted lift";
+  EXPECT_EQ(end_told("F9\nG1 Z5\nX1\nZ-1\nX5\nZ5\nX0\n", Dialect::ngc), "n7") << "no rapid";
+  EXPECT_EQ(end_told(cut + "G1 X9 Z-1\n", Dialect::ngc), "w6");
+  EXPECT_EQ(end_told(cut + "G53 G0 Z0\nG0 Z5\nX9\nG1 Z-1\nX3\n", Dialect::ngc), "w10");
+  EXPECT_EQ(end_told("F9\nG0 X1 Y1\nG1 X9\nY9\n", Dialect::ngc), "w4") << "all at one height";
+}
+
+TEST(ProgramEnd, ALathesToolLeavesInX) {
+  const auto turned = [](const std::string& text) {
+    const Scratch scratch;
+    const Program p = read_program(scratch.write("program.nc", "G18 G99\nG0 X52. Z2.\nG1 " + text),
+                                   at_origin(Dialect::fanuc, MachineKind::lathe));
+    for (const Diagnostic& d : p.diagnostics)
+      if (d.code == "program-end-missing") return d.severity == Severity::note ? 'n' : 'w';
+    return '-';
+  };
+  EXPECT_EQ(turned("X48. F.2\nZ-20.\nX52.\n"), 'n');
+  EXPECT_EQ(turned("X48. F.2\nZ-20.\nX54. Z-21.\n"), 'n');
+  EXPECT_EQ(turned("X48. F.2\nZ-20.\nX50.\n"), 'w') << "a shoulder";
+  EXPECT_EQ(turned("Z0 F.2\nX-1.6\n"), 'w');
+  EXPECT_EQ(turned("X56. F.2\nZ-20.\nX52.\n"), 'n') << "in a bore";
+}
+
 TEST(ProgramEnd, EveryWordThatEndsAProgramCounts) {
   const std::string cut = "G0 Z5\nG1 Z-3 F200\nX5\n";
   EXPECT_EQ(end_told("%\nO1\n" + cut + "%\n", Dialect::fanuc), "");

@@ -18,12 +18,6 @@ constexpr std::size_t kAllMoves = static_cast<std::size_t>(-1);
 constexpr double kBeyondAxis = 2;  // mm: faces are cut no farther beyond the axis
 constexpr double kOnAxis = 0.05;   // mm: a drill that runs out by less still drills on the axis
 
-/// Whether the motion leaves the part along Z, as a mill does.
-bool goes_up(const Motion& motion) {
-  const Vec3 way = motion.end - motion.start;
-  return motion.kind == MotionKind::line && way.z > 0 && std::hypot(way.x, way.y) <= kRounding;
-}
-
 }  // namespace
 
 MotionEmitter::MotionEmitter(Control& control, CompensationWords& compensation, MotionSink& sink)
@@ -121,7 +115,7 @@ void MotionEmitter::emit(Motion motion, const CornerSpec& corner) {
     if (captured_->size() < kMostCaptured) captured_corners_.push(path_move(motion, corner));
     return;
   }
-  ends_in_cut_ = motion.kind != MotionKind::rapid && !goes_up(motion);
+  cut_end_.see(motion, lathe());
   change_tool();
   if (lathe()) turn_to_plus(motion);
   check_length_mode(motion);
@@ -367,13 +361,13 @@ CornerSpec MotionEmitter::corner_spec() {
   } else if (modal_.rndm > 0) {
     spec = {Kind::round, modal_.rndm, 0, true};
   }
-  spec.next = is(Dialect::fanuc);
   for (const Word* word : {round, leg, cut})
     if (word && word->value < 0 && word->address >= Address::function)
       warning("corner-void", "the size is negative: no rounding or chamfer is inserted", *word);
   if (spec.size <= 0) spec.kind = Kind::none;
   if (spec.kind != Kind::none) scale_corner(spec);
   spec.feed = feed ? feed->value * feed_scale() : modal_.frcm;
+  spec.next = is(Dialect::fanuc);
   return spec;
 }
 

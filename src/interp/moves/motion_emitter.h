@@ -2,6 +2,7 @@
 // Private to src/interp.
 #pragma once
 
+#include "interp/moves/cut_end.h"
 #include "interp/moves/length_switch.h"
 #include "interp/moves/travel_check.h"
 #include "interp/moves/undescribed_tool.h"
@@ -43,8 +44,10 @@ class MotionEmitter : public ControlPart {
   bool captures() const { return captured_ != nullptr; }
   /// How many motions blocks have made so far, including those of contours that are kept.
   std::size_t made() const { return made_; }
-  /// Whether the last motion was a cut that did not leave the part upwards.
-  bool ends_in_cut() const { return ends_in_cut_; }
+  /// The tool goes to a place that only the machine knows.
+  void leave_part() { cut_end_.leave(); }
+  /// Whether the last motion was a cut that did not leave the part.
+  bool ends_in_cut() const { return cut_end_.in_cut(); }
   /// How many lines and arcs have been emitted.
   std::size_t cuts() const { return control_.cuts; }
   /// The largest coordinate at which a line or an arc ends, mm.
@@ -90,7 +93,8 @@ class MotionEmitter : public ControlPart {
   std::size_t held_moves_ = 0;
   bool tool_told_ = false;
   std::string told_tool_;
-  bool idle_ = true, ends_in_cut_ = false;
+  bool idle_ = true;
+  CutEnd cut_end_;
   double last_length_ = 0;
   UndescribedTool undescribed_;
   LengthSwitch length_switch_;

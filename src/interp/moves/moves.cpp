@@ -129,6 +129,7 @@ void Moves::guess_retract(const Word& where) {
 void Moves::unknown(AxisSet axes, const Word& where) {
   if (axes.has(kAxisZ)) retract_guessed_ = false;
   forget_place(axes);
+  if (!axes.empty()) out_.leave_part();
   position_.has_tangent = false;
   note_once("reference-point",
             "machine coordinates and reference points lie outside of the program: the axes' "
