@@ -27,10 +27,11 @@ std::string noted(const Program& program) {
 // The machine builder's cycle begins with PROC and the cycle's name.
 TEST(CycleFiles, OnlyAFileWithProcOfThatNameReplacesACycle) {
   const std::string own = path_text(beside(kDrills, {}));
-  const Program replaced =
-      beside(kDrills, {{"CYCLE81.SPF",
-                        "; maker's own\nN10 PROC CYCLE81(REAL RTP,REAL RFP,REAL SDIS,REAL DP)\n"
-                        "G1 Z=DP\nRET\n"}});
+  const Program replaced = beside(
+      kDrills,
+      {{"CYCLE81.SPF",
+        "; maker's own\nN1 ; 81\nN2;\nN3\nN10 PROC CYCLE81(REAL RTP,REAL RFP,REAL SDIS,REAL DP)\n"
+        "G1 Z=DP\nRET\n"}});
   EXPECT_EQ(path_text(replaced), "r5,0,0 l5,0,-5");
   EXPECT_NE(noted(replaced).find("CYCLE81.SPF, which begins with PROC CYCLE81"), std::string::npos)
       << noted(replaced);

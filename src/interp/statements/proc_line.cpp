@@ -26,11 +26,14 @@ std::optional<ProcLine> find_proc_line(const SubprogramPlace& place) {
   source.seek(place.offset, place.line);
   std::string_view line;
   for (int i = 0; i < kHeaderLines && source.next(line); ++i) {
-    std::size_t p = 0;
+    std::size_t p = 0, code = 0;  // behind the block number
     std::string word = word_at(line, p);
-    if (is_block_number(word)) word = word_at(line, p);
+    if (is_block_number(word)) {
+      code = p;
+      word = word_at(line, p);
+    }
     if (word == "PROC") return ProcLine{std::string(line), p};
-    const std::size_t first = line.find_first_not_of(" \t\r");
+    const std::size_t first = line.find_first_not_of(" \t\r", code);
     if (first != std::string_view::npos && line[first] != ';' && line[first] != '%') break;
   }
   return std::nullopt;
