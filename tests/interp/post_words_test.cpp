@@ -310,6 +310,9 @@ TEST(PostWords, MessagesOfMarlinNameNoTool) {
   ASSERT_EQ(p.tools.size(), 1U);
   EXPECT_EQ(p.tools[0].id, "");
   EXPECT_EQ(path_text(read_text("M0 G1 X5 F100\n", at_origin(Dialect::iso))), "l5,0,0");
+  for (const Dialect dialect : {Dialect::iso, Dialect::ngc})
+    EXPECT_EQ(path_text(read_text("M117 2D Pocket1\nM118 3\nG1 X5 F9\nM2\n", at_origin(dialect))),
+              "l5,0,0");
 }
 
 // G10 L50 to G11 sets parameters of the control, N and R in each of its lines.

@@ -69,6 +69,13 @@ bool SpecialWords::skips_switch(const Block& block) {
   return true;
 }
 
+// "M117 2D Pocket1" of Marlin: the text may begin with a digit.
+bool SpecialWords::begins_message() const {
+  if (dialect_ != Dialect::iso && dialect_ != Dialect::ngc) return false;
+  const std::string_view number = line_.substr(p_, 3);
+  return (number == "117" || number == "118") && blank(at(p_ + 3));
+}
+
 // Marlin shows the text behind M117 and M118, and words behind M0, on its display.
 bool SpecialWords::has_message(const Word& word) const {
   if (dialect_ != Dialect::iso && dialect_ != Dialect::ngc) return false;

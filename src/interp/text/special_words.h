@@ -15,6 +15,8 @@ class SpecialWords : public LineParser {
   bool fagor_instruction(Block& block);
   bool spindle_speed(Block& block, Word& word);
   bool skips_switch(const Block& block);
+  /// Whether the number at the place is that of an M117 or M118 whose text may begin with a digit.
+  bool begins_message() const;
   /// Whether a text for the display follows `word`, an M word. Reads nothing.
   bool has_message(const Word& word) const;
   bool corner_word(Block& block);

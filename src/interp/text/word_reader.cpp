@@ -310,6 +310,12 @@ bool WordReader::exponent_follows(const Block& block, char address) const {
 void WordReader::numbered_word(Block& block, std::size_t from, char c) {
   Word word;
   word.address = letter(c);
+  if (c == 'M' && special_.begins_message()) {
+    word.value = parse_number(line_.substr(p_, 3)).value_or(0);
+    push(block, word, from);
+    p_ = std::min(line_.find(';', p_), line_.size());
+    return;
+  }
   const std::size_t digits = p_;
   const bool plain = plain_number(word, false), whole = dialect_ == Dialect::codesys;
   if (plain ? whole && operator_follows() : expression_follows(p_)) {
