@@ -304,6 +304,12 @@ TEST(Flow, WorkpieceStatesTheStock) {
   ASSERT_TRUE(c.workpiece.has_value());
   EXPECT_EQ(c.workpiece->kind, StockShape::Kind::cylinder);
   EXPECT_EQ(c.workpiece->outer_radius, 25);
+  for (const char* type : {"N_CORNER\",0,0,-20,-80,6,50", "FILE\",,,,,,,\"part.stl\""}) {
+    const Program n = read_text(fmt::format("WORKPIECE(,\"\",,\"{})\nG1 X1 F1\n", type),
+                                at_origin(Dialect::sinumerik));
+    EXPECT_EQ(codes(n, Severity::note), "simulator-line") << type;
+    EXPECT_FALSE(n.workpiece.has_value());
+  }
 }
 
 TEST(Primer, TheMillingPrimerIsReadAsDrawn) {

@@ -55,6 +55,14 @@ bool WorkpieceWords::run() {
       if (c != ' ' && c != '"') text += c;
     if (more) rest.remove_prefix(comma + 1);
     if (field == 3) type = upper_case(text);
+    if (type == "N_CORNER" || type == "FILE") {
+      note_once("simulator-line",
+                fmt::format("WORKPIECE of type {} draws the blank on the control's screen and is "
+                            "not taken over: --stock gives it",
+                            type),
+                where, "WORKPIECE");
+      return true;
+    }
     if (field < 4 || count >= v.size()) continue;
     const std::optional<double> value = text.empty() ? 0.0 : parse_number(text);
     if (!value)
