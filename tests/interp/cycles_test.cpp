@@ -265,6 +265,7 @@ TEST(Cycles, SinumerikTapsAndBores) {
   EXPECT_EQ(lead_of(rigid + "20,0,500,500,0,2,0,0,5,1.4,,\"UNC\",\"1/4\",,1001,2)"), "1.27 ");
   EXPECT_EQ(lead_of(rigid + "0.05,0,500,500,0,3)"), "1.27 ");
   EXPECT_EQ(lead_of(rigid + "1,0,500,500,0,4)"), "3.14159 ");
+  EXPECT_EQ(lead_of("F500 S400\nCYCLE84(5,0,2,-10,,0,5)"), "1.25 thread-lead");
   EXPECT_EQ(lead_of("G70\n" + rigid + "1.25,0,500,500,0,1)"), "1.25 ");
   EXPECT_EQ(lead_of("CYCLE840(5,0,2,-10,,0,0,3,11,,1.25,3,1,,,\"ISO_METRIC\",\"M8\",,1001,2)"),
             "1.25 ");

@@ -245,6 +245,7 @@ TEST(MillCycles, FaultsAreNamed) {
   EXPECT_EQ(code("POCKET3(50,0,2,-6,60,40,8,0,0,0,3,0,0,800,200,0,5)"), "tool-unknown");
   EXPECT_EQ(code("POCKET4(50,0,2,6,22,3,4,3,0,0,800,200,0,11,50,9,15,2,1,0,1,2,10100,111,111)"),
             "not-supported");
+  EXPECT_EQ(code("POCKET4(50,0,2,-6,-22,3,4,3)"), "value-range");
   EXPECT_EQ(code("T0 D0\nPOCKET4(50,0,2,-6,22,3,4,3)"), "tool-unknown");
   EXPECT_EQ(code("CYCLE77(50,0,2,-6,,30,0,0,3,0,0,800,200,0,1,900000000)"), "value-range");
   EXPECT_EQ(code("POCKET4(50,0,2,-6,22,1EX100,4,3)"), "number-too-large");

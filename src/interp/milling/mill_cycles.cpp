@@ -127,7 +127,8 @@ bool MillCycles::circle() {
     return fail("not-supported",
                 "POCKET4 with a DMODE of 100 and more, by which its fifth value may be a diameter, "
                 "is not supported yet: write the list up to DP1, with a radius");
-  const double reach = std::abs(value("PRAD")) * scale() - radius_;
+  if (value("PRAD") < 0) return fail("value-range", "the radius PRAD of a pocket has no sign");
+  const double reach = value("PRAD") * scale() - radius_;
   if (reach - plan.side < -kRounding)
     return fail("value-range", "the cutter is too large for the pocket (alarm 61105)");
   MillArea area;

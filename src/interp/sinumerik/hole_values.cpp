@@ -224,10 +224,14 @@ void HoleValues::tapping(Hole& hole) {
   const double size = call_.get("MPIT");
   double lead = pitch();
   if (lead == 0) lead = std::copysign(iso_pitch(std::abs(size)), size);
-  if (lead == 0 && modal_.speed > 0) lead = modal_.feed / modal_.speed;
+  const bool told = lead != 0;
+  if (!told && modal_.speed > 0) lead = modal_.feed / modal_.speed;
   hole.lead = lead != 0 ? lead : 1;
-  if (lead == 0)
-    reporter_.add(Severity::warning, "thread-lead", "the pitch of the thread is not given", where_);
+  if (lead == 0 || (!told && call_.name == "CYCLE84"))
+    reporter_.add(Severity::warning, "thread-lead",
+                  fmt::format("the pitch of the thread is not given{}",
+                              lead != 0 ? ": that of the feed and the speed counts" : ""),
+                  where_);
 }
 
 }  // namespace mrsim
