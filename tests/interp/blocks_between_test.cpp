@@ -28,6 +28,7 @@ TEST(BlocksBetween, ACycleAndItsContourAreToldOf) {
     EXPECT_NE(d.text.find("N10 are never run: write N10 to N20"), std::string::npos) << d.text;
   }
   EXPECT_EQ(codes(lathe_program("T0202\n")), "blocks-passed-over");
+  EXPECT_EQ(codes(lathe_program("G42\n")), "blocks-passed-over");
   EXPECT_EQ(codes(lathe_program("(X100. Z100. M30)\nS500 M8\n\n")), "");
   EXPECT_EQ(codes(lathe_program("")), "");
 }

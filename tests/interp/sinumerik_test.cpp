@@ -316,5 +316,11 @@ TEST(Sinumerik, TheSettableFrameInForceCanBeSet) {
   EXPECT_EQ(path("G1 F9\n$P_IFRAME=CROT(X,30)\nX1\n"), "l1,0,0 | variable-unset");
 }
 
+// QU: the control puts M and H out before the block's motion has ended.
+TEST(Sinumerik, QuickOutputsOfMAndHAreRead) {
+  EXPECT_EQ(path_text(read_text("M=QU(8)\nH=QU(3)\nG1 X1 F9\n", at_origin(Dialect::sinumerik))),
+            "l1,0,0");
+}
+
 }  // namespace
 }  // namespace mrsim

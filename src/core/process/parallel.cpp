@@ -1,5 +1,7 @@
 #include "core/process/parallel.h"
 
+#include <algorithm>
+
 #include <tbb/blocked_range.h>
 #include <tbb/info.h>
 #include <tbb/parallel_for.h>
@@ -12,7 +14,8 @@ int resolve_threads(int threads) {
 }
 
 void with_threads(int threads, const std::function<void()>& body) {
-  tbb::task_arena arena(resolve_threads(threads));
+  // TBB warns on stderr of more threads than it has.
+  tbb::task_arena arena(std::min(resolve_threads(threads), tbb::info::default_concurrency()));
   arena.execute(body);
 }
 

@@ -208,6 +208,9 @@ bool one_number(const ExpressionRules& rules, Function function, double x, doubl
     case Function::arc_tangent:
       out = angle_of(rules, mrsim::atan2(x, 1));
       return true;
+    case Function::itself:
+      out = x;
+      return true;
     case Function::absolute:
       out = std::abs(x);
       return true;

@@ -72,6 +72,7 @@ constexpr FunctionRow kSinumerikFunctions[] = {
     {"TRUNC", F::truncate},
     {"ROUND", F::round},
     {"ROUNDUP", F::ceiling},
+    {"QU", F::itself},
     {"LN", F::logarithm},
     {"EXP", F::exponential},
     {"MINVAL", F::smallest, 2, 2},

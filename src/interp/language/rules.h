@@ -40,6 +40,7 @@ enum class Function : std::uint8_t {
   arc_sine,
   arc_cosine,
   arc_tangent,
+  itself,  ///< SINUMERIK: QU of M=QU(8) says when M is output
   absolute,
   square_root,
   square,

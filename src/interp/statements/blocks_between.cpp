@@ -19,8 +19,8 @@ constexpr std::size_t kMostShown = 3;    // blocks in the message
 bool is_active(std::string_view code) {
   for (const char letter : {'X', 'Y', 'Z', 'U', 'W', 'T'})
     if (has_axis(code, letter)) return true;
-  for (const char* word :
-       {"M2", "M02", "M30", "M99", "M97", "M98", "M6", "M06", "G65", "G70", "G71", "G72", "G73"})
+  for (const char* word : {"G41", "G42", "M2", "M02", "M30", "M99", "M97", "M98", "M6", "M06",
+                           "G65", "G70", "G71", "G72", "G73"})
     if (has_word(code, word)) return true;
   return has(code, "GOTO");
 }
