@@ -129,7 +129,7 @@ TEST(ToolLines, LinesAboutTheWorkAreDoubted) {
   EXPECT_EQ(below("10MM ENDMILL", "TOOL RADIUS: 1."), tool_like(bullmill, 10, 0, 0));
   EXPECT_EQ(below("10MM ENDMILL", "RC 45"), tool_like(endmill, 10, 0, 0));
   EXPECT_EQ(below("10MM BULL NOSE R1", "FINISH R3"), tool_like(bullmill, 10, 0, 0));
-  asks("10MM BULL NOSE R1", "RADIUS: 3", "two sizes");
+  asks("10MM BULL NOSE R1", "RADIUS: 3", "corner radius 1 or 3");
   EXPECT_EQ(below("10MM BULL NOSE R1", "CORNER RADIUS: 1.0"), tool_like(bullmill, 10, 0, 0));
   for (const char* const line : {"R3", "R0.5", "FINISH R3", "RADIUS 2"}) {
     EXPECT_EQ(below("DRILL 8.5MM", line), tool_like(drill, 8.5, 0, 0)) << line;

@@ -47,6 +47,7 @@ struct PlainFacts {
   std::size_t id_digits = 0;  ///< in how many digits the number was written
   bool names_tool = false;    ///< "TOOL", "TC:", a number: the comment is about a tool
   ToolLength corner, nose, width;
+  bool square = false;          ///< "CR=0.", "FLAT ENDMILL": it has no corner radius
   ToolLength tip;               ///< diameter of a V tool's tip
   ToolLength flute_length;      ///< "LOC 1.0"
   ToolLength pilot;             ///< diameter of a centre drill's pilot
@@ -74,14 +75,22 @@ struct PlainFacts {
   bool last_tool = false;      ///< "LAST TOOL WAS 6MM DRILL"
 };
 
+/// Two comments about one tool give it this size.
+struct SizePair {
+  const char* what = "";  ///< "corner radius"
+  ToolLength first, second;
+};
+
 struct ToolHint : PlainFacts {
   bool firm = false;  ///< the words of the kind can only mean a tool: "END MILL"
   std::optional<ToolType> type;
   std::optional<ToolTrade> trade;
   std::optional<ToolType> operation;  ///< "GROOVE 3MM": names the work, perhaps not the tool
   std::vector<ToolLength> diameters;  ///< all readings, the most explicit first
+  std::vector<SizePair> pairs;        ///< the program's unit tells whether they agree
   double diameter = 0;                ///< value of the first reading, 0 = none
   bool bare_size = false;             ///< the diameter has no name: "FACE MILL 1MM"
+  bool beside_inches = false;  ///< it has no unit, and its width has: "T-SLOT CUTTER 6 X 1/8"
   double corner_radius = 0, nose_radius = 0;  ///< values of corner and nose
   double taper_angle = 0, tip_angle = 0;      ///< radians; per side, and included
   bool assumed_angle = false;                 ///< the angle follows from the kind alone

@@ -352,9 +352,12 @@ bool FactReader::may_be_point(std::size_t i) const {
 void FactReader::read_rest() {
   facts_.holes = kind() && view_.is_one(kind()->end, {"HOLES", "HOLE"});
   facts_.tapered = facts_.taper > 0;
+  const bool trade_is_mill =
+      facts_.trade_is(ToolTrade::mill) && kind()->type == ToolType::endmill && !facts_.corner;
   for (std::size_t i = 0; i < view_.size(); ++i) {
     facts_.tapered |= view_.is_one(i, {"TAPER", "TAPERED"}) && !view_.taken(i);
     if (view_.number(i) && view_[i].angle) facts_.angles.push_back(view_[i].value);
+    facts_.square |= trade_is_mill && view_.is_one(i, {"FLAT", "SQUARE"});
     facts_.helix |= view_.is_one(i, {"HELIX", "DRALL", "HELICE"});
     if (splits_size(i))
       facts_.split_size = fmt::format("{0} or {0}.{1}", view_[i].text, view_[i + 2].text);
@@ -363,6 +366,8 @@ void FactReader::read_rest() {
     facts_.left_hand |= is_left_hand(view_, i);
     facts_.fusion |= view_.is(i, "CR") && view_.is(i + 1, "=");
     facts_.included |= view_.is_one(i, {"INCLUDED", "INCL"});
+    facts_.t_slot |= view_.is(i, "TSLOT") || (view_.is_one(i, {"T", "TEE"}) && kind() &&
+                                              view_.is_one(i + 1, {"SLOT", "SLOTTER", "-"}));
     facts_.slot_mill |= view_.is(i, "KEYWAY") || names_slot_mill(view_, i);
     facts_.per_side |= view_.is(i, "SIDE") && i > 0 && view_.is_one(i - 1, {"PER", "/", "A"});
   }

@@ -54,6 +54,7 @@ struct ToolFacts : PlainFacts {
   bool left_hand = false;
   bool fusion = false;           ///< "CR=", which posts of Fusion write of every tool
   bool fusion_slot = false;      ///< Fusion's "slot mill", which is a disc on a neck
+  bool t_slot = false;           ///< "T-SLOT CUTTER", no saw
   bool slot_mill = false;        ///< "SLOT MILL", "GROOVE MILL": a disc if a width is given
   bool flat_thread = false;      ///< "TR20X4", "ACME": the end of the tooth is no point
   bool whitworth = false;        ///< "WHITWORTH", "BSP": teeth of 55 degrees

@@ -4,6 +4,7 @@
 #include "core/numbers/units.h"
 #include "core/words/tool_types.h"
 #include "interp/comments/form_outline.h"
+#include "interp/comments/insert_code.h"
 #include "interp/comments/turning_hint.h"
 
 #include <algorithm>
@@ -89,6 +90,11 @@ double agreed_diameter(const ToolHint& hint, double unit, std::string& why) {
       return 0;
     }
   }
+  if (hint.beside_inches && first.unit == 0 && unit == 1 && hint.diameters.size() == 1) {
+    why = fmt::format("gives the diameter {} without a unit, beside a size in inches",
+                      as_written(first));
+    return 0;
+  }
   if (hint.disputed_gauge && unit == 1) {
     why = fmt::format("can be read as size {} of ANSI or of BS 328, which differ", hint.gauge);
     return 0;
@@ -106,6 +112,23 @@ double beside(const ToolLength& radius, const ToolHint& hint, double unit) {
   if (hint.diameters.empty() || radius.unit > 0 || radius.fraction) return radius.mm(unit);
   const ToolLength& first = hint.diameters.front();
   return radius.value * (first.unit > 0 ? first.unit : first.fraction ? kMmPerInch : unit);
+}
+
+// Whether comments agree in the sizes that each of them gives; a rounded radius in inches does.
+bool sizes_agree(const ToolHint& hint, double unit, std::string& why) {
+  const bool turns = hint.type && is_turning(*hint.type);
+  const auto mm = [&](ToolLength size) {
+    if (turns && size.unit == 0 && hint.insert != "R" && !hint.width)
+      size.unit = usual_nose_unit(size.value);
+    return turns ? size.mm(unit) : beside(size, hint, unit);
+  };
+  for (const SizePair& pair : hint.pairs) {
+    if (std::abs(mm(pair.first) - mm(pair.second)) <= (turns ? kRounded : kSameSize)) continue;
+    why = fmt::format("can be read as {} {} or {}", pair.what, as_written(pair.first),
+                      as_written(pair.second));
+    return false;
+  }
+  return true;
 }
 
 // Sets the corner radius; false if the tool cannot have it. A bull-nose mill whose corner is half
@@ -280,6 +303,10 @@ bool fill_tool(const ToolHint& hint, double unit, bool lathe, Tool& out, std::st
     why = "names no kind of tool";
     return false;
   }
+  if (!sizes_agree(hint, unit, why)) {
+    sketch(hint, unit, out);
+    return false;
+  }
   out.origin = fmt::format("comment \"{}\"", hint.text);
   if (!hint.work.empty()) out.origin += fmt::format(", \"{}\" taken to be the work", hint.work);
   if (out.type == ToolType::boring && !lathe) out.type = ToolType::endmill;  // it turns in a bore
@@ -301,6 +328,15 @@ bool fill_tool(const ToolHint& hint, double unit, bool lathe, Tool& out, std::st
   fill_turning(hint, unit, out);
   why = doubt_of_turning(hint, unit, out);
   return why.empty();
+}
+
+bool contradict(const ToolHint& first, const ToolHint& second, double unit, bool lathe) {
+  Tool tool;
+  std::string why;
+  if (!fill_tool(first, unit, lathe, tool, why)) return false;
+  ToolHint both = first;
+  merge_hint(both, second);
+  return !fill_tool(both, unit, lathe, tool, why);
 }
 
 }  // namespace mrsim

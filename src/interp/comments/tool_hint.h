@@ -14,6 +14,9 @@ void merge_hint(ToolHint& into, const ToolHint& more);
 /// little or too much: `why` then completes "the comment ... ".
 bool fill_tool(const ToolHint& hint, double unit, bool lathe, Tool& out, std::string& why);
 
+/// Whether two comments can not be about one tool in a program whose unit is `unit` mm.
+bool contradict(const ToolHint& first, const ToolHint& second, double unit, bool lathe);
+
 /// The length as a comment gives it, with its unit.
 std::string as_written(const ToolLength& length);
 

@@ -123,6 +123,9 @@ double half_angle(const ToolHint& tool) {
   return tool.taper_angle > 0 ? tool.taper_angle : tool.tip_angle / 2;
 }
 
+// The same where the comment says it, and it is not that of the kind; else 0.
+double told_angle(const ToolHint& tool) { return tool.assumed_angle ? 0 : half_angle(tool); }
+
 // Whether the angle is that of a drill's point, "TIP ANGLE: 130", "118 DEG", and not that of a
 // slope which the drill makes.
 bool may_be_point(const ToolHint& into, const ToolHint& line, const ToolHint& both) {
@@ -173,16 +176,45 @@ void merge_angle(ToolHint& into, const ToolHint& line) {
 // Without the program's unit; both of two sizes that are compared are taken to be in mm then.
 double about_mm(const ToolLength& length) { return length.mm(1); }
 
-bool is_same(const ToolLength& a, const ToolLength& b) {
-  return std::abs(about_mm(a) - about_mm(b)) < kRounding;
+// Keeps two sizes that may contradict each other.
+void add_pair(ToolHint& into, const char* what, const ToolLength& first, const ToolLength& second) {
+  constexpr std::size_t kMost = 8;
+  const bool equal = first.value == second.value && first.unit == second.unit;
+  if (!equal && into.pairs.size() < kMost) into.pairs.push_back({what, first, second});
+}
+
+// Whether the words tell of a tool. "GROOVE 3MM", "FINISH R0.4" name the work, perhaps.
+bool tells_tool(const ToolHint& hint) {
+  return hint.firm || !hint.insert.empty() || hint.insert_angle > 0;
+}
+
+// Adds a size of another comment; where both have it, the program's unit tells whether they agree.
+// A size beside words for the work does not contradict that of a lathe's tool.
+void add_size_of(ToolHint& into, ToolLength ToolHint::*size, const char* what,
+                 const ToolHint& more) {
+  const bool turns = into.type && is_turning(*into.type);
+  const bool of_work = turns && tells_tool(into) && !tells_tool(more);
+  if (into.*size && more.*size && !of_work) add_pair(into, what, into.*size, more.*size);
+  if (!(into.*size)) into.*size = more.*size;
+}
+
+// "T1 D=10. CR=0. - FLAT END MILL" and "CR=0.5 - BULLNOSE END MILL" are two tools.
+void compare_corners(ToolHint& into, const ToolHint& more) {
+  const auto square = [](const ToolHint& tool) { return tool.square && !tool.corner; };
+  const auto round = [](const ToolHint& tool) {
+    return bool(tool.corner) && tool.type != ToolType::ballmill;
+  };
+  if (!into.doubt.empty()) return;
+  if (square(into) && round(more))
+    into.doubt = fmt::format("give the corner radius 0 and {:g}", more.corner.value);
+  else if (round(into) && square(more))
+    into.doubt = fmt::format("give the corner radius {:g} and 0", into.corner.value);
 }
 
 // Takes a size over; if both have it, they must agree.
-void take_size(ToolHint& into, ToolLength ToolHint::*size, const ToolHint& both) {
+void take_size(ToolHint& into, ToolLength ToolHint::*size, const char* what, const ToolHint& both) {
   if (!(both.*size)) return;
-  if (into.*size && !is_same(into.*size, both.*size) && into.doubt.empty())
-    into.doubt =
-        fmt::format("give two sizes, {:g} and {:g}", (into.*size).value, (both.*size).value);
+  if (into.*size) add_pair(into, what, into.*size, both.*size);
   into.*size = both.*size;
 }
 
@@ -205,6 +237,12 @@ bool counts(ToolHint& into, const ToolHint& line, const ToolHint& both) {
   if (line.tool_radius && !into.diameters.empty() &&
       std::abs(about_mm(into.diameters.front()) / 2 - about_mm(both.corner)) < kRounding)
     return false;
+  const bool pointed = bool(into.tip) && !into.corner;  // "CHAMFER MILL 90 DEG TIP 0.2"
+  const bool square = into.square && !into.corner && line.at_call && !into.at_call;
+  if ((pointed || square) && both.corner && !line.plain_radius && into.doubt.empty())
+    into.doubt = fmt::format(
+        "can be read as having a corner of {0:g}, or none and as made for a radius of {0:g}",
+        both.corner.value);
   if (!line.plain_radius) return true;
   const ToolLength& radius = both.corner ? both.corner : both.nose;
   const bool told = into.corner || into.nose;
@@ -231,11 +269,11 @@ void merge_sizes(ToolHint& into, const ToolHint& line) {
   if (both.type) into.type = both.type;
   into.diameters.insert(into.diameters.end(), told.begin(), told.end());
   if (into.diameter == 0 && !told.empty()) into.diameter = told.front().value;
-  take_size(into, &ToolHint::corner, both);
-  take_size(into, &ToolHint::nose, both);
-  take_size(into, &ToolHint::tip, both);
-  if (!turns || line.width || !into.width) take_size(into, &ToolHint::width, both);
-  take_size(into, &ToolHint::flute_length, both);
+  take_size(into, &ToolHint::corner, "corner radius", both);
+  take_size(into, &ToolHint::nose, "nose radius", both);
+  take_size(into, &ToolHint::tip, "tip", both);
+  if (!turns || line.width || !into.width) take_size(into, &ToolHint::width, "width", both);
+  take_size(into, &ToolHint::flute_length, "length", both);
   if (into.doubt.empty()) into.doubt = both.doubt;
 }
 
@@ -262,11 +300,17 @@ void add_sizes(ToolHint& into, const ToolHint& more) {
   into.bare_size = into.diameters.empty() ? more.bare_size : into.bare_size && more.bare_size;
   into.diameters.insert(into.diameters.end(), more.diameters.begin(), more.diameters.end());
   if (into.diameter == 0) into.diameter = more.diameter;
-  if (!into.corner) into.corner = more.corner;
-  if (!into.nose) into.nose = more.nose;
-  if (!into.width) into.width = more.width;
-  if (!into.tip) into.tip = more.tip;
+  compare_corners(into, more);
+  add_size_of(into, &ToolHint::corner, "corner radius", more);
+  add_size_of(into, &ToolHint::nose, "nose radius", more);
+  add_size_of(into, &ToolHint::width, "width", more);
+  add_size_of(into, &ToolHint::tip, "tip", more);
+  into.square |= more.square;
+  into.pairs.insert(into.pairs.end(), more.pairs.begin(), more.pairs.end());
   if (!into.flute_length) into.flute_length = more.flute_length;
+  if (told_angle(into) > 0 && told_angle(more) > 0 &&
+      std::abs(told_angle(into) - told_angle(more)) > kTurnRounding && into.doubt.empty())
+    into.doubt = "give two angles of the tool";
   if (into.taper_angle == 0) into.taper_angle = more.taper_angle;
   if (more.tip_angle > 0 && (into.tip_angle == 0 || into.assumed_angle)) {
     into.tip_angle = more.tip_angle;
@@ -311,7 +355,9 @@ void merge_hint(ToolHint& into, const ToolHint& more) {
     const ToolHint line = std::exchange(into, more);
     return merge_hint(into, line);
   }
-  if (more.size_line && (into.type || into.diameter > 0)) {
+  // "Ball Nose {3 mm}" beside "End Mill {6 mm}" is a tool, and no line about it.
+  const bool is_tool = into.firm && more.firm && !more.diameters.empty();
+  if (more.size_line && !is_tool && (into.type || into.diameter > 0)) {
     merge_sizes(into, more);
     into.text += "\", \"" + more.text;
     return;

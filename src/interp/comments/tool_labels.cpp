@@ -278,6 +278,7 @@ void LabelReader::keep(WordRole role, std::size_t number) {
     case WordRole::radius:
     case WordRole::radius_letter:
       facts_.corner = length;
+      facts_.square = length.value == 0;
       facts_.padded_radius = view_.number(number) && !view_[number].decimals &&
                              view_[number].text.size() > 1 && view_[number].text.front() == '0' &&
                              length;

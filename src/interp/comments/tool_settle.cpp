@@ -46,6 +46,8 @@ class Settler {
   void settle_type();
   void take_kind(const ToolKind& kind);
   void settle_work(const ToolKind& kind);
+  void settle_width_of_work();
+  void settle_blade_corner();
   void settle_rivals();
   void settle_turning();
   bool may_be_blade() const;
@@ -189,10 +191,22 @@ void Settler::settle_work(const ToolKind& k) {
   }
   if (k.type == ToolType::threading && facts_.turns_before) return;
   hint_.operation = k.type;
+  settle_width_of_work();
+  if (k.type == ToolType::grooving && hint_.width) settle_blade_corner();
+}
+
+void Settler::settle_width_of_work() {
   if (hint_.width || hint_.diameters.empty()) return;
   const bool before = !facts_.before_kind.empty() && facts_.before_kind.front().sizes[0].decimals;
   const ToolLength& size = hint_.diameters.front();
   if (size.unit > 0 || size.fraction || before) hint_.width = size;
+}
+
+// The corners of a blade: "GROOVE 4MM R2", "FULL RADIUS GROOVE 4MM".
+void Settler::settle_blade_corner() {
+  if (!hint_.nose) hint_.nose = hint_.corner;
+  hint_.corner = {};
+  if (facts_.full_radius) (hint_.nose = hint_.width).value /= 2;
 }
 
 // Two kinds in one comment, "6MM DRILL - CHAMFER EDGES": one is the tool, the other may be the

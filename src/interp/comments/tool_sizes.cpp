@@ -71,7 +71,14 @@ std::vector<double> SizeSettler::settle() {
 // "CHAMFER MILL D16 D1=2" gives the diameter at its tip. D1 of half the diameter may be a radius
 // instead, and D2 the shank.
 void SizeSettler::add_indexed_tip() {
-  if (!facts_.has_flat_tip() || hint_.tip || hint_.diameters.empty()) return;
+  if (!facts_.has_flat_tip() || hint_.tip) return;
+  if (hint_.diameters.empty()) {  // "V-BIT D1=0.2 D2=6"
+    const ToolLength& size = facts_.d1 ? facts_.d1 : facts_.d2;
+    if (size && trade_is(ToolTrade::vee) && hint_.doubt.empty())
+      hint_.doubt =
+          fmt::format("can be read as a tip of {0:g} or as another size of {0:g}", size.value);
+    return;
+  }
   const double whole = hint_.diameters.front().mm(1);
   const auto smaller = [&](const ToolLength& size) { return size && size.mm(1) < whole; };
   const bool half = facts_.d1.mm(1) == whole / 2;
@@ -86,9 +93,11 @@ void SizeSettler::add_indexed_tip() {
 }
 
 // A diameter without a unit beside a width in inches is in inches, too: "KEYSEAT CUTTER 1 X 1/8".
-// Where no cutter is so wide, it may be in mm all the same: "SAW 63 X 1/16".
+// Where that is larger than the width in mm, too, only a program in inches tells which it is:
+// "T-SLOT CUTTER 6 X 1/8", "SAW 63 X 1/16".
 void SizeSettler::share_inches() {
-  constexpr double kWidest = 8;  // inches
+  constexpr double kWidest = 8;        // inches
+  constexpr double kWidestHead = 1.5;  // inches: a usual size, and in mm a rare one
   const ToolLength& beside = trade_is(ToolTrade::dovetail) ? hint_.flute_length : hint_.width;
   const bool inches = beside.unit > 1 || (beside.fraction && beside.unit == 0);
   if (!kind() || is_turning(kind()->type) || !inches) return;
@@ -97,7 +106,11 @@ void SizeSettler::share_inches() {
     if (diameter.value > kWidest && hint_.doubt.empty())
       hint_.doubt = fmt::format("gives the diameter {:g} without a unit, beside a size in inches",
                                 diameter.value);
-    diameter.unit = kMmPerInch;
+    const bool head = trade_is(ToolTrade::dovetail) || facts_.t_slot;
+    if (head && diameter.value > std::max(kWidestHead, beside.mm(kMmPerInch)))
+      hint_.beside_inches = true;
+    else
+      diameter.unit = kMmPerInch;
   }
 }
 

@@ -10,7 +10,8 @@
 namespace mrsim {
 namespace {
 
-constexpr double kWidestBlade = 25;  // mm: a wider one is rather given in another unit
+constexpr double kWidestBlade = 25;   // mm: a wider one is rather given in another unit
+constexpr double kLargestRound = 16;  // mm: radius of a round insert, ISO 1832
 
 // Whether the hint has neither the code nor the angle of an insert, so that the blade itself cuts.
 bool insert_is_blade(const ToolHint& hint) { return hint.insert.empty() && hint.insert_angle == 0; }
@@ -105,6 +106,12 @@ std::string doubt_of_turning(const ToolHint& hint, double unit, const Tool& out)
   if (hint.orientation > 0 && out.type != ToolType::threading && hint.orientation != usual)
     return fmt::format("says tip {0}, and {1} is usual here: tip={0} or tip={1} tells which counts",
                        hint.orientation, usual);
+  if (out.insert == "R" && unit > 1 && hint.nose.unit == 0 && !hint.nose.fraction &&
+      out.nose_radius > kLargestRound)
+    return fmt::format(
+        "gives the radius {} of its round insert without a unit, in a program in "
+        "inches",
+        as_written(hint.nose));
   return out.type == ToolType::grooving ? doubt_of_blade(hint, unit, out) : "";
 }
 

@@ -23,12 +23,14 @@ struct PendingTool {
   std::string id;
   Motion at;  ///< only its place counts
   bool beside_motion = false;
+  bool leaves = false;  ///< T0100 of a lathe, which ends the offset of tool 1
 };
 
 /// What T and M6 have done so far.
 struct ToolState {
   PendingTool pending;
   std::string current;  ///< id in the spindle
+  std::string shown;    ///< id of its data: current, or "1 (line 11)", see CalledAgain
   double written = -1;  ///< the last T; below 0 = none, or a name
   Motion place;         ///< where its T word stands
   int index = -1;       ///< into Program::tools, -1 = not used yet

@@ -72,12 +72,12 @@ void MotionEmitter::mark() {
 
 void MotionEmitter::change_tool() {
   const ToolState& tool = control_.tool;
-  if (captured_ || !tool.chosen || (tool_told_ && told_tool_ == tool.current)) return;
+  if (captured_ || !tool.chosen || (tool_told_ && told_tool_ == tool.shown)) return;
   tool_told_ = true;
-  told_tool_ = tool.current;
+  told_tool_ = tool.shown;
   Event change;
   change.kind = EventKind::tool_change;
-  change.name = tool.current;
+  change.name = tool.shown;
   event(std::move(change));
 }
 

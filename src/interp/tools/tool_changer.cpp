@@ -12,60 +12,12 @@
 #include <fmt/format.h>
 
 namespace mrsim {
-namespace {
-
-std::size_t digits_of(std::string_view text) {
-  return std::size_t(std::count_if(text.begin(), text.end(), is_digit));
-}
-
-}  // namespace
-
 ToolChanger::ToolChanger(Control& control)
     : ControlPart(control),
       tool_(control.tool),
       notes_(lathe(), turret_digits()),
       data_(control, notes_),
       edges_(control, data_) {}
-
-std::string ToolChanger::id_of(const Word& word) {
-  if (word.string) return to_utf8(word.text.substr(0, 80));
-  const long number = static_cast<long>(word.value);
-  if (turret_digits() == 0) return fmt::format("{}", number);
-  const std::string written = text_of(word), text = written.substr(0, written.find('.'));
-  const bool plain = text.find_first_of("#[") == text.npos;
-  const std::size_t digits = plain ? digits_of(text) : 0;
-  if (is(Dialect::ngc)) return mach_station(number, digits, text, word);
-  const long station = turret_station(number, digits);
-  const long offset = number - station * (digits == 8 ? 10000 : 1000);
-  std::string whole = fmt::format("{}", number);
-  if (digits >= turret_digits() && given(whole) != nullptr) return whole;
-  const bool thrice = digits == 6 && number == station * 10101;
-  if ((digits == 6 || digits == 8) && offset != 0 && offset != station && !thrice)
-    note_once("tool-station",
-              fmt::format("{} is read as tool {} with offset {}: half of the digits for each", text,
-                          station, offset),
-              word, text);
-  return fmt::format("{}", station);
-}
-
-// How many digits a T word needs to name a station and an offset; 0: it never does.
-std::size_t ToolChanger::turret_digits() const {
-  if (!lathe()) return 0;
-  return is(Dialect::fanuc) ? 3 : is(Dialect::ngc) ? 4 : 0;
-}
-
-// T0101 is tool 1 with offset 1 in Mach; LinuxCNC would look for tool 101.
-std::string ToolChanger::mach_station(long number, std::size_t digits, const std::string& text,
-                                      const Word& word) {
-  std::string whole = fmt::format("{}", number);
-  if (digits != turret_digits() || number < 100 || given(whole) != nullptr) return whole;
-  note_once("tool-station",
-            fmt::format("{} is read as tool {} with offset {}, as Mach does; if it is tool {}, "
-                        "give that with --tool {}=..",
-                        text, number / 100, number % 100, number, number),
-            word, text);
-  return fmt::format("{}", number / 100);
-}
 
 const Tool* ToolChanger::used_tool(const std::string& id) const {
   const auto at = used_.find(id);
@@ -85,6 +37,7 @@ void ToolChanger::read_comments() {
     called = id_of(*t);
   else if (!block_.words.empty() && tool_.pending.active)
     called = tool_.pending.id;
+  if (!block_.comments.empty()) notes_.set_unit(scale());
   for (const std::string_view comment : block_.comments)
     notes_.comment(comment, called, block_.words.empty(), block_.name.starts_with("NAT"));
   if (const std::string other = notes_.other_nameless(); !other.empty())
@@ -93,11 +46,6 @@ void ToolChanger::read_comments() {
                               "says that it comes: write one, with M6, or split the program",
                               other),
                   0, 1);
-}
-
-// T0 and T0000 of FANUC's lathes end the offset in force; the turret stays where it is.
-bool ToolChanger::cancels_offset(const Word& word) {
-  return lathe() && is(Dialect::fanuc) && !word.string && word.value == 0;
 }
 
 bool ToolChanger::apply() {
@@ -163,30 +111,6 @@ bool ToolChanger::brings_assumed() {
   return true;
 }
 
-// T0101.1 of Mazak's lathes: the digits behind the point tell the tools of one station apart.
-// False: an error was reported.
-bool ToolChanger::suffix(const Word& word) {
-  if (!lathe() || !is(Dialect::fanuc))
-    return error("value-range",
-                 fmt::format("T is a whole number or a name; on Mazak the digits behind the point "
-                             "are a tool's suffix: write T{:g}",
-                             std::floor(word.value)),
-                 word);
-  const std::string text = text_of(word), id = id_of(word);
-  const auto [at, first] = suffixes_.emplace(id, word.value);
-  if (!first && at->second != word.value)
-    return error("value-range",
-                 fmt::format("{} is a second tool {}, told apart by the digits behind the point, "
-                             "which are not read: give it a number of its own",
-                             text, id),
-                 word);
-  note_once("tool-station",
-            fmt::format("{} is read as tool {}: on Mazak the digits behind the point are a suffix",
-                        text, id),
-            word, text);
-  return true;
-}
-
 bool ToolChanger::select(const Word& word) {
   if (!word.string && (word.value < 0 || word.value > 1e8))
     return error("value-range", "T is a whole number or a name", word);
@@ -196,8 +120,14 @@ bool ToolChanger::select(const Word& word) {
   tool_.pending.id = id_of(word);
   tool_.pending.at = block_.motion_at(word.column);
   tool_.pending.beside_motion = peek('X') || peek('Y') || peek('Z');
-  notes_.call(tool_.pending.id);
+  tool_.pending.leaves = leaves_tool(word);
+  if (!tool_.pending.leaves) notes_.call(tool_.pending.id);
   return true;
+}
+
+void ToolChanger::end_block() {
+  const bool calls = block_.words.size() == 1 && block_.words.front().address == letter('T');
+  notes_.end_block(calls);
 }
 
 void ToolChanger::change() {
@@ -209,7 +139,12 @@ void ToolChanger::change() {
   tool_.chosen = true;
   tool_.index = -1;
   tool_.failed = false;
-  notes_.change(tool_.current);
+  if (tool_.pending.leaves) return;
+  const auto file = static_cast<std::size_t>(tool_.place.file);
+  std::string place = fmt::format("line {}", tool_.place.line);
+  if (file > 0) place += " of " + program_.files[file];
+  notes_.change(tool_.current, place);
+  tool_.shown = notes_.tool_of(tool_.current);
 }
 
 // "(T1 - SPOT DRILL)" and "N3 G0 X1 Y1 S900 M3 T2" without an M6 before: T1 may be in the spindle
@@ -264,10 +199,11 @@ bool ToolChanger::assume_pending() {
 
 void ToolChanger::require(const Word& where, bool cuts) {
   if (cuts) notes_.cut();
+  if (notes_.has_news()) hear_news(where);
   if (tool_.index >= 0 || tool_.failed) return;
   if (!tool_.chosen && tool_.pending.active && cuts && !assume_pending()) return;
   if (!tool_.chosen && cuts && !given("")) take_commented(where);
-  const std::string id = edges_.id_at_edge();
+  const std::string id = data_id();
   if (const auto known = used_.find(id); known != used_.end()) {
     tool_.index = known->second;
     return edges_.compare_edge(*current(), where);
@@ -287,7 +223,7 @@ void ToolChanger::require(const Word& where, bool cuts) {
   edges_.compare_nose(*current(), where);
   if (given(id)) return;
   const std::string text =
-      fmt::format("tool {}: {} ({})", tool_.current.empty() ? "(none named)" : tool_.current,
+      fmt::format("tool {}: {} ({})", tool_.current.empty() ? "(none named)" : id,
                   tool_summary(*current()), current()->origin);
   if (tool_.chosen)
     reporter_.add_at(said, "tool-inferred", text, tool_.place);
@@ -308,15 +244,15 @@ void ToolChanger::missing(const Word& where, const std::string& why, const Tool&
     return;
   }
   Tool unknown;  // so that traces can name it; the error prevents everything else
-  unknown.id = tool_.current;
+  unknown.id = tool_.shown;
   unknown.origin = "no data";
   use(std::move(unknown));
   const std::string comment = notes_.not_understood(tool_.current);
   const std::string none = comment.empty()
                                ? "there are no data for it"
                                : fmt::format("no tool is known in its comment \"{}\"", comment);
-  std::string spec = fmt::format("{}={}", tool_.current, tool_example(read, lathe()));
-  if (tool_.current.find(' ') != std::string::npos) spec = '"' + spec + '"';  // for the shell
+  std::string spec = fmt::format("{}={}", tool_.shown, tool_example(read, lathe()));
+  if (tool_.shown.find(' ') != std::string::npos) spec = '"' + spec + '"';  // for the shell
   const ToolHint* hint = notes_.find(tool_.current);
   const std::string outline = hint ? outline_example(*hint, scale()) : std::string();
   const std::string remedy =
@@ -326,7 +262,7 @@ void ToolChanger::missing(const Word& where, const std::string& why, const Tool&
           : fmt::format("give --tool {} or --tools tools.toml", spec);
   reporter_.add_at(
       Severity::error, "tool-unknown",
-      fmt::format("tool {} cuts, but {}: {}", tool_.current, why.empty() ? none : why, remedy),
+      fmt::format("tool {} cuts, but {}: {}", tool_.shown, why.empty() ? none : why, remedy),
       tool_.place);
 }
 

@@ -20,7 +20,7 @@ class ToolChanger : public ControlPart {
   /// Carries out T and M6 of the block. False: an error was reported.
   bool apply();
   /// A block with words was read.
-  void end_block() { notes_.end_block(); }
+  void end_block();
   /// Gives the tool in the spindle an entry in Program::tools. A tool without data is a fault only
   /// when it cuts.
   void require(const Word& where, bool cuts);
@@ -46,6 +46,9 @@ class ToolChanger : public ControlPart {
 
  private:
   bool cancels_offset(const Word& word);
+  bool leaves_tool(const Word& word);
+  std::string data_id();
+  void hear_news(const Word& where);
   bool select(const Word& word);
   bool brings_waiting(const Word& word);
   bool brings_assumed();

@@ -88,6 +88,11 @@ long turret_station(long number, std::size_t digits) {
 
 void ToolNotes::add(const std::string& id, const ToolHint& hint) {
   require_notes(hints_.size());
+  if (again_.has_cut(id)) {
+    again_.add(id, hint);
+    if (id == current_ && !cuts_since_change_) again_.bring(id, hints_);
+    return;
+  }
   const auto [at, fresh] = hints_.try_emplace(id, hint);
   const bool repeated = at->second.text.find(hint.text) != std::string::npos;
   if (!fresh && !repeated) merge_hint(at->second, hint);
@@ -147,8 +152,9 @@ void ToolNotes::stands_alone(ToolHint hint, bool heads) {
   const bool is_tool = hint.names_tool || (hint.type && lists_) || is_tool_with_size(hint);
   const bool has_data = hint.diameter > 0 || hint.settings || is_open_cone(hint);
   if (hint.id.empty() && is_tool && has_data) add_nameless(hint);
-  if (hint.id.empty() && blocks_since_change_ == 0 &&
-      (find(current_) == nullptr || tells_more(current_, hint)))
+  const bool known = find(current_) != nullptr;
+  if (hint.id.empty() &&
+      (blocks_since_change_ == 0 ? !known || tells_more(current_, hint) : behind_next_ && !known))
     return add(current_, hint);
   if (hint.id.empty()) add_unnumbered(hint);
   if (hint.id.empty() && !cuts_ && named_.size() < kLongestList) named_.push_back(hint);
@@ -184,12 +190,15 @@ void ToolNotes::end_group() {
 // brought yet (pcb2gcode), or about the one in the spindle before its first cut, else about the
 // next.
 void ToolNotes::add_unnumbered(const ToolHint& hint) {
-  if (!(hint.firm || hint.names_tool) || !(hint.diameter > 0)) return;
+  const bool coded = lathe_ && !hint.insert.empty();
   const bool is_ready = !called_.empty() && (current_.empty() || cuts_since_change_);
+  if (!(hint.diameter > 0) && !coded) return;
+  if (is_ready && hint.type && find(called_) == nullptr) return add(called_, hint);
+  if (!hint.firm && !hint.names_tool && !coded) return;
   if (is_ready && find(called_) == nullptr) return add(called_, hint);
   const ToolHint* const known = find(current_);
-  if (hint.firm && !current_.empty() && !cuts_since_change_ &&
-      (known == nullptr || (!known->type && called_.empty())))
+  if ((hint.firm || coded) && !current_.empty() && !cuts_since_change_ &&
+      (known == nullptr || (called_.empty() && (!known->type || again_.has_cut(current_)))))
     add(current_, hint);
 }
 
@@ -197,7 +206,7 @@ void ToolNotes::add_unnumbered(const ToolHint& hint) {
 // added, and a contradiction becomes a doubt.
 bool ToolNotes::tells_more(const std::string& id, const ToolHint& hint) const {
   const ToolHint* const known = find(id);
-  return known && hint.id.empty() && hint.type && (hint.firm || !known->type);
+  return known && hint.id.empty() && hint.type && (hint.firm || !known->type || again_.has_cut(id));
 }
 
 // "T0303 (GROOVE 3MM)", "T0404 (OD THREAD)", "T0505 (FINISH BORE)", "T0101 (OD ROUGH R0.8)": on a
@@ -225,7 +234,8 @@ bool ToolNotes::tells_kind(const ToolHint& hint) const {
 // is known. Next to the tool's own comment they may be about the tool.
 bool ToolNotes::is_of_work(const ToolHint& hint) const {
   const ToolHint* const known = blocks_since_change_ == 0 ? find(current_) : nullptr;
-  const bool is_open = hint.plain_radius || (hint.only_angle() && !hint.own_angle);
+  const bool is_tool = hint.firm && hint.diameter > 0;  // "Ball Nose {3 mm}"
+  const bool is_open = (hint.plain_radius && !is_tool) || (hint.only_angle() && !hint.own_angle);
   return known && known->type && is_open;
 }
 
@@ -310,19 +320,22 @@ bool ToolNotes::add_by_name(const std::string& id) {
   return found;
 }
 
-void ToolNotes::change(const std::string& id) {
+void ToolNotes::change(const std::string& id, const std::string& place) {
   current_ = id;
   called_.clear();
   cuts_since_change_ = false;
   blocks_since_change_ = -1;  // because the block of the change has not ended
+  again_.change(place);
+  again_.bring(id, hints_);
 }
 
-void ToolNotes::end_block() {
+void ToolNotes::end_block(bool calls_next) {
   settle_comments();
   told_id_.clear();
   operation_.reset();
   commented_ = false;
   ++blocks_;
+  behind_next_ = calls_next && blocks_since_change_ == 0;
   if (blocks_since_change_ < 1) ++blocks_since_change_;
 }
 
@@ -337,7 +350,7 @@ std::string ToolNotes::not_understood(const std::string& id) const {
 }
 
 const ToolHint* ToolNotes::find(const std::string& id) const {
-  const auto at = hints_.find(id);
+  const auto at = hints_.find(tool_of(id));
   return at == hints_.end() ? nullptr : &at->second;
 }
 

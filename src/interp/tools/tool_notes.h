@@ -4,6 +4,7 @@
 #pragma once
 
 #include "interp/comments/tool_comment.h"
+#include "interp/tools/called_again.h"
 
 #include <map>
 #include <optional>
@@ -22,24 +23,32 @@ class ToolNotes {
  public:
   /// `lathe`: a comment beside the T word may name the tool by its work. `turret_digits`: a number
   /// of so many digits or more is station and offset, as T0202 of FANUC lathes; 0: no number is.
-  ToolNotes(bool lathe, std::size_t turret_digits) : lathe_(lathe), turret_digits_(turret_digits) {}
+  ToolNotes(bool lathe, std::size_t turret_digits)
+      : lathe_(lathe), turret_digits_(turret_digits), again_(lathe) {}
 
   /// Takes a comment. `called`: the T word of its block, or a tool that waits for its M6. `alone`:
   /// nothing else stands in the block. `heads`: it names a section of work, as NAT01 of Okuma.
   void comment(std::string_view bytes, const std::string& called, bool alone, bool heads = false);
   /// A T word names `id`: the comments above it are about this tool.
   void call(const std::string& id);
-  /// `id` has come into the spindle.
-  void change(const std::string& id);
-  /// A block with words has been read.
-  void end_block();
+  /// `id` has come into the spindle. `place`: where its T word stands, "line 11".
+  void change(const std::string& id, const std::string& place);
+  /// A block with words has been read. `calls_next`: it has a T word and nothing else.
+  void end_block(bool calls_next);
   /// The tool has cut: comments above the cut are not about the next tool.
   void cut() {
     if (!group_.text.empty() || !comments_.empty()) end_waiting();  // asked at every cut
+    if (!cuts_since_change_ || (again_.waits() && called_ != current_))
+      again_.cut(current_, find(current_));
     cuts_ = cuts_since_change_ = true;
     called_.clear();
   }
+  /// The unit of the program's lengths, mm.
+  void set_unit(double unit) { again_.set_unit(unit); }
 
+  /// The tool of that number that is in use: "1", or "1 (line 11)" where a comment at a later call
+  /// describes another tool.
+  const std::string& tool_of(const std::string& id) const { return again_.tool_of(id); }
   /// What comments say of the tool; null: nothing.
   const ToolHint* find(const std::string& id) const;
   /// A comment that names the tool, or stands in the block of its T word, and of which nothing was
@@ -53,6 +62,15 @@ class ToolNotes {
   /// A comment behind the first cut that names another tool than the one of adopt_nameless(). Only
   /// the first call gives it.
   std::string other_nameless() { return std::exchange(other_, {}); }
+  /// The same for a comment that names the tool in the spindle by its number.
+  std::string other_numbered() { return again_.take_other(); }
+  /// A comment at a later call that names another kind of tool, and not its size.
+  std::string other_kind() { return again_.take_kind(); }
+  /// Whether another tool of a number has come, or one of the two has something to tell.
+  bool has_news() const { return again_.has_news(); }
+  /// Whether another tool of its number has come into the spindle. Only the first call tells.
+  bool take_brought() { return again_.take_brought(); }
+  bool cuts_since_change() const { return cuts_since_change_; }
 
  private:
   void add(const std::string& id, const ToolHint& hint);
@@ -74,6 +92,7 @@ class ToolNotes {
 
   bool lathe_;
   std::size_t turret_digits_;
+  CalledAgain again_;
   std::map<std::string, ToolHint> hints_;
   std::map<std::string, std::string> not_understood_;
   std::vector<ToolHint> comments_;  ///< the comments since the last block
@@ -91,6 +110,7 @@ class ToolNotes {
   std::string told_id_;  ///< id that the comment before named, in lines without a block
   std::string called_;   ///< the tool that a T word has named, before the next cut and change
   int blocks_since_change_ = 1;
+  bool behind_next_ = false;  ///< right behind a change and the T word of the next tool
 };
 
 }  // namespace mrsim
