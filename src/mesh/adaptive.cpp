@@ -105,8 +105,7 @@ class AdaptiveMesher {
     make_triangles();
     mend_all();
     TriMesh out = finished();
-    for (int k = 0; k < kLostRounds && !lost_.empty(); ++k)
-      if (!find_lost(out)) break;
+    for (int k = 0; k < kLostRounds && !lost_.empty() && find_lost(out);) ++k;
     report_.thin = detail::distinct(lost_);
     return out;
   }
@@ -171,7 +170,6 @@ class AdaptiveMesher {
       if (surface_)
         before.memory =
             std::max(before.memory, detail::memory_of_loops(tree_, surface_->loops().size()));
-      surface_.reset();
       before.seconds = report_.seconds;
       report_ = std::move(before);
       lost_ = lost;
@@ -179,15 +177,13 @@ class AdaptiveMesher {
     }
   }
 
-  // Nodes that may be added about what is lost.
+  // Nodes that may be added about it.
   double room_for_lost() const {
+    const auto nodes = static_cast<double>(tree_.size());
+    const auto memory = static_cast<double>(options_.max_memory);
     double room = std::min(kMostLostNodes, memory_left() / kLostNodeMemory);
-    if (options_.max_memory > 0)
-      room = std::min(
-          room, (static_cast<double>(options_.max_memory) - report_.memory) / kLostNodeMemory);
-    if (options_.most_nodes > 0)
-      room = std::min(room, kLostShare * (static_cast<double>(options_.most_nodes) -
-                                          static_cast<double>(tree_.size())));
+    if (memory > 0) room = std::min(room, (memory - report_.memory) / kLostNodeMemory);
+    if (budget_.most() > 0) room = std::min(room, kLostShare * (budget_.most() - nodes));
     return room;
   }
 

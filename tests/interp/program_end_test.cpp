@@ -49,7 +49,7 @@ TEST(ProgramEnd, AToolThatHasLeftThePartIsInNoCut) {
 
 TEST(ProgramEnd, ALathesToolLeavesInX) {
   const auto turned = [](const std::string& text) {
-    const Scratch scratch;
+    const TempFolder scratch;
     const Program p = read_program(scratch.write("program.nc", "G18 G99\nG0 X52. Z2.\nG1 " + text),
                                    at_origin(Dialect::fanuc, MachineKind::lathe));
     for (const Diagnostic& d : p.diagnostics)

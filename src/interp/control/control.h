@@ -23,7 +23,7 @@ struct PendingTool {
   std::string id;
   Motion at;  ///< only its place counts
   bool beside_motion = false;
-  bool leaves = false;  ///< T0100 of a lathe, which ends the offset of tool 1
+  bool leaves = false;  ///< T0100 of a lathe
 };
 
 /// What T and M6 have done so far.

@@ -1,5 +1,7 @@
 #include "interp/moves/cut_end.h"
 
+#include "core/numbers/vec.h"
+
 #include <algorithm>
 #include <cmath>
 
