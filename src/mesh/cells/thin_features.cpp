@@ -371,12 +371,17 @@ std::vector<FoundThin> lost_features(const ExactField& field, const SurfaceCells
   return out;
 }
 
-std::vector<ThinFeature> distinct(std::span<const FoundThin> found) {
-  std::vector<ThinFeature> out;
+std::vector<FoundThin> one_of_each(std::span<const FoundThin> found) {
+  std::vector<FoundThin> out;
   std::set<std::tuple<std::int32_t, std::int32_t, std::uint64_t>> known;
   for (const FoundThin& f : found)
-    if (known.emplace(f.feature.owner[0], f.feature.owner[1], f.block).second)
-      out.push_back(f.feature);
+    if (known.emplace(f.feature.owner[0], f.feature.owner[1], f.block).second) out.push_back(f);
+  return out;
+}
+
+std::vector<ThinFeature> distinct(std::span<const FoundThin> found) {
+  std::vector<ThinFeature> out;
+  for (const FoundThin& f : one_of_each(found)) out.push_back(f.feature);
   return out;
 }
 

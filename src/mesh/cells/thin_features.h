@@ -40,7 +40,9 @@ std::vector<FoundThin> lost_features(const ExactField& field, const SurfaceCells
 /// it. Costs a few samples for each block that the surface may pass.
 std::optional<ThinFeature> find_material(const ExactField& field, double voxel);
 
-/// Keeps one of the found features for each pair of owners in each block.
+/// The first of the found features for each pair of owners in each block.
+std::vector<FoundThin> one_of_each(std::span<const FoundThin> found);
+/// one_of_each(), without what identifies them.
 std::vector<ThinFeature> distinct(std::span<const FoundThin> found);
 
 }  // namespace mrsim::detail

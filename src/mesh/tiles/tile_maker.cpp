@@ -181,7 +181,7 @@ TileMesh TileMaker::make_whole(const Tile& tile, const MendedCells& mended, cons
   flatten(memory.surface, memory.cells, mended.flat);
   memory.surface.make_triangles();
   TileMesh mesh = collect(memory.surface, memory.cells, tile, notes);
-  notes.thin = thin_features(field_, memory.cells, memory.cells.doubtful_edges());
+  notes.thin = one_of_each(thin_features(field_, memory.cells, memory.cells.doubtful_edges()));
   return mesh;
 }
 
@@ -224,7 +224,7 @@ TileMesh TileMaker::make_split(const Tile& tile, const MendedCells& mended,
     };
     return !CellTile::tests_edge({cell(0), cell(1), cell(2)}, e.axis);
   });
-  notes.thin = thin_features(field_, tree, doubtful);
+  notes.thin = one_of_each(thin_features(field_, tree, doubtful));
   return mesh;
 }
 
