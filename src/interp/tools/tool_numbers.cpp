@@ -72,7 +72,7 @@ bool ToolChanger::leaves_tool(const Word& word) {
 
 // The tool of the table or of the comments that is in the spindle: "1", or "1 (line 11)".
 std::string ToolChanger::data_id() {
-  const std::string id = edges_.id_at_edge(), called = notes_.tool_of(tool_.current);
+  std::string id = edges_.id_at_edge(), called = notes_.tool_of(tool_.current);
   if (id != tool_.current) return id;
   if (called != id && given(called) == nullptr && given(id) != nullptr) {
     reporter_.once_at(
