@@ -1,7 +1,6 @@
 #include "mesh/adaptive.h"
 
 #include "core/process/error.h"
-#include "core/process/memory_limit.h"
 #include "core/process/parallel.h"
 #include "mesh/cells/cell_halvings.h"
 #include "mesh/cells/flat_map.h"
@@ -177,11 +176,11 @@ class AdaptiveMesher {
     }
   }
 
-  // Nodes that may be added about it.
+  // Nodes that may be added about what is lost, by counts alone: equal runs give equal meshes.
   double room_for_lost() const {
     const auto nodes = static_cast<double>(tree_.size());
     const auto memory = static_cast<double>(options_.max_memory);
-    double room = std::min(kMostLostNodes, memory_left() / kLostNodeMemory);
+    double room = kMostLostNodes;
     if (memory > 0) room = std::min(room, (memory - report_.memory) / kLostNodeMemory);
     if (budget_.most() > 0) room = std::min(room, kLostShare * (budget_.most() - nodes));
     return room;
