@@ -338,12 +338,11 @@ class AdaptiveMesher {
 
   LabelledMesh simplified(const LabelledMesh& mesh) {
     const double voxel = tree_.lattice().voxel();
-    detail::MeasuredTriangles measured;
+    detail::MeshSimplifier simplifier(field_, tree_, mesh, {tolerance_, 0.5 * voxel, border_room()},
+                                      options_.threads);
     detail::ApartMesh small = detail::simplify_apart(
-        mesh, voxel / 9, options_.threads, [&](const std::vector<char>& locked) {
-          return detail::simplify(field_, tree_, mesh, {tolerance_, 0.5 * voxel, border_room()},
-                                  locked, measured, options_.threads);
-        });
+        mesh, voxel / 9, options_.threads,
+        [&](const std::vector<char>& locked) { return simplifier.simplified(locked); });
     report_.kept = small.kept;
     timer_.step("simplify");
     return std::move(small.mesh);

@@ -79,14 +79,18 @@ ApartMesh simplify_apart(const LabelledMesh& mesh, double margin, int threads,
                          const std::function<LabelledMesh(const std::vector<char>&)>& simplify) {
   std::vector<char> locked(mesh.vertices.size(), 0);
   const SortedVertices vertices(mesh.vertices);
-  for (int round = 1;; ++round, margin *= kMarginGrowth) {
+  for (int round = 1;;) {
     LabelledMesh small = simplify(locked);
     const Pairs pairs = self_intersections(small.vertices, small.triangles, threads);
     if (pairs.empty())
       return {std::move(small),
               static_cast<std::size_t>(std::count(locked.begin(), locked.end(), 1))};
-    if (round == kLockRounds) return {mesh, mesh.vertices.size()};
-    lock_about(small, pairs, margin, vertices, locked);
+    // With the same vertices locked, the same triangles would meet again.
+    for (const std::vector<char> before = locked; locked == before; ++round) {
+      if (round == kLockRounds) return {mesh, mesh.vertices.size()};
+      lock_about(small, pairs, margin, vertices, locked);
+      margin *= kMarginGrowth;
+    }
   }
 }
 
