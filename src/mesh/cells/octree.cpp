@@ -13,7 +13,8 @@ namespace {
 
 constexpr int kLargestCell = 64;  ///< voxels, where sweeps can decide d
 constexpr int kMixedCell = 4;     ///< voxels: the largest cell in which faces may meet in a crease
-constexpr double kShallow = 0.125;  ///< of the tolerance: what a cell may hide
+constexpr std::size_t kFetchedAhead = 4;  ///< cells whose corners are brought near
+constexpr double kShallow = 0.125;        ///< of the tolerance: what a cell may hide
 
 }  // namespace
 
@@ -111,9 +112,7 @@ void CellOctree::make_room(std::size_t split) {
   const std::size_t count = size() + 8 * split;
   const auto nodes = static_cast<double>(count);
   // The new lists are taken to be as long as the present ones.
-  std::size_t listed = 0;
-  for (const Candidates& list : lists_) listed += list.capacity();
-  const double list = sizeof(std::uint32_t) * static_cast<double>(listed) / double(size());
+  const double list = sizeof(std::uint32_t) * static_cast<double>(listed_) / double(size());
   require_mesh_memory((kNodeMemory + list) * nodes, limits_.memory, tolerance_);
   require_cells(nodes, static_cast<double>(limits_.nodes));
   if (count <= nodes_.capacity()) return;
@@ -167,21 +166,33 @@ void CellOctree::find_regions(const std::vector<std::int32_t>& pending) {
       },
       64);
   // Lists are narrowed once.
-  for (const std::int32_t n : pending)
-    if (const std::int32_t parent = node(n).parent; parent >= 0)
-      Candidates().swap(lists_[static_cast<std::size_t>(parent)]);
+  for (const std::int32_t n : pending) {
+    listed_ += lists_[static_cast<std::size_t>(n)].capacity();
+    if (const std::int32_t parent = node(n).parent; parent >= 0) {
+      Candidates& whole = lists_[static_cast<std::size_t>(parent)];
+      listed_ -= whole.capacity();
+      Candidates().swap(whole);
+    }
+  }
 }
 
 void CellOctree::sample_corners(const std::vector<std::int32_t>& pending) {
   const std::size_t first = samples_.size();
   std::vector<std::pair<LatticePoint, std::int32_t>> wanted;  // place, a node about it
   const std::int32_t largest = kLargestCell * lattice().per_voxel();
-  for (const std::int32_t n : pending) {
+  const auto corner = [&](std::int32_t n, int k) -> LatticePoint {
+    const OctreeNode& a = node(n);
+    return {a.origin.x + (k & 1 ? a.size : 0), a.origin.y + (k & 2 ? a.size : 0),
+            a.origin.z + (k & 4 ? a.size : 0)};
+  };
+  for (std::size_t i = 0; i < pending.size(); ++i) {
+    if (i + kFetchedAhead < pending.size())
+      for (int k = 0; k < 8; ++k) sample_of_.prefetch(key(corner(pending[i + kFetchedAhead], k)));
+    const std::int32_t n = pending[i];
     OctreeNode& a = nodes_[static_cast<std::size_t>(n)];
     if (a.size > (tolerance_ > 0 ? largest : lattice().per_voxel()) && !shows_box(n)) continue;
     for (int k = 0; k < 8; ++k) {
-      const LatticePoint p{a.origin.x + (k & 1 ? a.size : 0), a.origin.y + (k & 2 ? a.size : 0),
-                           a.origin.z + (k & 4 ? a.size : 0)};
+      const LatticePoint p = corner(n, k);
       const auto [id, is_new] =
           sample_of_.insert(key(p), static_cast<std::int32_t>(first + wanted.size()));
       if (is_new) wanted.emplace_back(p, n);

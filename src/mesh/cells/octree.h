@@ -142,6 +142,7 @@ class CellOctree final : public SurfaceCells {
   std::vector<OctreeNode> nodes_;
   std::vector<std::int32_t> new_leaves_;
   std::vector<Candidates> lists_;  ///< by node
+  std::size_t listed_ = 0;         ///< sweeps that they have room for
   SurfaceLists short_lists_;
   std::vector<FieldSample> samples_;
   FlatMap sample_of_;

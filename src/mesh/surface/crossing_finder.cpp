@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <tuple>
 
 namespace mrsim::detail {
 
@@ -24,31 +23,34 @@ void CrossingFinder::refine(const Crossing& crossing, Detail detail) {
 
 void CrossingFinder::find(const std::vector<MinimalEdge>& edges) {
   crossings_.assign(edges.size(), {});
-  std::vector<std::int32_t> ids(options_.remember ? edges.size() : 0), fresh;
-  fresh.reserve(edges.size());
-  for (std::size_t k = 0; k < edges.size(); ++k) {
-    Crossing& c = crossings_[k];
-    c.edge = edges[k];
-    const EdgeEnds ends = cells_.ends(c.edge);
-    c.position = ends.low;
-    c.low = mrsim::component(ends.low, c.edge.axis);
-    c.high = ends.high;
-    bool is_new = true;
-    if (options_.remember) {
-      std::tie(ids[k], is_new) =
-          known_.insert(edge_key(edges[k]), static_cast<std::int32_t>(found_.size()));
-      if (is_new) {
-        found_.emplace_back();
-      } else {
+  std::vector<std::int32_t> ids(edges.size(), -1), fresh;
+  parallel_for(
+      edges.size(), options_.threads,
+      [&](std::size_t k) {
+        Crossing& c = crossings_[k];
+        c.edge = edges[k];
+        const EdgeEnds ends = cells_.ends(c.edge);
+        c.position = ends.low;
+        c.low = mrsim::component(ends.low, c.edge.axis);
+        c.high = ends.high;
+        if (options_.remember) ids[k] = known_.find(edge_key(c.edge));
+        if (ids[k] < 0) return;
         const Found& found = at(found_, ids[k]);
         c.position = found.position;
         c.normal = found.normal;
         c.at = found.at;
         c.detail = found.detail;
-      }
+      },
+      256);
+  for (std::size_t k = 0; k < edges.size(); ++k)
+    if (ids[k] < 0) fresh.push_back(static_cast<std::int32_t>(k));
+  if (options_.remember)
+    for (const std::int32_t k : fresh) {
+      ids[static_cast<std::size_t>(k)] =
+          known_.insert(edge_key(at(crossings_, k).edge), static_cast<std::int32_t>(found_.size()))
+              .first;
+      found_.emplace_back();
     }
-    if (is_new) fresh.push_back(static_cast<std::int32_t>(k));
-  }
   const Groups groups(fresh, cells_.lists(), [&](std::int32_t k) {
     return cells_.list_of(at(crossings_, k).edge.smallest_cell());
   });

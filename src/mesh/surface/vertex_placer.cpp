@@ -91,22 +91,26 @@ KnownPoints::Result VertexPlacer::place_crease(const Segment& s) const {
 
 void VertexPlacer::place_loops() {
   std::vector<std::uint64_t> keys(options_.remember ? loops_.size() : 0);
-  std::vector<std::int32_t> fresh;
-  fresh.reserve(loops_.size());
+  std::vector<std::uint8_t> is_placed(loops_.size());
   outside_.assign(options_.sharpen ? loops_.size() : 0, {});
-  for (std::size_t k = 0; k < loops_.size(); ++k) {
-    Loop& loop = loops_[k];
-    if (loop.point.count > 0 || !is_complete(loop.cell)) continue;
-    if (options_.remember) {
-      keys[k] = key_of(loop);
-      if (const KnownPoints::Result* known = known_loops_.find(keys[k])) {
+  parallel_for(
+      loops_.size(), options_.threads,
+      [&](std::size_t k) {
+        Loop& loop = loops_[k];
+        is_placed[k] = loop.point.count > 0 || !is_complete(loop.cell);
+        if (is_placed[k] || !options_.remember) return;
+        keys[k] = key_of(loop);
+        const KnownPoints::Result* known = known_loops_.find(keys[k]);
+        if (known == nullptr) return;
+        is_placed[k] = 1;
         loop.point = known->point;
         if (options_.sharpen) outside_[k] = known->outside;
-        continue;
-      }
-    }
-    fresh.push_back(static_cast<std::int32_t>(k));
-  }
+      },
+      256);
+  std::vector<std::int32_t> fresh;
+  fresh.reserve(loops_.size());
+  for (std::size_t k = 0; k < loops_.size(); ++k)
+    if (!is_placed[k]) fresh.push_back(static_cast<std::int32_t>(k));
   const Groups groups(fresh, cells_.lists(),
                       [&](std::int32_t k) { return cells_.list_of(at(loops_, k).cell); });
   parallel_for(
