@@ -46,6 +46,7 @@ ToolPath any_helical_path(Random& r) {
   ToolPath path = path_of(arc(centre + Vec3{r(1, 10), r(-1, 1), 0}, centre, {0, 0, 1}, r(0.3, 7)));
   path.rise = {0, 0, r(-1, 1)};
   path.horizontal = true;
+  path.last = {std::cos(path.sweep), std::sin(path.sweep)};
   return path;
 }
 
@@ -84,6 +85,35 @@ TEST(PathObjective, BracketsHoldTheLeastValue) {
     const double limit = want - r(0, 1);
     EXPECT_GE(descend(F, 0, 1, r(0, 1), limit).distance, want - 1e-12);
   }
+}
+
+Profile any_waisted_tool(Random& r) {
+  const double d = r(3, 12), waist = r(0.2, 0.4) * d;
+  Tool tool = mill(ToolType::form, 0);
+  tool.profile = {{0, 0, 0}, {0.5 * d, 0.5, 0}, {waist, 2, 0}, {waist, 3, 0}, {0.5 * d, 5, 0}};
+  tool.profile.push_back({0, 6, 0});
+  return make_cutter(tool);
+}
+
+// A limit spares searches, but changes no distance below it by a bit.
+TEST(PathSearch, FindsTheSameBitsBelowAnyLimit) {
+  Random r(33);
+  int spared = 0;
+  for (int round = 0; round < 3000; ++round) {
+    const ToolPath path = r.pick(4) == 0 ? any_line(r) : any_helical_path(r);
+    const Profile tool = r.pick(3) == 0 ? any_waisted_tool(r) : any_convex_tool(r);
+    const double end = path.arc ? path.sweep : 1;
+    const Vec3 p = path_point(path, r(0, 1) * end).position + Vec3{r(-8, 8), r(-8, 8), r(-4, 6)};
+    const PathSample want = search_path(tool, path, p, 0, end);
+    const double above = want.distance + r(1e-6, 1), below = want.distance - r(1e-6, 3);
+    const PathSample same = search_path(tool, path, p, 0, end, above);
+    ASSERT_EQ(same.distance, want.distance) << round;
+    ASSERT_EQ(same.t, want.t) << round;
+    const double beyond = search_path(tool, path, p, 0, end, below).distance;
+    ASSERT_GT(beyond, below) << round;
+    spared += beyond != want.distance;
+  }
+  EXPECT_GT(spared, 500);
 }
 
 }  // namespace

@@ -90,6 +90,11 @@ TEST_P(Lists, EqualSingleQueriesToTheLastBit) {
     s.distances(ids, p, d.data());
     EXPECT_EQ(d[n], 7) << "written past the end";
     for (std::size_t k = 0; k < n; ++k) ASSERT_TRUE(same_bits(d[k], s.distance(ids[k], p)));
+    std::vector<double> near(n);
+    s.near_distances(ids, p, 2.0, near.data());
+    const double limit = n > 0 ? *std::min_element(d.begin(), d.begin() + n) + 2 : 0;
+    for (std::size_t k = 0; k < n; ++k)
+      ASSERT_TRUE(d[k] > limit ? near[k] > limit : same_bits(near[k], d[k])) << k;
     expect_least(s, ids, random_points(r, 64));
   }
 }

@@ -53,7 +53,7 @@ Box3 SweepColumns::bounds_of_line(const SweepRef& ref, const LineRecord& record)
   return sweep_bounds(tool, path, ref.frame > 0 ? &frames[ref.frame - 1] : nullptr);
 }
 
-double SweepColumns::distance(const SweepRef& ref, const Vec3& p) const {
+double SweepColumns::distance(const SweepRef& ref, const Vec3& p, double limit) const {
   switch (ref.kind) {
     case SweepKind::ball_line:
       return lane::ball_line(ball_lines[ref.row].c, p.x, p.y, p.z);
@@ -70,7 +70,7 @@ double SweepColumns::distance(const SweepRef& ref, const Vec3& p) const {
     }
     case SweepKind::path:
       if (is_chain(ref) || is_slant_line(ref)) return path_sample(ref, p).distance;
-      return path_value(cutter(ref), *paths[ref.row], p);
+      return path_value(cutter(ref), *paths[ref.row], p, limit);
     case SweepKind::turn:
       return turn_distance(turns[ref.row], p);
   }

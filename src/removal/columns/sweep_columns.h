@@ -3,6 +3,7 @@
 // and a register full of them is read by loads and a transposition, which beats gathering.
 #pragma once
 
+#include "core/numbers/rounding.h"
 #include "removal/columns/height_segments.h"
 #include "removal/columns/path_column.h"
 #include "removal/columns/run_chords.h"
@@ -106,11 +107,12 @@ struct SweepColumns {
   double max_error = 0;
   double smallest_radius = 0;
 
-  /// Distance from a sweep of p in the frame of its tool.
-  double distance(const SweepRef& ref, const Vec3& p) const;
-  double distance(std::size_t i, const Vec3& p) const {
+  /// Distance from a sweep of p in the frame of its tool. Where that is above `limit` mm, it may be
+  /// any distance above it.
+  double distance(const SweepRef& ref, const Vec3& p, double limit = kInfinity) const;
+  double distance(std::size_t i, const Vec3& p, double limit = kInfinity) const {
     const SweepRef& ref = refs[i];
-    return distance(ref, ref.frame > 0 ? frames[ref.frame - 1].in(p) : p);
+    return distance(ref, ref.frame > 0 ? frames[ref.frame - 1].in(p) : p, limit);
   }
   /// Whether a sweep is a straight move of a convex tool with chain_minimum().
   bool is_chain(const SweepRef& ref) const {

@@ -161,19 +161,22 @@ std::optional<ConeHelix> cones_about(const ToolPath& path, const Vec3& p, double
   return std::optional<ConeHelix>(std::in_place, path, p, begin, end);
 }
 
-// Searches for something nearer than `best`, with a tool as a whole or with one piece.
+// Searches for something nearer than `best`, with a tool as a whole or with one piece. Where
+// nothing is nearer than `limit`, any distance above it.
 PathSample search_whole(const Profile& tool, const ToolPath& path, const Vec3& p, double begin,
-                        double end, const std::optional<ConeHelix>& cones, PathSample best) {
+                        double end, const std::optional<ConeHelix>& cones, PathSample best,
+                        double limit = kInfinity) {
   double guess = -kInfinity;
   if (cones && tool.is_convex()) {
     const auto [least, is_exact] = cones->minimum(tool, best.distance);
-    if (is_exact) return nearer(best, least);
+    if (is_exact || least.distance > limit) return nearer(best, least);
     guess = least.t;
   }
   const PathObjective F(tool, path, p);
   if (!tool.is_convex())
     return search_all(F, tool, path, begin, end, nearer(best, ends(F, begin, end)));
-  if (!path.arc) return nearer(best, descend(F, begin, end, F.towards(), best.distance));
+  if (!path.arc)
+    return nearer(best, descend(F, begin, end, F.towards(), std::min(best.distance, limit)));
   return path.horizontal ? search_horizontal(F, begin, end, guess, best)
                          : nearer(best, search_steep(F, tool, path, begin, end));
 }
@@ -198,10 +201,16 @@ Seen seen_from(const ToolPath& path, const Vec3& p, double begin, double end) {
   return seen;
 }
 
+// Whether no piece is nearer than `limit`, as far as cones tell.
+bool is_beyond(std::span<const Profile> pieces, const ConeHelix& cones, double limit) {
+  return std::ranges::all_of(
+      pieces, [&](const Profile& piece) { return cones.minimum(piece).least.distance > limit; });
+}
+
 // Searches with each of a tool's convex pieces. The one that may be nearest comes first, so that
 // others need not be searched.
 PathSample search_pieces(const Profile& tool, const ToolPath& path, const Vec3& p, double begin,
-                         double end) {
+                         double end, double limit) {
   const std::span<const Profile> pieces = tool.convex_pieces();
   static thread_local std::vector<double> bounds;
   bounds.assign(pieces.size(), -kInfinity);
@@ -217,6 +226,9 @@ PathSample search_pieces(const Profile& tool, const ToolPath& path, const Vec3& 
     }
   }
   const std::optional<ConeHelix> cones = cones_about(path, p, begin, end);
+  if (std::ranges::all_of(bounds, [&](double bound) { return bound > limit; }) ||
+      (limit < kInfinity && cones && is_beyond(pieces, *cones, limit)))
+    return {kInfinity, begin};
   PathSample best = search_whole(pieces[first], path, p, begin, end, cones, {kInfinity, begin});
   for (std::size_t k = 0; k < pieces.size(); ++k)
     if (k != first && bounds[k] < best.distance)
@@ -229,10 +241,10 @@ PathSample search_pieces(const Profile& tool, const ToolPath& path, const Vec3& 
 }  // namespace
 
 PathSample search_path(const Profile& tool, const ToolPath& path, const Vec3& p, double begin,
-                       double end) {
-  if (!tool.convex_pieces().empty()) return search_pieces(tool, path, p, begin, end);
+                       double end, double limit) {
+  if (!tool.convex_pieces().empty()) return search_pieces(tool, path, p, begin, end, limit);
   return search_whole(tool, path, p, begin, end, cones_about(path, p, begin, end),
-                      {kInfinity, begin});
+                      {kInfinity, begin}, limit);
 }
 
 // The lowest turn of a helix that falls with t, tool rising: F grows with the lateral distance and
@@ -240,10 +252,12 @@ PathSample search_path(const Profile& tool, const ToolPath& path, const Vec3& p,
 // better, because they are higher and no nearer; behind it, up to the opposite one, the lateral
 // distance and the height both grow, so that the lateral distance at the beginning of an interval
 // and the height at its end bound F. The end of the path is the lowest, and a candidate by itself.
-PathSample search_lowest_turn(const Profile& tool, const ToolPath& path, const Vec3& p) {
-  if (!tool.convex_pieces().empty()) return search_pieces(tool, path, p, 0, path.sweep);
+PathSample search_lowest_turn(const Profile& tool, const ToolPath& path, const Vec3& p,
+                              double limit) {
+  if (!tool.convex_pieces().empty()) return search_pieces(tool, path, p, 0, path.sweep, limit);
   if (const auto cones = cones_about(path, p, 0, path.sweep); cones && tool.is_convex())
-    if (const auto found = cones->minimum(tool); found.is_exact) return found.least;
+    if (const auto found = cones->minimum(tool); found.is_exact || found.least.distance > limit)
+      return found.least;
   const PathObjective F(tool, path, p);
   const double end = path.sweep, facing = F.towards();
   if (end >= kTwoPi) {  // beside the wall of a bore heights do not matter

@@ -25,23 +25,23 @@ std::optional<PathSample> solved(const Profile& tool, const ToolPath& path, cons
 
 }  // namespace
 
-PathSample path_distance(const Profile& tool, const ToolPath& path, const Vec3& p) {
+PathSample path_distance(const Profile& tool, const ToolPath& path, const Vec3& p, double limit) {
   if (is_slant(tool, path)) return slant_minimum(slant_record(tool, path), p);
   if (const auto least = solved(tool, path, p, 0, path.sweep)) return *least;
   if (path.upright) return upright_minimum(tool, path, p);
   if (has_stretches(tool, path)) return helix_minimum(tool, path, p);
-  if (path.lowest_turn) return search_lowest_turn(tool, path, p);
-  return search_path(tool, path, p, 0, path.arc ? path.sweep : 1);
+  if (path.lowest_turn) return search_lowest_turn(tool, path, p, limit);
+  return search_path(tool, path, p, 0, path.arc ? path.sweep : 1, limit);
 }
 
-double path_value(const Profile& tool, const ToolPath& path, const Vec3& p) {
+double path_value(const Profile& tool, const ToolPath& path, const Vec3& p, double limit) {
   if (path.upright) return upright_value(tool, path, p);
   if (path.bored)
     if (const lane::Bore wall = lane::bore(bore_record(tool, path).c, p.x, p.y, p.z); wall.decided)
       return wall.distance;
   if (path.flanked)
     if (const auto least = flank_value(tool, path, p)) return *least;
-  return path_distance(tool, path, p).distance;
+  return path_distance(tool, path, p, limit).distance;
 }
 
 int path_branch(const ToolPath& path, double t) {

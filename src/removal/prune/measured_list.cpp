@@ -8,7 +8,8 @@ namespace {
 
 // Shorter lists of costly sweeps are not worth the nearest points of their skeletons.
 constexpr std::size_t kFewOthers = 6;
-constexpr double kRoom = 1e-3;  // mm: far above the slack of rounding
+constexpr double kRoom = 1e-3;       // mm: far above the slack of rounding
+constexpr double kRoomShare = 2e-5;  // of lengths: far above RegionArgs::delta
 
 constexpr std::size_t kMeasuredTogether = 512;  // a multiple of any register
 constexpr std::size_t kLongSlice = 512, kProbes = 16;
@@ -91,7 +92,9 @@ double MeasuredList::measure_others(const SweepTable& table, const CandidateList
   s.ids.resize(slice.count), s.distance.resize(slice.count);
   for (std::size_t k = 0; k < slice.count; ++k) s.ids[k] = in_.number(slice, k);
   const Vec3& p = region_.center;
-  table.distances(s.ids, p, s.distance.data());
+  const double radius = region_.radius;
+  const double room = kRoom + kRoomShare * (near_extent(at_, in_) + radius - deep_);
+  table.near_distances(s.ids, p, 2 * radius + room, s.distance.data());
   const CandidateRows out = s.rows.at(slice.first);
   LeastDistance& least =
       s.least.emplace_back(LeastDistance{kFloatInfinity, kFloatInfinity, kFloatInfinity});
@@ -121,7 +124,8 @@ double MeasuredList::measure_others(const SweepTable& table, const CandidateList
     least.distance = std::min(least.distance, out.distance[k]);
     least.squared = std::min(least.squared, out.squared[k]);
     least.z = std::min(least.z, out.z[k]);
-    extent = std::max({extent, std::fabs(s.distance[k]), length(f.offset)});
+    if (std::isfinite(s.distance[k]))
+      extent = std::max({extent, std::fabs(s.distance[k]), length(f.offset)});
   }
   return extent;
 }

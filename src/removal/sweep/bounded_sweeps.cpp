@@ -199,7 +199,7 @@ std::span<const std::uint32_t> BoundedSweeps::near_runs(std::span<const std::uin
 void BoundedSweeps::take(std::uint32_t id, double limit, TurnTree::Nearest& best) {
   const SweepRef& ref = c_.refs[id];
   if (ref.frame != 0 || !(c_.is_slant_line(ref) || c_.is_chain(ref)))
-    return take_nearer(c_.distance(id, p_), id, best);
+    return take_nearer(c_.distance(id, p_, limit + kBoundError), id, best);
   const PathSample s = c_.is_slant_line(ref) ? slant_minimum(c_.slant_lines[ref.row], p_)
                                              : chain_minimum(c_.chain_tools[ref.shape],
                                                              c_.chain_lines[ref.row], p_, limit);

@@ -112,7 +112,7 @@ void least_of(const SweepColumns& c, std::uint32_t id, PointColumns& points) {
     const auto k = static_cast<std::size_t>(std::countr_zero(open));
     const Vec3 p{points.x[k], points.y[k], points.z[k]};
     if (box_bound(box, p) > points.least[k] + kBoundError) continue;
-    const double d = c.distance(id, p);
+    const double d = c.distance(id, p, points.least[k] + kBoundError);
     if (d > points.least[k] || (d == points.least[k] && id > points.nearest[k])) continue;
     points.least[k] = d;
     points.nearest[k] = id;
@@ -256,6 +256,26 @@ std::vector<std::uint32_t> sweeps_about(const SweepColumns& c, std::span<const s
   return sweeps;
 }
 
+// Distances of a chunk of a list, but for those that have no kernel of lists, `singles`.
+void kernel_distances(const SweepColumns& c, std::span<const std::uint32_t> ids, const Vec3& p,
+                      std::optional<double> least, double* out, ListPart& singles) {
+  const SweepKernels& kernels = sweep_kernels();
+  Parts parts;
+  UprightParts uprights(c, p, least, out);
+  for (std::size_t k = 0; k < ids.size(); ++k) {
+    const std::uint32_t tag = c.tags[ids[k]];
+    if (parts.add(tag, k)) continue;
+    if (is_upright(tag))
+      uprights.add(tag & kSingleRow, k);
+    else
+      singles.add(tag & kSingleRow, k);
+  }
+  evaluate(kernels.ball_line, c.ball_lines.data(), parts.of(Form::strip), ids.size(), p, out);
+  evaluate(kernels.plane_line, c.plane_lines.data(), parts.of(Form::line), ids.size(), p, out);
+  evaluate(kernels.plane_arc, c.plane_arcs.data(), parts.of(Form::arc), ids.size(), p, out);
+  uprights.finish();
+}
+
 }  // namespace
 
 std::vector<std::uint32_t> all_numbers(const SweepColumns& c, double longest) {
@@ -333,23 +353,42 @@ void sweep_distances(const SweepColumns& c, std::span<const std::uint32_t> ids, 
     return kernels.ball_line.list(c.ball_lines.data(), ids.data(), ids.size(), p, out);
   if (c.uniform && c.refs.front().kind == SweepKind::plane_line)
     return kernels.plane_line.list(c.plane_lines.data(), ids.data(), ids.size(), p, out);
-  for (std::size_t from = 0; from < ids.size(); from += kListChunk) {
-    const std::size_t n = ids.size() - from < kListChunk ? ids.size() - from : kListChunk;
-    Parts parts;
-    UprightParts uprights(c, p, least, out + from);
-    for (std::size_t k = 0; k < n; ++k) {
-      const std::uint32_t tag = c.tags[ids[from + k]];
-      if (parts.add(tag, k)) continue;
-      if (is_upright(tag))
-        uprights.add(tag & kSingleRow, k);
-      else
-        out[from + k] = c.distance(ids[from + k], p);
-    }
-    evaluate(kernels.ball_line, c.ball_lines.data(), parts.of(Form::strip), n, p, out + from);
-    evaluate(kernels.plane_line, c.plane_lines.data(), parts.of(Form::line), n, p, out + from);
-    evaluate(kernels.plane_arc, c.plane_arcs.data(), parts.of(Form::arc), n, p, out + from);
-    uprights.finish();
-  }
+  in_chunks(ids.size(), [&](std::size_t from, std::size_t n) {
+    const auto some = ids.subspan(from, n);
+    ListPart singles;
+    kernel_distances(c, some, p, least, out + from, singles);
+    for (std::size_t k = 0; k < singles.n; ++k)
+      out[from + singles.slots[k]] = c.distance(some[singles.slots[k]], p);
+    return true;
+  });
+}
+
+void near_distances(const SweepColumns& c, std::span<const std::uint32_t> ids, const Vec3& p,
+                    double margin, double* out) {
+  double nearest = kInfinity;
+  in_chunks(ids.size(), [&](std::size_t from, std::size_t n) {
+    const auto some = ids.subspan(from, n);
+    ListPart singles;
+    std::fill_n(out + from, n, kInfinity);
+    kernel_distances(c, some, p, {}, out + from, singles);
+    nearest = std::min(nearest, *std::min_element(out + from, out + from + n));
+    double bounds[kListChunk];
+    for (std::size_t k = 0; k < singles.n; ++k)
+      bounds[k] = box_bound(c.bounds_of(c.refs[some[singles.slots[k]]]), p);
+    const auto take = [&](std::size_t k) {
+      if (bounds[k] > nearest + margin) return;
+      double& d = out[from + singles.slots[k]];
+      d = c.distance(some[singles.slots[k]], p, nearest + margin);
+      nearest = std::min(nearest, d);
+    };
+    // Few others are as near as the one whose box is nearest.
+    const auto first =
+        static_cast<std::size_t>(std::min_element(bounds, bounds + singles.n) - bounds);
+    if (singles.n > 0) take(first);
+    for (std::size_t k = 0; k < singles.n; ++k)
+      if (k != first) take(k);
+    return true;
+  });
 }
 
 void least_distances(const SweepColumns& c, std::span<const std::uint32_t> ids,

@@ -27,6 +27,9 @@ SweepTable::Nearest nearest_sweep(const SweepColumns& c, std::span<const std::ui
 /// another one of the list, need not be exact.
 void sweep_distances(const SweepColumns& c, std::span<const std::uint32_t> ids, const Vec3& p,
                      double* out, std::optional<double> least = {});
+/// SweepTable::near_distances().
+void near_distances(const SweepColumns& c, std::span<const std::uint32_t> ids, const Vec3& p,
+                    double margin, double* out);
 /// SweepTable::least().
 void least_distances(const SweepColumns& c, std::span<const std::uint32_t> ids,
                      PointColumns& points);

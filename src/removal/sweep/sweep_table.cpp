@@ -90,6 +90,11 @@ SweepTable::Nearest SweepTable::nearest(std::span<const std::uint32_t> list, con
 void SweepTable::distances(std::span<const std::uint32_t> ids, const Vec3& p, double* out) const {
   sweep_distances(*columns_, ids, p, out);
 }
+
+void SweepTable::near_distances(std::span<const std::uint32_t> ids, const Vec3& p, double margin,
+                                double* out) const {
+  mrsim::near_distances(*columns_, ids, p, margin, out);
+}
 void SweepTable::least(std::span<const std::uint32_t> ids, PointColumns& points) const {
   least_distances(*columns_, ids, points);
 }

@@ -78,6 +78,10 @@ class SweepTable {
 
   /// out[k] = distance(ids[k], p), the same bits.
   void distances(std::span<const std::uint32_t> ids, const Vec3& p, double* out) const;
+  /// The same, but a distance that is more than `margin` mm above the least one may be any that is;
+  /// that costs less where distances are found by a search.
+  void near_distances(std::span<const std::uint32_t> ids, const Vec3& p, double margin,
+                      double* out) const;
 
   /// The least distance of p from the sweeps of a list and whose it is, the lowest index of equal
   /// ones; infinite when the list is empty.
