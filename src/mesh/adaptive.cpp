@@ -91,10 +91,10 @@ class AdaptiveMesher {
   TriMesh mesh() {
     const double memory = detail::expected_memory(field_, tree_, tolerance_, options_.threads);
     detail::require_mesh_memory(memory, options_.max_memory, tolerance_);
-    timer_.expect(kSecondsPerByte * memory / resolve_threads(options_.threads));
-    timer_.step("tree");
     tree_.mark_drawn();  // their surface is part of the expected memory
     detail::require_cells(detail::expected_nodes(memory), budget_.most());
+    timer_.expect(kSecondsPerByte * memory / resolve_threads(options_.threads));
+    timer_.step("tree");
     budget_.begin(tree_.size());
     find_topology();
     detail::require_cells(budget_.nodes_after_first(0, tree_.size()), budget_.most());

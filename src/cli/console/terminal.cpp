@@ -39,6 +39,7 @@ const char* escape_of(Style style) {
 constexpr double kFirstLook = 1, kSecondLook = 5;
 constexpr double kLittle = 0.002;  // share done
 constexpr double kLong = 10;       // s: work that is announced
+constexpr double kLonger = 2;      // times what was announced: told as well
 
 int terminal_width() {
   winsize size{};
@@ -88,7 +89,8 @@ bool ProgressBar::update(const char* stage, double fraction) {
   const double taken = std::chrono::duration<double>(now - stage_begin_).count();
   const bool is_known = share > 0 && taken > (share > kLittle ? kFirstLook : kSecondLook);
   const double left = is_known ? taken * (1 - share) / share : -1;
-  if (!told_ && taken + left > kLong && left > 0) tell_long(stage, taken + left);
+  if (told_ == 0 && taken + left > kLong && left > 0) tell_long(stage, taken + left);
+  if (told_ > 0 && taken > kLonger * told_) tell_longer(stage, taken);
   if (is_terminal_ && now - begin_ > 1s && now - last_ > 100ms) {
     draw(stage, share, left);
     last_ = now;
@@ -99,7 +101,13 @@ bool ProgressBar::update(const char* stage, double fraction) {
 void ProgressBar::tell_long(const char* stage, double seconds) {
   say(fmt::format("{}note: {} will take about {}; Ctrl-C stops the run\n", drawn_ ? "\r\x1b[K" : "",
                   stage, duration(seconds)));
-  drawn_ = false, told_ = true;
+  drawn_ = false, told_ = seconds;
+}
+
+void ProgressBar::tell_longer(const char* stage, double seconds) {
+  say(fmt::format("{}note: {} takes longer than expected, {} so far; Ctrl-C stops the run\n",
+                  drawn_ ? "\r\x1b[K" : "", stage, duration(seconds)));
+  drawn_ = false, told_ = seconds;
 }
 
 void ProgressBar::draw(const char* stage, double share, double left) {

@@ -38,12 +38,14 @@ class ProgressBar {
  private:
   using Clock = std::chrono::steady_clock;
   void tell_long(const char* stage, double seconds);
+  void tell_longer(const char* stage, double seconds);
   void draw(const char* stage, double share, double left);
 
   std::mutex mutex_;
   bool enabled_;
   bool is_terminal_;
-  bool drawn_ = false, told_ = false;
+  bool drawn_ = false;
+  double told_ = 0;  // s: what was told of the time that work takes, 0 = nothing yet
   std::string stage_;
   double share_ = 0;  ///< of the stage, when it was last heard of
   Clock::time_point begin_, stage_begin_, last_;
