@@ -22,7 +22,8 @@ bool has_colours(std::FILE* stream);
 std::string styled(std::string_view text, Style style, bool colours);
 
 /// What stderr shows of long work: a note, once, as soon as a stage's first seconds show that it
-/// will take more than ten; and on a terminal a bar after one second.
+/// will take more than ten, and others where it takes twice as long as was told, or more; and on a
+/// terminal a bar after one second.
 class ProgressBar {
  public:
   explicit ProgressBar(bool enabled);
