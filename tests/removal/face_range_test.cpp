@@ -176,6 +176,17 @@ TEST(FaceRange, FacesOfSlantedLinesAndUprightArcsLieInTheirRange) {
   }
 }
 
+// A ramp along a wall: below the mill's lower edge the wall is that of the pass beneath, on which
+// triangles that reach down from the ramp's face lie.
+TEST(FaceRange, TheWallOfASlantedLineIsEnclosedBelowIt) {
+  const PartField field = block({line({10, 20, 12}, {30, 20, 10})}, mill(ToolType::endmill, 6));
+  const Vec3 beside{20, 17, 14};
+  const FieldSample wall = field.sample(beside, field.all());
+  ASSERT_NEAR(wall.distance, 0, 1e-9);
+  const FaceRange range = field.patch_range({Vec3{20, 17, 14}, {24, 17, 2}, {21, 17, 3}}, wall);
+  EXPECT_LT(size_of(range), 1e-9) << range.lo << " .. " << range.hi;
+}
+
 TEST(FaceRange, RangesOfTurnedFacesHoldTheirSamples) {
   const StockShape shape = testing::round_stock(25, 0, 0, 50);
   Random random(3);

@@ -5,14 +5,14 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <vector>
 
 namespace mrsim::detail {
 namespace {
 
 constexpr double kMissed = 1e-4;  ///< mm: a vertex farther off its face has missed a crease
-constexpr int kCreaseCells = 8;   ///< on each side of a cell that has missed a crease
+constexpr double kLimitGrowth = 1.25;
+constexpr int kCreaseCells = 8;  ///< on each side of a cell that has missed a crease
 
 int longest_axis(const Vec3& v) {
   const Vec3 size{std::abs(v.x), std::abs(v.y), std::abs(v.z)};
@@ -72,12 +72,12 @@ MeshCertifier::Total MeshCertifier::total(const LabelledMesh& mesh) const {
   std::vector<TriangleBound> bounds(mesh.triangles.size());
   parallel_for_chunks(bounds.size(), threads_, kChunk, [&](std::size_t begin, std::size_t end) {
     FaceDistances distances(field_);
-    // certified() stops at the first distance above its limit; with none it gives the true
-    // bound.
+    // certified() stops at the first distance above its limit, and looks closely only at what may
+    // be below it: the limit grows until it holds.
     for (std::size_t t = begin; t < end; ++t) {
-      bounds[t] = certified(mesh, t, tolerance_, distances);
-      if (bounds[t].distance > tolerance_)
-        bounds[t] = certified(mesh, t, std::numeric_limits<double>::infinity(), distances);
+      double limit = tolerance_;
+      while (bounds[t] = certified(mesh, t, limit, distances), bounds[t].distance > limit)
+        limit *= kLimitGrowth;
     }
   });
   Total total;

@@ -133,14 +133,18 @@ double facing_angle(const ToolPath& path, const Vec3& p, double from, double to)
   return t - to < from + kTwoPi - t ? to : from;
 }
 
+bool is_upright_wall(const Profile& tool, std::int32_t patch) {
+  constexpr std::int32_t kWall = 1;  // of an end mill without a fillet
+  return tool.is_end_mill() && tool.is_rising() && tool.round() == 0 &&
+         patch % kBranchPatch == kWall;
+}
+
 // The upright wall of a flat mill that reaches up, continued to all heights: the position that is
 // nearest to p in space may touch p with its lower edge, so that its wall would be the floor.
 std::optional<FacePlane> path_wall(const SweepColumns& columns, const SweepRef& ref, const Vec3& p,
                                    std::int32_t patch) {
-  constexpr std::int32_t kWall = 1;  // of an end mill without a fillet
   const Profile& tool = columns.cutter(ref);
-  if (!tool.is_end_mill() || !tool.is_rising() || tool.round() > 0 || patch % kBranchPatch != kWall)
-    return std::nullopt;
+  if (!is_upright_wall(tool, patch)) return std::nullopt;
   double t;
   if (columns.paths.is_line(ref.row)) {
     const PathColumn::Line& path = columns.paths.line(ref.row);
@@ -354,6 +358,13 @@ Vec3 sweep_gradient(const SweepColumns& c, std::size_t i, const Vec3& p, std::in
 double sweep_patch_distance(const SweepColumns& c, std::size_t i, const Vec3& p,
                             std::int32_t patch) {
   return face_at(c, i, p, patch, local_face).distance;
+}
+
+bool is_moved_wall(const SweepColumns& c, std::size_t i, std::int32_t patch) {
+  const SweepRef& ref = c.refs[i];
+  if (ref.kind != SweepKind::path || !c.paths.is_line(ref.row)) return false;
+  const Vec3& d = c.paths.line(ref.row).travel;
+  return (d.x != 0 || d.y != 0) && is_upright_wall(c.cutter(ref), patch);
 }
 
 }  // namespace mrsim

@@ -29,4 +29,8 @@ FacePlane sweep_face_plane(const SweepColumns& c, std::size_t i, const Vec3& p, 
 std::optional<SweepTable::FlatFloor> flat_floor(const SweepColumns& c, std::size_t i,
                                                 const Vec3& p);
 
+/// Whether the face is the upright wall of a flat mill on a line that moves in plan: its distance
+/// is that from the line in plan, a convex function of space.
+bool is_moved_wall(const SweepColumns& c, std::size_t i, std::int32_t patch);
+
 }  // namespace mrsim

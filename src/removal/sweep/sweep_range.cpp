@@ -161,7 +161,7 @@ class RangeOf {
     return {};
   }
 
-  // patch_distance being a convex function of space.
+  // patch_distance is a convex function of space.
   FaceRange convex() const {
     const Vec3 m = weighted(smallest_circle(t_), t_);
     return convex_range(t_,
@@ -231,6 +231,7 @@ class RangeOf {
   }
 
   FaceRange path() const {
+    if (is_moved_wall(columns_, i_, patch_)) return convex();
     const bool moved_body = columns_.paths.is_line(ref_.row) && columns_.cutter(ref_).is_convex();
     return moved_body ? straight(columns_.cutter(ref_), columns_.paths.line(ref_.row))
                       : FaceRange{};
