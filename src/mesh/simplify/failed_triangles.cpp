@@ -54,7 +54,9 @@ FailedTriangles failed_triangles(const ExactField& field, const CellOctree& tree
         for (std::size_t t = begin; t < end; ++t) {
           out.hashes[t] = triangle_hash(mesh, t);
           if (passed.find(out.hashes[t]) >= 0) continue;
-          const double bound = certifier.certified(mesh, t, rules.tolerance, distances).distance;
+          const FieldSample& face = mesh.faces[mesh.labels[t]];
+          const double bound =
+              certifier.certified(corners_of(mesh, t), face, rules.tolerance, distances).distance;
           if (bound <= rules.tolerance) continue;
           if (!misses_crease(mesh, t, rules.tolerance, distances))
             out.wanted[t] = detail_for(at(surface.crossings(), surface.mesh().crossings[t]),

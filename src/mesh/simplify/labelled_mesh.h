@@ -5,6 +5,7 @@
 #include <mrsim/types.h>
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
 #include <vector>
 
@@ -20,6 +21,11 @@ struct LabelledMesh {
   std::vector<std::uint32_t> labels;  ///< of each triangle: index into `faces`
   std::vector<FieldSample> faces;
 };
+
+inline Corners3 corners_of(const LabelledMesh& mesh, std::size_t t) {
+  const auto& [a, b, c] = mesh.triangles[t];
+  return {mesh.vertices[a], mesh.vertices[b], mesh.vertices[c]};
+}
 
 /// The triangles of a surface, each with the face of the part at the crossing that it is about.
 /// Requires: surface.make_triangles().

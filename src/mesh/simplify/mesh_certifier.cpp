@@ -43,47 +43,59 @@ void add_ahead(const ExactField& field, const CellOctree& tree, const FieldSampl
 
 }  // namespace
 
-TriangleBound MeshCertifier::bound(const LabelledMesh& mesh, std::size_t t, double limit,
+TriangleBound MeshCertifier::bound(const Corners3& t, const FieldSample& face, double limit,
                                    FaceDistances& distances) const {
-  const auto& x = mesh.triangles[t];
-  const Vec3 &a = mesh.vertices[x[0]], &b = mesh.vertices[x[1]], &c = mesh.vertices[x[2]];
-  const FieldSample& label = mesh.faces[mesh.labels[t]];
-  TriangleBound found = triangle_bound(distances, label, a, b, c, limit);
+  const auto& [a, b, c] = t;
+  TriangleBound found = triangle_bound(distances, face, a, b, c, limit);
   std::int32_t cell = 0;
   if (found.distance <= limit)
     found.distance =
-        std::max(found.distance, largest_distance(field_, tree_, label, a, b, c, limit, cell));
+        std::max(found.distance, largest_distance(field_, tree_, face, a, b, c, limit, cell));
   if (found.distance <= tolerance_) return found;
   const double part = part_bound(distances, tree_, a, b, c, limit);
   return part < found.distance ? TriangleBound{part, false} : found;
 }
 
-TriangleBound MeshCertifier::certified(const LabelledMesh& mesh, std::size_t t, double limit,
+TriangleBound MeshCertifier::certified(const Corners3& t, const FieldSample& face, double limit,
                                        FaceDistances& distances) const {
-  const auto& x = mesh.triangles[t];
-  const Vec3 &a = mesh.vertices[x[0]], &b = mesh.vertices[x[1]], &c = mesh.vertices[x[2]];
+  const auto& [a, b, c] = t;
   const double longest = std::max({distance(a, b), distance(b, c), distance(c, a)});
-  const TriangleBound found = bound(mesh, t, limit, distances);
+  const TriangleBound found = bound(t, face, limit, distances);
   const double corner = kNearestCorner * longest;
   return corner <= found.distance ? TriangleBound{corner, true} : found;
 }
 
-MeshCertifier::Total MeshCertifier::total(const LabelledMesh& mesh) const {
+// certified() stops at the first distance above its limit, and looks closely only at what may be
+// below it: the limit grows until it holds.
+TriangleBound MeshCertifier::least_bound(const Corners3& t, const FieldSample& face,
+                                         FaceDistances& distances) const {
+  for (double limit = tolerance_;; limit *= kLimitGrowth)
+    if (const TriangleBound found = certified(t, face, limit, distances); !(found.distance > limit))
+      return found;
+}
+
+MeshCertifier::Total MeshCertifier::total(LabelledMesh& mesh) const {
   std::vector<TriangleBound> bounds(mesh.triangles.size());
+  std::vector<std::optional<FieldSample>> nearer(mesh.triangles.size());
   parallel_for_chunks(bounds.size(), threads_, kChunk, [&](std::size_t begin, std::size_t end) {
     FaceDistances distances(field_);
-    // certified() stops at the first distance above its limit, and looks closely only at what may
-    // be below it: the limit grows until it holds.
     for (std::size_t t = begin; t < end; ++t) {
-      double limit = tolerance_;
-      while (bounds[t] = certified(mesh, t, limit, distances), bounds[t].distance > limit)
-        limit *= kLimitGrowth;
+      const Corners3 corners = corners_of(mesh, t);
+      bounds[t] = least_bound(corners, mesh.faces[mesh.labels[t]], distances);
+      if (bounds[t].distance <= tolerance_) continue;
+      const auto face = nearer_face(field_, tree_, mesh, t);
+      if (!face) continue;
+      const TriangleBound other = least_bound(corners, *face, distances);
+      if (other.distance < bounds[t].distance) bounds[t] = other, nearer[t] = face;
     }
   });
   Total total;
-  for (const TriangleBound& b : bounds) {
-    total.bound = std::max(total.bound, b.distance);
-    total.sampled += !b.is_proven;
+  for (std::size_t t = 0; t < bounds.size(); ++t) {
+    total.bound = std::max(total.bound, bounds[t].distance);
+    total.sampled += !bounds[t].is_proven;
+    if (!nearer[t]) continue;
+    mesh.labels[t] = static_cast<std::uint32_t>(mesh.faces.size());
+    mesh.faces.push_back(*nearer[t]);
   }
   return total;
 }
@@ -126,17 +138,24 @@ std::vector<std::int32_t> guilty_cells(const ExactField& field, const CellOctree
 
 std::optional<FieldSample> nearer_face(const ExactField& field, const CellOctree& tree,
                                        const LabelledMesh& mesh, std::size_t t) {
-  const auto& x = mesh.triangles[t];
-  const Vec3 middle = (1.0 / 3) * (mesh.vertices[x[0]] + mesh.vertices[x[1]] + mesh.vertices[x[2]]);
+  const Corners3 corners = corners_of(mesh, t);
+  const Vec3 middle = (1.0 / 3) * (corners[0] + corners[1] + corners[2]);
   const auto farthest = [&](const FieldSample& face) {
     double most = 0;
-    for (const std::uint32_t v : x)
-      most = std::max(most, std::abs(field.patch_distance(mesh.vertices[v], face)));
+    for (const Vec3& v : corners) most = std::max(most, std::abs(field.patch_distance(v, face)));
     return most;
   };
-  const FieldSample beside = tree.sample_at(middle, tree.locate(middle));
-  if (farthest(beside) < farthest(mesh.faces[mesh.labels[t]])) return beside;
-  return {};
+  double least = farthest(mesh.faces[mesh.labels[t]]);
+  std::optional<FieldSample> nearer;
+  const auto look_at = [&](const Vec3& p) {
+    const FieldSample face = tree.sample_at(p, tree.locate(p));
+    if (const double d = farthest(face); d < least) least = d, nearer = face;
+  };
+  look_at(middle);
+  // Where the edge of a face passes the middle, another face may decide beside it.
+  for (const Vec3& v : corners)
+    if (!nearer && least > kMissed) look_at(0.5 * (middle + v));
+  return nearer;
 }
 
 }  // namespace mrsim::detail

@@ -24,23 +24,27 @@ class MeshCertifier {
   /// Triangles that follow one another and are certified by one thread.
   static constexpr std::size_t kChunk = 256;
 
-  /// Upper bound in mm of the distance of triangle t from the part: from the face that it is
+  /// Upper bound in mm of the distance of a triangle from the part: from the face that it is
   /// measured by or, where that is less, from its nearest corner, as corners lie on the part. Above
   /// `limit` it may be a distance that was found instead of a bound.
-  TriangleBound certified(const LabelledMesh& mesh, std::size_t t, double limit,
+  TriangleBound certified(const Corners3& t, const FieldSample& face, double limit,
                           FaceDistances& distances) const;
 
   struct Total {
     double bound = 0;         ///< mm: the largest of all triangles
     std::size_t sampled = 0;  ///< triangles whose bound is not proven
   };
-  Total total(const LabelledMesh& mesh) const;
+  /// A triangle that is not within the tolerance of the face of its label gets another label, that
+  /// of the face at its middle, where that one is nearer.
+  Total total(LabelledMesh& mesh) const;
   /// The volume of the mesh less that of the part, mm^3: the integral of d over the mesh.
   double volume_excess(const LabelledMesh& mesh) const;
 
  private:
-  TriangleBound bound(const LabelledMesh& mesh, std::size_t t, double limit,
+  TriangleBound bound(const Corners3& t, const FieldSample& face, double limit,
                       FaceDistances& distances) const;
+  TriangleBound least_bound(const Corners3& t, const FieldSample& face,
+                            FaceDistances& distances) const;
 
   const ExactField& field_;
   const CellOctree& tree_;
@@ -55,8 +59,8 @@ std::vector<std::int32_t> guilty_cells(const ExactField& field, const CellOctree
                                        const DualSurface& surface, const LabelledMesh& mesh,
                                        std::size_t t, bool ahead);
 
-/// The face that decides at the middle of a triangle, where its corners are nearer to that one than
-/// to the face of its label.
+/// The face that decides at the middle of a triangle, or beside it, where its corners are nearer to
+/// that one than to the face of its label.
 std::optional<FieldSample> nearer_face(const ExactField& field, const CellOctree& tree,
                                        const LabelledMesh& mesh, std::size_t t);
 

@@ -62,12 +62,9 @@ Box3 box_in_plane(const Corners3& t, const Corners3& other) {
 // triangles lock no more vertices than necessary.
 void lock_about(const LabelledMesh& small, const Pairs& pairs, double margin,
                 const SortedVertices& vertices, std::vector<char>& locked) {
-  const auto corners = [&](std::uint32_t t) {
-    const auto& [a, b, c] = small.triangles[t];
-    return Corners3{small.vertices[a], small.vertices[b], small.vertices[c]};
-  };
   for (const auto& [i, j] : pairs) {
-    const Box3 a = box_in_plane(corners(i), corners(j)), b = box_in_plane(corners(j), corners(i));
+    const Corners3 first = corners_of(small, i), second = corners_of(small, j);
+    const Box3 a = box_in_plane(first, second), b = box_in_plane(second, first);
     const Box3 common{max(a.lo, b.lo), min(a.hi, b.hi)};
     vertices.mark(inflated(common, margin), locked);
   }
