@@ -82,5 +82,25 @@ TEST(ProgramEnd, ItIsToldOnce) {
       << "the subprogram's alone";
 }
 
+TEST(ProgramEnd, AProgramOfAnArchiveEndsAtTheNextHeader) {
+  const auto told = [](const std::string& text) {
+    const Program p = read_text(text, at_origin(Dialect::sinumerik));
+    std::string out = path_text(p);
+    for (const Diagnostic& d : p.diagnostics) out += fmt::format("\n{}: {}", d.place.line, d.text);
+    return out;
+  };
+  const std::string main = "%_N_A_MPF\nG1 X1 F9\nUP\nX2\n";
+  EXPECT_EQ(told(main + "%_N_UP_SPF\nX5\n%_N_B_MPF\nX9\nM30\n"),
+            "l1,0,0 l5,0,0 l2,0,0 | program-end-missing program-end-missing\n"
+            "7: the program before B has no M17: it is taken to end here\n"
+            "5: the program before UP has no M30: it is taken to end here\n"
+            "5: the program ends here: B in line 7 is not called, and not run");
+  EXPECT_EQ(told("%_N_A_MPF\nG1 X1 F9\n%_N_B_MPF\nX9\nM30\n"),
+            "l1,0,0 | program-end-missing\n"
+            "3: the program before B has no M30: it is taken to end here\n"
+            "3: the program ends here: B in line 3 is not called, and not run");
+  EXPECT_EQ(told(main + "M30\n%_N_UP_SPF\nX5\nRET\n%_N_V_SPF\nM17\n"), "l1,0,0 l5,0,0 l2,0,0");
+}
+
 }  // namespace
 }  // namespace mrsim

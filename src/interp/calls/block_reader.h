@@ -137,6 +137,7 @@ class BlockReader : public ControlPart {
   void pop();
   std::unique_ptr<LineSource> source_of(const std::string& file);
   int file_index(const std::string& file);
+  void warn_of_header(const Word& header, const std::string& name);
   void missing_return();
   void end_of_tape(bool commented);
   void tell_of_others();
