@@ -346,6 +346,10 @@ TEST(ArcForms, FanucPolarCoordinatesBeginAnewWithG16) {
     return path_text(read_text("G17 G90 F100\n" + text, at_origin(Dialect::fanuc)));
   };
   EXPECT_EQ(run("G16 G1 X10 Y0\nG15\nX20 Y0\nG16 Y90\n"), "l10,0,0 l20,0,0 l0,20,0");
+  EXPECT_EQ(run("G1 X3 Y4\nG16 Y90\nG1 X9\nG15\nX0 Y0\nG16 X2\n"),
+            "l3,4,0 l0,5,0 l0,9,0 l0,0,0 l2,0,0 | polar-pole")
+      << "another radius than X3";
+  EXPECT_EQ(run("G1 X0 Y4\nG16 X5\nG1 Y0\n"), "l0,4,0 l0,5,0 l5,0,0 | polar-pole");
   EXPECT_EQ(run("G1 X10 Y10\nG16\nG91 X10 Y90\nX5 Y90\n"), "l10,10,0 l10,20,0 l5,20,0");
   EXPECT_EQ(run("G1 X10 Y10\nG91 G16\nG90 X20 Y90\n"), "l10,10,0 l0,20,0 | polar-pole");
   EXPECT_EQ(run("G1 X10 Y0\nG91 G16 Y90\n"), "l10,0,0 l0,10,0 | polar-pole");
@@ -376,6 +380,10 @@ TEST(ArcForms, CirclesAboutThePlaceTheToolComesFromAreInDoubt) {
   EXPECT_EQ(told("G1 X0 Y0\nG2 I20 J10\n", Dialect::fanuc), "") << "about where it came from";
   EXPECT_EQ(told("G1 X-20 Y-10\nG2 I20 J10\n", Dialect::fanuc), "") << "across the circle";
   EXPECT_EQ(told("G91.1\n" + place, Dialect::ngc), "") << "said";
+  EXPECT_EQ(told("G0 Z5\nX22.5\nG1 Z-1\nG2 I20 J10\n", Dialect::ngc), "") << "over the part";
+  EXPECT_EQ(told("G3 X0 Y-10 I-20 J0\nG1 X20 Y10\n" + place, Dialect::iso), "")
+      << "an arc whose ends do not fit the place";
+  EXPECT_EQ(told("G2 I20 J10\n" + place, Dialect::iso), "") << "once the place of the tool itself";
   EXPECT_EQ(told("G90.1\n" + place, Dialect::ngc), "");
 }
 

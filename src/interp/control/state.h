@@ -140,7 +140,7 @@ struct Position {
   bool has_tangent = false;
   Vec2 spline_end;            ///< the last control point of a G5, from its end
   bool after_spline = false;  ///< the last element was a G5
-  Vec3 before;                ///< in the frame in force: where the last move in the plane began
+  Vec3 before;                ///< in the frame in force: where the last feed in the plane began
   bool has_before = false;
   Vec3 pole;                                 ///< in the frame in force
   double polar_angle = 0, polar_radius = 0;  ///< last programmed, degrees and mm

@@ -245,6 +245,8 @@ bool AxisWords::fanuc_polar_target(Target& out, const Vec3& from) {
   if (height && !axis_word(out, kNormalOfPlane[modal_.plane], *height, false)) return false;
   if (!radius && !angle) return true;
   const Word& where = radius ? *radius : *angle;
+  if (radius ? !angle && !position_.has_polar_angle : !position_.has_polar_radius)
+    tell_of_polar_word(where, radius ? "angle" : "radius", in_plane(b, from));
   Vec2 pole;
   const bool from_tool = modal_.incremental && radius;
   if (from_tool) pole = in_plane(b, from);
@@ -264,6 +266,17 @@ bool AxisWords::fanuc_polar_target(Target& out, const Vec3& from) {
   out.absolute |= out.named;
   if (!out.first || where.column < out.first->column) out.first = &where;
   return true;
+}
+
+// On the plane's first axis the place and the words that led to it say the same.
+void AxisWords::tell_of_polar_word(const Word& where, const char* left_out, Vec2 at) {
+  if (std::abs(at.y) <= kRounding && at.x > -kRounding) return;
+  reporter_.once(
+      Severity::warning, "polar-pole",
+      fmt::format("no {0} behind G16: that of the tool's place is taken, {1:.6g}; a "
+                  "control may take another one, so write it",
+                  left_out, left_out[0] == 'a' ? degrees(mrsim::atan2(at.y, at.x)) : length(at)),
+      where, fmt::format("polar-{}", left_out));
 }
 
 const Word* AxisWords::motion_word(const Target& to) const {

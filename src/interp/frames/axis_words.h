@@ -38,6 +38,7 @@ class AxisWords : public ControlPart {
   bool polar_target(Target& out);
   bool ngc_polar_target(Target& out, const Vec3& from);
   bool fanuc_polar_target(Target& out, const Vec3& from);
+  void tell_of_polar_word(const Word& where, const char* left_out, Vec2 at);
   double last_polar_angle(const Basis& b) const;
   double last_polar_radius(const Basis& b) const;
 };

@@ -274,6 +274,7 @@ bool ArcSolver::check_center(ArcBlock& arc, Vec2 c, SolvedArc& out) {
         "the radius is {:.6g} at the start and {:.6g} at the end, {:.3g} mm apart ({:.3g} %){}", rs,
         re, differ, 100 * differ / rs, hints_.for_radii(arc, c, differ));
   };
+  if (near) hints_.learn(arc, c);
   if (is(Dialect::ngc)) {
     const double least = modal_.inch ? kSpiralApartInch : kSpiralApart;
     const bool apart = differ > least && differ > kRadiiShare * std::max(rs, re);

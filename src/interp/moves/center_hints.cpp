@@ -9,7 +9,8 @@
 namespace mrsim {
 namespace {
 
-constexpr double kAgree = 0.01;  // mm: two radii that differ by less are the same
+constexpr double kAgree = 0.01;    // mm: two radii that differ by less are the same
+constexpr double kDisagree = 0.1;  // mm: two radii that differ by more are not
 
 }  // namespace
 
@@ -34,13 +35,23 @@ void CenterHints::sign(const ArcBlock& arc, Vec2 center) {
             *arc.where, fmt::format("{}:{}", block_.file, block_.line_number));
 }
 
-// Warns where I and J are probably a place: they name the place that the tool comes from, the
-// middle of the hole that it is in. As offsets they would lead to a point where it never was. I and
-// J of "X85.8381 Y47.6087 I49.2642 J47.6087" are a place, too.
+void CenterHints::learn(const ArcBlock& arc, Vec2 center) {
+  if (modal_.center_absolute) return;
+  const Vec2 place = center - arc.start;
+  const double apart = std::abs(length(arc.start - place) - length(arc.end - place));
+  offsets_ = offsets_ || apart > kDisagree;
+}
+
+// Warns where I and J are probably a place: they name the place that the tool comes from with a
+// feed, the middle of the hole that it is in. As offsets they would lead to a point where it never
+// was. I and J of "X85.8381 Y47.6087 I49.2642 J47.6087" are a place, too. Not where they have named
+// the tool's own place, which is no centre.
 void CenterHints::absolute_center(const ArcBlock& arc, Vec2 center) {
   const Vec2 at = center - arc.start, from = in_plane(arc.basis, position_.before);
   const double radius = length(at);
   if (length(arc.start) <= kAgree) return;  // offset and place are the same
+  offsets_ = offsets_ || length(arc.start - at) <= kAgree;
+  if (offsets_) return;
   const bool comes_from = position_.has_before && length(from - at) <= kAgree;
   if (comes_from && std::abs(length(from - center) - radius) <= kAgree) return;  // across
   if (!comes_from && !repeats_the_start(arc.start, at)) return;

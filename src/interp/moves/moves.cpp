@@ -361,7 +361,7 @@ void Moves::commit(const Target& to, const Frame& frame, Motion& motion) {
   const Basis b = basis();
   if (length(in_plane(b, to.programmed - position_.programmed)) > kSamePoint) {
     position_.before = position_.programmed;
-    position_.has_before = position_.known == kAllAxes;
+    position_.has_before = position_.known == kAllAxes && motion.kind != MotionKind::rapid;
   }
   position_.physical = end;
   position_.programmed = block_.suppress_frames ? apply_inverse(frames_.total, end) : to.programmed;
