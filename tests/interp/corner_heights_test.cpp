@@ -57,6 +57,9 @@ TEST(CornerHeights, AFanucCornerBeforeAnInfeedIsLeftOut) {
 }
 
 TEST(CornerHeights, ACornerInABlockOutOfThePlaneIsReported) {
+  EXPECT_EQ(path("F1\nG1 X10. ,R1.\nG0 X20. Y9.\n", Dialect::fanuc),
+            "l10,0,0 r20,9,0 | corner-void");
+  EXPECT_EQ(path("F1\nG1 X10. ,C1.\nG0 Y9.\n", Dialect::fanuc), "l10,0,0 r10,9,0 | corner-void");
   EXPECT_EQ(path("F1\nG1 Z-2. ,R1.\nX10.\n", Dialect::fanuc), "l0,0,-2 l10,0,-2 | corner-void");
   EXPECT_EQ(path("F1\nG1 Z-2 RND=1\nX10\n"), "l0,0,-2 l10,0,-2 | corner-void");
   EXPECT_EQ(path("F1\nRNDM=1\nG1 Z-2\nX10\n"), "l0,0,-2 l10,0,-2") << "RNDM holds for each corner";

@@ -198,6 +198,10 @@ bool CornerStage::may_insert(const PathMove& after) {
                      before);
     return false;
   }
+  if (before.corner.next && after.motion.kind == MotionKind::rapid) {
+    nothing_inserted("the next block is a rapid, where FANUC's controls stop (alarm 052)", before);
+    return false;
+  }
   if (!is_tilted(after) && length(before.basis.w - after.basis.w) < kSameAxis) return true;
   if (!before.corner.modal) nothing_inserted("the next move lies in another plane", before);
   return false;

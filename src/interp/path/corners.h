@@ -17,7 +17,7 @@ struct CornerSpec {
   double size = 0;     ///< mm
   double feed = 0;     ///< of the inserted element; 0: the feed of the move before
   bool modal = false;  ///< of RNDM: it holds for each corner, and need not have one
-  bool next = false;   ///< ,R ,C: no infeed may come before the next move
+  bool next = false;   ///< ,R ,C: a feed move in the plane must be next
 };
 
 /// Radius compensation in force for a move.
