@@ -155,6 +155,7 @@ TEST(Cycles, McallDrillsAtEachPlace) {
   const auto on_circle = [&](const std::string& last) {
     return run(s, "G0 Z9\nHOLES2(0,0,10,0," + last + ")\nG1 X0 Y0 F9\n");
   };
+  EXPECT_EQ(run(s, "G0 Z9\nHOLES2(0,0,-10,90,0,2)\n"), "r0,0,9 | value-range");
   EXPECT_EQ(on_circle("90,2,2010"), "r0,0,9 r10,0,9 r0,10,9 l0,0,9");
   EXPECT_EQ(on_circle("90,2,1010"), "r0,0,9 r10,0,9 r-10,0,9 l0,0,9 | pattern-full-circle");
   EXPECT_EQ(on_circle("180,2,1010"), "r0,0,9 r10,0,9 r-10,0,9 l0,0,9");

@@ -68,6 +68,8 @@ TEST(ProgramEnd, EveryWordThatEndsAProgramCounts) {
   EXPECT_EQ(end_told("%\nO1\n" + cut + "%\n", Dialect::fanuc), "");
   EXPECT_EQ(end_told(cut + "M99\n", Dialect::fanuc), "");
   EXPECT_EQ(end_told("%\n" + cut + "%\n", Dialect::ngc), "");
+  for (const Dialect dialect : {Dialect::fanuc, Dialect::iso, Dialect::ngc})
+    EXPECT_EQ(mill(cut + "M30 %\r\n", dialect), "r0,0,5 l0,0,-3 l5,0,-3");
   EXPECT_EQ(end_told(cut + "M2\n", Dialect::ngc), "");
   EXPECT_EQ(end_told(cut + "M02\n", Dialect::iso), "");
   EXPECT_EQ(end_told(cut + "M17\n", Dialect::sinumerik), "");

@@ -68,6 +68,8 @@ bool HolePattern::circle(std::vector<Vec2>& list) {
   const double count = call_.get("NUM"), unit = scale();
   if (count < 1 || count > kMostHolesOfPattern)
     return error("value-range", "HOLES2: the number of holes is 1 to 10000", where_);
+  if (call_.get("RAD") < 0)
+    return error("value-range", "the radius RAD of HOLES2 has no sign", where_);
   const double even = 360 / std::floor(count), between = call_.get("INDA");
   const bool full = call_.digit("VARI", 3) == 1;
   if (full && between != 0 && std::abs(between - even) > kRounding)

@@ -92,6 +92,8 @@ WordReader::Step WordReader::step(Block& block) {
     slashes(block);
   } else if ((c == '*' || c == '$') && is_end_sign()) {
     end_sign();
+  } else if (c == '%' && ends_tape(block)) {
+    p_ = line_.size();
   } else if (c == ';' && ends_block()) {
     ++p_;
     return Step::end_of_block;
@@ -130,6 +132,15 @@ void WordReader::slashes(Block& block) {
 bool WordReader::is_end_sign() const {
   return (dialect_ == Dialect::fanuc || dialect_ == Dialect::iso) && p_ > 0 &&
          line_.find_first_not_of(" \t\r", p_ + 1) == line_.npos;
+}
+
+// "M30%": the line break before the last character of the tape is missing.
+bool WordReader::ends_tape(const Block& block) const {
+  return line_.find_first_not_of(" \t\r", p_ + 1) == line_.npos &&
+         std::any_of(block.words.begin(), block.words.end(), [](const Word& word) {
+           return word.address == letter('M') &&
+                  (word.value == 2 || word.value == 30 || word.value == 99);
+         });
 }
 
 // FANUC ends blocks with ";". What follows is another block if the line ends with ";" as well

@@ -35,6 +35,7 @@ class WordReader : public LineParser {
   bool ends_block() const;
   void slashes(Block& block);
   bool is_end_sign() const;
+  bool ends_tape(const Block& block) const;
   bool is_directive() const;
   void read_comment(Block& block, char close);
   void end_of_outer_comment(Block& block);
