@@ -228,6 +228,20 @@ TEST(Frames, BehindMachineCoordinatesTheAxisIsUnknown) {
             "machine-incremental");
 }
 
+TEST(Frames, AWayToTheMachineOutOfACutIsAWarning) {
+  const auto told = [](const std::string& leaving, Dialect dialect = Dialect::fanuc) {
+    return codes(
+        read_text("G0 X0 Y0 Z5\nG1 Z-1 F1\nX5\n" + leaving + "\nM30\n", at_origin(dialect)));
+  };
+  EXPECT_EQ(told("G28 G91 X0 Y0\nG28 Z0"), "leaves-in-cut");
+  EXPECT_EQ(told("G53 G0 X0"), "leaves-in-cut");
+  EXPECT_EQ(told("SUPA G0 X0", Dialect::sinumerik), "leaves-in-cut");
+  EXPECT_EQ(told("G91 G28 Z0\nG28 X0 Y0"), "");
+  EXPECT_EQ(told("G0 Z5\nG91 G28 X0 Y0 Z0"), "");
+  EXPECT_EQ(told("G91 G28 X0 Y0 Z9."), "") << "over a place above";
+  EXPECT_EQ(told("G91 G28 X0 Y0 Z0"), "") << "Z goes up at once";
+}
+
 TEST(Frames, FeedsAndSpeedsHaveTheirUnits) {
   const InterpOptions mill = at_origin(Dialect::sinumerik);
   const Program p = read_text(

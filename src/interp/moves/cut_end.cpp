@@ -10,6 +10,7 @@ namespace mrsim {
 void CutEnd::see(const Motion& motion, bool lathe) {
   const double start = motion.start.z, end = motion.end.z;
   if (motion.kind == MotionKind::rapid) {
+    if (distance(motion.start, motion.end) <= kRounding) return;
     in_cut_ = false;
     const double way = std::hypot(motion.end.x - motion.start.x, motion.end.y - motion.start.y);
     if (way > kRounding && !motion.assumed_start) travel_ = std::min(start, end);

@@ -127,6 +127,11 @@ void Moves::guess_retract(const Word& where) {
 }
 
 void Moves::unknown(AxisSet axes, const Word& where) {
+  if (!lathe() && out_.ends_in_cut() && !axes.empty() && !axes.has(kAxisZ))
+    reporter_.once(Severity::warning, "leaves-in-cut",
+                   "the tool is in a cut here: its way to a place of the machine may lead through "
+                   "the part, and is neither swept nor checked; lift Z first",
+                   where, fmt::format("leaves:{}:{}", block_.file, block_.line_number));
   if (axes.has(kAxisZ)) retract_guessed_ = false;
   forget_place(axes);
   if (!axes.empty()) out_.leave_part();
