@@ -126,17 +126,40 @@ TEST(Turning, G71BoresAndMeetsSlopesAndArcs) {
 // Depth 4 from radius 32: 28, 24 and 20 to the face at Z-50; the pocket between (20, -10) and
 // (20, -38) has its bottom at 12, so that the level 16 lies in it from Z-14 to Z-34.
 TEST(Turning, G71CutsPocketsBehindTheOtherPasses) {
-  EXPECT_EQ(turned(lathe("G0 X64 Z2\nG71 U4 R1\nG71 P10 Q20 F.3\nN10 G0 X40\nG1 Z-10 F.1\n"
+  EXPECT_EQ(turned(lathe("G0 X64 Z2\nG71 U4 R1\nG71 P10 Q20 F.3\nN10 G0 X40 W0\nG1 Z-10 F.1\n"
                          "X24 Z-18\nZ-30\nX40 Z-38\nZ-50\nN20 X64\n")),
             "r32,2 r28,2 l28,-50 r29,-49 r29,2 r24,2 l24,-50 r25,-49 r25,2 r20,2 l20,-50 r21,-49 "
             "r21,2 r32,2 r32,-14 r21,-14 l16,-14 l16,-34 r17,-33 r32,-33 r32,2 "
             "r20,2 l20,-10 l12,-18 l12,-30 l20,-38 l20,-50 l32,-50 r32,2");
   // An arc of radius 12.5 about (25.5, -20), its bottom at 13: the level 16 lies in it for 8.124 on
   // both sides of Z-20.
-  EXPECT_EQ(turned(lathe("G0 X40 Z2\nG71 U4 R1\nG71 P10 Q20 F.3\nN10 G0 X36\nG1 Z-10 F.1\n"
+  EXPECT_EQ(turned(lathe("G0 X40 Z2\nG71 U4 R1\nG71 P10 Q20 F.3\nN10 G0 X36 W0\nG1 Z-10 F.1\n"
                          "G2 Z-30 R12.5\nG1 Z-40\nN20 X40\n")),
             "r20,2 r20,-11.88 l16,-11.88 l16,-28.12 r17,-27.12 r20,-27.12 r20,2 "
             "r18,2 l18,-10 a18,-30 l18,-40 l20,-40 r20,2");
+}
+
+// Both axes in the first block of the contour make type II.
+TEST(Turning, APocketUnderTypeOneIsAWarning) {
+  const auto told = [](const std::string& cycle, const std::string& contour,
+                       const std::string& last = "X64") {
+    const Program p = lathe("G0 X64 Z2\n" + cycle + "\nN1 G0 " + contour + "\nN2 " + last + "\n");
+    for (const Diagnostic& d : p.diagnostics)
+      if (d.code == "cycle-contour")
+        return fmt::format("{} {}", d.place.line, d.text.substr(0, d.text.find(" stops")));
+    return codes(p);
+  };
+  const std::string g71 = "G71 U4 R1\nG71 P1 Q2 F.3", pocket = "\nG1 Z-10\nX24 Z-18\nX40 Z-38";
+  const std::string warning =
+      "6 the contour falls here, a pocket: G71 whose first block has no Z (type I)";
+  EXPECT_EQ(told(g71, "X40" + pocket), warning);
+  EXPECT_EQ(told(g71, "U-24" + pocket), warning);
+  for (const char* both : {"X40 Z2", "X40 W0", "U-24 W0"}) EXPECT_EQ(told(g71, both + pocket), "");
+  EXPECT_EQ(told("G71 U4 R1\nG71 P1 Q2 F.3 R1", "X40" + pocket), "") << "Haas";
+  EXPECT_EQ(told("G71 U4 R1 H1\nG71 P1 Q2 F.3", "X40" + pocket), "") << "Mitsubishi";
+  EXPECT_EQ(told(g71, "X20\nG1 Z-10\nG3 X40 Z-20 R10\nG1 Z-30"), "");
+  EXPECT_EQ(told("G72 W2 R1\nG72 P1 Q2 F.3", "Z-30\nG1 X50\nX40 Z-20\nX30 Z-25", "X20 Z-10"),
+            "7 the contour falls here, a pocket: G72 whose first block has no X (type I)");
 }
 
 TEST(Turning, G71RefusesUndercutsAndMissingBlocks) {

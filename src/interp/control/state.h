@@ -63,6 +63,7 @@ struct TurnSettings {
   double shift_x = 0, shift_z = 0;     ///< G73: from the first pass to the last, mm
   int repeats = 1;                     ///< G73: passes
   bool thousandths = false;            ///< G71 to G73: words without a point are thousandths
+  bool pockets = false;                ///< G71 G72: the contour may have some (H of Mitsubishi)
   double peck_return = 0;              ///< G74 G75, mm
   int finishes = 1;                    ///< G76: passes at the full depth
   double chamfer = 0;                  ///< G76: in leads

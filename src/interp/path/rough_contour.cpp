@@ -45,14 +45,19 @@ PlanePiece turned_piece(const Motion& m, int u, int v, const Vec3& shift) {
   return piece;
 }
 
-int RoughContour::runs_back() const {
+int RoughContour::runs_back() const { return against({0, along_}); }
+
+int RoughContour::falls() const { return against({rise_, 0}); }
+
+// Index of the first piece that does not go in the direction `way`, one of the axes.
+int RoughContour::against(Vec2 way) const {
   for (std::size_t i = 0; i < pieces_.size(); ++i) {
     const PlanePiece& piece = pieces_[i];
-    bool back = along_ * (piece.end.y - piece.start.y) < -kSameCorner;
+    bool back = dot(way, piece.end - piece.start) < -kSameCorner;
     if (piece.arc) {
       back = back || std::abs(piece.sweep) > kPi;
       for (const Vec2 t : {start_tangent(piece), end_tangent(piece)})
-        back = back || along_ * t.y < -kFalls;
+        back = back || dot(way, t) < -kFalls;
     }
     if (back) return static_cast<int>(i);
   }

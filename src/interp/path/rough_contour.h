@@ -28,12 +28,16 @@ class RoughContour {
 
   /// Index of the first piece that runs back in v, or -1.
   int runs_back() const;
+  /// Index of the first piece that falls towards the material, or -1: the contour only rises.
+  int falls() const;
   /// The stretches of the level `u`, in the order of the contour.
   std::vector<FreeStretch> free_at(double u) const;
   /// u of the deepest point.
   double deepest() const;
 
  private:
+  int against(Vec2 way) const;
+
   std::vector<PlanePiece> pieces_;
   double rise_, along_;
 };

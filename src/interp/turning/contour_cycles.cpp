@@ -23,7 +23,7 @@ bool ContourCycles::settings() {
   const Word* u = take('U');
   const Word* w = take('W');
   const Word* r = take('R');
-  take('H');  // Mitsubishi: whether there are pockets
+  if (take('H')) set.pockets = true;  // Mitsubishi: whether there are pockets
   const auto length = [&](const Word* word) { return word->value * cycle_unit(*word); };
   if (block_.turn_cycle == 73) {
     if (u) set.shift_x = length(u);
@@ -111,7 +111,7 @@ bool ContourCycles::run() {
   if (const Word* u = take('U'))
     call.cut.allowance.x = axis_value(0, *u, true) * cycle_unit(*u) / length_unit(*u);
   if (const Word* w = take('W')) call.cut.allowance.z = w->value * cycle_unit(*w);
-  take('R');  // Haas: R1 says that there are pockets
+  call.cut.pockets = take('R') || modal_.turn_settings.pockets;  // Haas: R1
   call.cut.number = g;
   call.cut.where = *block_.oneshot;
   call.first = *first;
@@ -127,6 +127,7 @@ bool ContourCycles::run() {
 
 void ContourCycles::end_block() {
   if (block_.lap_begins) return pass_over_lap();
+  if (first_block_ && out_.captures()) read_first_block();
   if (!waits_) return;
   waits_ = false;
   CallRequest request;
@@ -228,7 +229,15 @@ void ContourCycles::finish() {
   modal_.comp = comp;
 }
 
+// FANUC: both axes in the first block of the contour say that it may have pockets (type II).
+void ContourCycles::read_first_block() {
+  const bool x = peek('X') || peek('U'), z = peek('Z') || peek('W');
+  first_block_ = !x && !z;
+  if (x && z) call_.cut.pockets = true;
+}
+
 void ContourCycles::begin_contour() {
+  first_block_ = true;
   contour_.clear();
   errors_before_ = reporter_.errors();
   out_.capture(&contour_);

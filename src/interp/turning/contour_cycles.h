@@ -53,6 +53,7 @@ class ContourCycles : public ControlPart {
   bool counts_thousandths(std::string_view letters, double least);
   double cycle_unit(const Word& word);
   void finish();
+  void read_first_block();
   void begin_contour();
   void end_contour();
 
@@ -61,7 +62,8 @@ class ContourCycles : public ControlPart {
   Moves& moves_;
   MotionEmitter& out_;
   Call call_;
-  bool waits_ = false;  ///< the contour of call_ comes next
+  bool waits_ = false;        ///< the contour of call_ comes next
+  bool first_block_ = false;  ///< the block of the contour that leads to it comes next
   std::vector<Motion> contour_;
   Modal modal_before_;
   Position position_before_;

@@ -105,6 +105,20 @@ void ContourPasses::refuse_way_back(std::size_t motion) {
                    m);
 }
 
+// G71 whose first block has no Z is of type I.
+void ContourPasses::tell_of_pocket(const Rough& r, const RoughContour& shape) {
+  const int bad = shape.falls();
+  if (cut_.lap || cut_.pockets || bad < 0) return;
+  const char axis = "XYZ"[r.v];
+  reporter_.add_at(
+      Severity::warning, "cycle-contour",
+      fmt::format("the contour falls here, a pocket: G{0} whose first block has no {1} (type I) "
+                  "stops there (alarm 064) or leaves the pocket to the last pass; it is cut as "
+                  "type II, which {1} or {2}0 in that block asks for",
+                  cut_.number, axis, r.v == 0 ? 'U' : 'W'),
+      contour_[static_cast<std::size_t>(bad) + 1]);
+}
+
 // G71 cuts along Z, G72 along X: passes at levels down to the contour, then in its pockets, then
 // once along it.
 bool ContourPasses::rough() {
@@ -137,6 +151,7 @@ bool ContourPasses::rough() {
     refuse_way_back(static_cast<std::size_t>(bad) + 1);
     return false;
   }
+  tell_of_pocket(r, shape);
   go(top, kRapid);
   if (!levels(r, shape)) return false;
   for (const Motion& m : contour_) moves_.follow(m, shift, cut_.where);

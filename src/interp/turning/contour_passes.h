@@ -18,6 +18,7 @@ struct ContourCut {
   /// The cycle is Okuma's LAP: allowances have no sign and are left on the side from which the
   /// passes come, and the passes begin where the tool stands.
   bool lap = false;
+  bool pockets = false;  ///< G71, G72: the contour may fall and rise (type II)
 };
 
 class ContourPasses : public ControlPart {
@@ -44,6 +45,7 @@ class ContourPasses : public ControlPart {
   bool rough();
   Rough directions(const Vec3& top, const Vec3& shift) const;
   void refuse_way_back(std::size_t motion);
+  void tell_of_pocket(const Rough& rough, const RoughContour& shape);
   void leave_out_return();
   void orient_allowance();
   bool levels(const Rough& rough, const RoughContour& shape);
