@@ -70,6 +70,9 @@ TEST(SinumerikProc, ModalCallsHoldInSubprograms) {
 }
 
 TEST(SinumerikProc, SaveRestoresFramesAndGCodesAlone) {
+  EXPECT_EQ(moves("L70(5)\nN5 L70 (6) P2\n",
+                  {{"L70.SPF", "PROC L70(REAL VA)\nX=VA\nG91 X1\nG90\nRET\n"}}),
+            "l5,0,0 l6,0,0 l7,0,0 l6,0,0 l7,0,0");
   EXPECT_EQ(moves("SUB\nX1\n", {{"SUB.SPF", "PROC SUB SAVE\nTRANS X10\nX1\nRET\n"}}),
             "l11,0,0 l1,0,0");
   EXPECT_EQ(moves("TRANS X2\nSUB\nX1\n", {{"SUB.SPF", "PROC SUB SAVE\nTRANS X10\nX1\nRET\n"}}),

@@ -58,7 +58,7 @@ void SinumerikWords::read(Block& block) {
   const std::size_t from = p_;
   const char c = upper(line_[p_]);
   char n = at(p_ + 1);
-  if (is_letter(n) || n == '_' || c == '_') return name(block);
+  if (is_letter(n) || n == '_' || c == '_' || calls_number()) return name(block);
   Word word;
   word.address = letter(c);
   ++p_;
@@ -82,6 +82,15 @@ void SinumerikWords::read(Block& block) {
   if (at(p_) == '=') return numbered_address(block, word, from, c);
   if (c == 'N') return block_number(block, from);
   push(block, word, from);
+}
+
+// "L70(5)": a call with arguments.
+bool SinumerikWords::calls_number() const {
+  std::size_t end = p_ + 1;
+  while (is_digit(at(end))) ++end;
+  const bool numbered = upper(line_[p_]) == 'L' && end > p_ + 1;
+  while (numbered && end < line_.size() && blank(line_[end])) ++end;
+  return numbered && at(end) == '(';
 }
 
 // "X-R1" and "X(R1+2)": an expression stands behind "=".

@@ -21,6 +21,7 @@ class SinumerikWords : public SinumerikValues {
   void label(Block& block, std::size_t from, std::size_t end);
   void short_label(Block& block, std::size_t from);
   void program_name(Block& block, std::size_t from, std::string_view name);
+  bool calls_number() const;
   bool lacks_equal_sign(Block& block, std::size_t from);
   void numbered_address(Block& block, Word& word, std::size_t from, char c);
   bool skip_brackets(Block& block);
