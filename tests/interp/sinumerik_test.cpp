@@ -70,6 +70,8 @@ TEST(Sinumerik, WordsThatPostsWriteAroundProgramsAreRead) {
                 "BRISKA(X)\nSOFTA(X,Y)\nDRIVEA(X)\nTCARR=0\nTCOABS\nTOFFL=0\nTOFFR=0.0\n"
                 "F100 G1 X1\nGROUP_END(0,0)\nM30\n"),
             "1,0,0 ");
+  EXPECT_EQ(run("TRANSMIT\nF100 G1 G41 X1\nG40 X5\nTRAFOOF\nG1 X2\n"), "2,0,0 not-supported")
+      << "no more is told of radius compensation";
   EXPECT_EQ(run("TRANSMIT\nF100 G1 X1 C20\nTRAFOOF\nG1 X2\n"), "2,0,0 not-supported")
       << "one cause, one error";
   EXPECT_EQ(run("TRACYL(50)\nF100 G1 X1 C20\nTRAFOOF\nG1 X2\n"), "2,0,0 not-supported");

@@ -95,7 +95,7 @@ bool CompensationWords::begin_move(const Motion& motion, const Word& where) {
 
 void CompensationWords::end_block(bool move_waits) {
   if (!block_.comp_selected || block_.comp_moved || !is(Dialect::sinumerik) ||
-      modal_.comp == Code::comp_off || started_ || move_waits)
+      modal_.comp == Code::comp_off || started_ || move_waits || control_.unread_end != 0)
     return;
   warning("comp-void",
           "G41/G42 counts only in a G0 or G1 block that moves in the plane: the selection is void",
