@@ -353,6 +353,8 @@ TEST(ArcForms, FanucPolarCoordinatesBeginAnewWithG16) {
   EXPECT_EQ(run("G1 X10 Y10\nG16\nG91 X10 Y90\nX5 Y90\n"), "l10,10,0 l10,20,0 l5,20,0");
   EXPECT_EQ(run("G1 X10 Y10\nG91 G16\nG90 X20 Y90\n"), "l10,10,0 l0,20,0 | polar-pole");
   EXPECT_EQ(run("G1 X10 Y0\nG91 G16 Y90\n"), "l10,0,0 l0,10,0 | polar-pole");
+  EXPECT_EQ(run("G1 X10 Y0\nG16 G91 Y90\n"), "l10,0,0 l0,10,0 | polar-pole");
+  EXPECT_EQ(run("G1 X10 Y0\nG91\nG16 G90 Y90\n"), "l10,0,0 l0,10,0");
   EXPECT_EQ(run("G16 G1 X10 Y0\nG91 Y90\nG16 Y90\n"), "l10,0,0 l0,10,0 l-10,0,0");
 }
 

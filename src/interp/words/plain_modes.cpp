@@ -48,7 +48,9 @@ void PlainModes::turn_polar(bool on, const Word& word) {
   if (on == modal_.polar) return;
   modal_.polar = on;
   position_.has_polar_angle = position_.has_polar_radius = false;
-  if (on && modal_.incremental)
+  const bool increments =
+      block_.has_code('G', 91) || (modal_.incremental && !block_.has_code('G', 90));
+  if (on && increments)
     reporter_.once(Severity::warning, "polar-pole",
                    "G16 in G91: a radius in G91 is read about the tool's place, all else about the "
                    "zero; a control may keep the present place as the pole, so write G16 in G90",
