@@ -3,11 +3,12 @@
 
 Builds that join sources (MRSIM_UNITY) hide a missing include behind the include of a neighbour. Sources that the build folder (BUILD=folder,
 default build) compiles by themselves are left out, unless they are named. --since: only those in which it can be missing since then, which
-have changed or include, directly or not, a header that has lost a line; all where git does not know COMMIT.
-Two seconds of a core for each.
+have changed, or include, directly or not, a header that has lost a name that they use or an #include that they have from nowhere else;
+all where git does not know COMMIT. Two seconds of a core for each.
 """
 
 import concurrent.futures
+import functools
 import json
 import os
 import re
@@ -47,22 +48,88 @@ def differences(*words):
     return result.stdout if result.returncode == 0 else None
 
 
-def includers(headers):
-    """Files of src and include that include one of these, directly or not."""
-    direct = {}
-    for folder, _, names in (step for top in ("src", "include") for step in os.walk(os.path.join(ROOT, top))):
-        for name in names:
-            path = os.path.relpath(os.path.join(folder, name), ROOT)
-            with open(os.path.join(ROOT, path), encoding="utf-8") as file:
-                for included in re.findall(r'^#include ["<]([^">]+)[">]', file.read(), re.M):
-                    direct.setdefault(included, set()).add(path)
-    found, todo = set(), list(headers)
-    while todo:
-        header = re.sub("^(src|include)/", "", todo.pop())
-        fresh = direct.get(header, set()) - found
-        found |= fresh
-        todo += fresh
-    return found
+class Includes:
+    """Who includes whom among the files of src and include, by the paths that stand in #include lines."""
+
+    def __init__(self):
+        self.text, self.direct, self.users = {}, {}, {}
+        for folder, _, names in (step for top in ("src", "include") for step in os.walk(os.path.join(ROOT, top))):
+            for name in names:
+                path = os.path.relpath(os.path.join(folder, name), ROOT)
+                with open(os.path.join(ROOT, path), encoding="utf-8") as file:
+                    self.text[path] = code = code_of(file.read())
+                self.direct[path] = set(INCLUDE.findall(code))
+                for header in self.direct[path]:
+                    self.users.setdefault(header, set()).add(path)
+
+    def includers(self, header):
+        """Files that include this one, directly or not."""
+        found, todo = set(), [header]
+        while todo:
+            fresh = self.users.get(re.sub("^(src|include)/", "", todo.pop()), set()) - found
+            found |= fresh
+            todo += fresh
+        return found
+
+    @functools.lru_cache(maxsize=None)
+    def includes(self, path):
+        """What a file includes, directly or not."""
+        found, todo = set(), [path]
+        while todo:
+            name = todo.pop()
+            fresh = set().union(*(self.direct.get(top + name, ()) for top in ("", "src/", "include/"))) - found
+            found |= fresh
+            todo += fresh
+        return found
+
+    @functools.lru_cache(maxsize=None)
+    def names(self, path):
+        """What a file and its includes declare, as far as is known."""
+        files = {top + name for name in {path} | self.includes(path) for top in ("", "src/", "include/")}
+        return set().union(*(declared(self.text[file]) for file in files & self.text.keys()),
+                           *(NAMES.get(name, ()) for name in {path} | self.includes(path)))
+
+    def can_miss(self, header, lost):
+        """Sources in which an include can be missing after a header has lost these lines."""
+        includes = INCLUDE.findall(lost)
+        gone = declared(lost).union(*(self.names(name) for name in includes))
+        unknown = {name for name in includes if not self.names(name)}
+        found = {user for user in self.includers(header)
+                 if (gone & words_of(self.text[user])) - self.names(user) or unknown - self.includes(user)}
+        return found.union(*(self.includers(user) for user in found))
+
+
+INCLUDE = re.compile(r'^#include ["<]([^">]+)[">]', re.M)
+# What a standard header is included for, of those that have few names; any use of others is possible.
+NAMES = {"array": {"array"}, "atomic": {"atomic"}, "bitset": {"bitset"}, "cstddef": {"size_t", "byte", "ptrdiff_t"},
+         "deque": {"deque"}, "functional": {"function", "hash", "less", "greater", "plus", "ref", "cref", "invoke"},
+         "initializer_list": {"initializer_list"}, "limits": {"numeric_limits"}, "map": {"map", "multimap"},
+         "memory": {"unique_ptr", "shared_ptr", "weak_ptr", "make_unique", "make_shared"}, "mutex": {"mutex", "lock_guard"},
+         "numbers": {"numbers"}, "optional": {"optional", "nullopt", "make_optional"}, "set": {"set", "multiset"},
+         "span": {"span", "as_bytes"}, "string": {"string", "to_string", "stoi", "stod", "getline"},
+         "string_view": {"string_view", "sv"}, "unordered_map": {"unordered_map"}, "unordered_set": {"unordered_set"},
+         "utility": {"pair", "move", "swap", "exchange", "forward", "make_pair", "index_sequence"},
+         "variant": {"variant", "visit", "get_if", "monostate"}, "vector": {"vector"},
+         "cstdint": {f"{sign}int{form}{bits}_t" for sign in ("", "u") for form in ("", "_fast", "_least")
+                     for bits in (8, 16, 32, 64)} | {"uintptr_t", "intptr_t", "uintmax_t", "intmax_t"}}
+
+
+def code_of(text):
+    """A source without its comments."""
+    return re.sub(r"//.*", "", text)
+
+
+@functools.lru_cache(maxsize=None)
+def words_of(text):
+    return set(re.findall(r"[A-Za-z_]\w*", text))
+
+
+@functools.lru_cache(maxsize=None)
+def declared(text):
+    """Names of types, constants and macros, and of functions outside of classes, which begin their line."""
+    functions = (re.findall(r"(\w+)\(", line) for line in re.findall(r"^[A-Za-z].*", text, re.M))
+    return set(re.findall(r"\b(?:struct|class|enum|using|concept|define)\s+(\w+)", text)).union(
+        re.findall(r"\bk[A-Z]\w*", text), *functions)
 
 
 def doubtful_since(commit):
@@ -70,9 +137,11 @@ def doubtful_since(commit):
     changed = differences("--name-only", commit, "--", "src")
     if changed is None:
         return None
-    lost = [file for file in differences("--name-only", commit, "--", "*.h", "*.inl").split()
-            if re.search("^-([^-]|$)", differences("-U0", commit, "--", file), re.M)]
-    return set(changed.split()) | includers(lost)
+    doubtful, includes = set(changed.split()), Includes()
+    for header in differences("--name-only", commit, "--", "src/*.h", "src/*.inl", "include/*.h").split():
+        lost = re.findall("^-(?!-)(.*)", differences("-U0", commit, "--", header), re.M)
+        doubtful |= includes.can_miss(header, code_of("\n".join(lost)))
+    return doubtful
 
 
 def main():
