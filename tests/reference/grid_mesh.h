@@ -1,9 +1,8 @@
 // Reference: the mesh of plain OpenVDB grids, for tests and benchmarks.
 #pragma once
 
+#include "removal/vdb/grids.h"
 #include <mrsim/types.h>
-
-#include <openvdb/openvdb.h>
 
 namespace mrsim::testing {
 

@@ -4,6 +4,7 @@
 #include "core/numbers/vec.h"
 #include "removal/part/stock_file.h"
 #include "removal/part/stock_grid.h"
+#include "removal/vdb/grids.h"
 #include "support/moves.h"
 #include "support/rounds.h"
 #include "support/shapes.h"
@@ -17,7 +18,6 @@
 
 #include <gtest/gtest.h>
 #include <openvdb/io/Stream.h>
-#include <openvdb/openvdb.h>
 
 namespace mrsim {
 namespace {

@@ -3,6 +3,7 @@
 #include "core/numbers/vec.h"
 #include "removal/part/recipe_codec.h"
 #include "removal/part/stock_grid.h"
+#include "removal/vdb/grids.h"
 #include "removal/vdb/level_set.h"
 #include "support/error_code.h"
 #include "support/random.h"
@@ -14,7 +15,6 @@
 
 #include <gtest/gtest.h>
 #include <openvdb/io/Stream.h>
-#include <openvdb/openvdb.h>
 #include <openvdb/tools/LevelSetSphere.h>
 
 namespace mrsim {

@@ -3,8 +3,7 @@
 
 #include "removal/part/block_index.h"
 #include "removal/part/part_field.h"
-
-#include <openvdb/openvdb.h>
+#include "removal/vdb/grids.h"
 
 namespace mrsim {
 

@@ -2,12 +2,12 @@
 #pragma once
 
 #include "removal/part/level_set_surface.h"
+#include "removal/vdb/grids.h"
 
 #include <algorithm>
 #include <string>
 #include <vector>
 
-#include <openvdb/openvdb.h>
 #include <openvdb/tools/VolumeToMesh.h>
 
 namespace mrsim {

@@ -2,12 +2,12 @@
 
 #include "core/numbers/vec.h"
 #include "core/process/parallel.h"
+#include "removal/vdb/grids.h"
 #include "removal/vdb/level_set.h"
 
 #include <algorithm>
 #include <cstddef>
 
-#include <openvdb/openvdb.h>
 #include <openvdb/tools/Composite.h>
 #include <openvdb/tools/LevelSetUtil.h>
 #include <openvdb/tools/MeshToVolume.h>

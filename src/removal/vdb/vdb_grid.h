@@ -2,13 +2,12 @@
 #pragma once
 
 #include "removal/part/voxel_grid.h"
+#include "removal/vdb/grids.h"
 
 #include <cstdint>
 #include <string>
 #include <utility>
 #include <vector>
-
-#include <openvdb/openvdb.h>
 
 namespace mrsim {
 
