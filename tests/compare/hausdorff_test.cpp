@@ -10,14 +10,10 @@
 
 #include <cmath>
 
-#include <CGAL/Kernel/global_functions_3.h>  // which distance.h of CGAL 5.5 uses and does not include
-#include <CGAL/Polygon_mesh_processing/distance.h>
 #include <gtest/gtest.h>
 
 namespace mrsim {
 namespace {
-
-using testing::to_cgal;
 
 HausdorffBound ours(const TriMesh& from, const TriMesh& to, double error,
                     std::size_t budget = 300'000) {
@@ -29,9 +25,7 @@ HausdorffBound ours(const TriMesh& from, const TriMesh& to, double error,
 
 void expect_as_cgal(const TriMesh& from, const TriMesh& to, double error = 1e-3) {
   const HausdorffBound bound = ours(from, to, error);
-  const double oracle =
-      CGAL::Polygon_mesh_processing::bounded_error_Hausdorff_distance<CGAL::Sequential_tag>(
-          to_cgal(from), to_cgal(to), error);
+  const double oracle = testing::directed_hausdorff_by_cgal(from, to, error);
   EXPECT_LE(bound.upper - bound.lower, 1.001 * error);
   EXPECT_GE(oracle, bound.lower - error);
   EXPECT_LE(oracle, bound.upper + error);

@@ -6,6 +6,7 @@
 #include "mesh/solid/self_intersection.h"
 #include "support/analytic_field.h"
 #include "support/cgal_mesh.h"
+#include "support/cgal_surface.h"
 #include "support/rounds.h"
 
 #include <algorithm>

@@ -6,36 +6,18 @@
 #include <mrsim/types.h>
 
 #include <cstdint>
-#include <iterator>
 #include <utility>
 #include <vector>
 
-#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
-#include <CGAL/Polygon_mesh_processing/self_intersections.h>
-#include <CGAL/Surface_mesh.h>
 #include <gtest/gtest.h>
 
 namespace mrsim::testing {
 
-using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
-using SurfaceMesh = CGAL::Surface_mesh<Kernel::Point_3>;
+/// Triangles that meet elsewhere than in corners and edges that they share.
+std::vector<std::pair<std::uint32_t, std::uint32_t>> meeting_faces(const TriMesh& mesh);
 
-inline SurfaceMesh to_cgal(const TriMesh& mesh) {
-  SurfaceMesh out;
-  std::vector<SurfaceMesh::Vertex_index> ids;
-  for (const auto& v : mesh.vertices) ids.push_back(out.add_vertex({v[0], v[1], v[2]}));
-  for (const auto& t : mesh.triangles) out.add_face(ids[t[0]], ids[t[1]], ids[t[2]]);
-  EXPECT_EQ(out.number_of_faces(), mesh.triangles.size());
-  return out;
-}
-
-inline std::vector<std::pair<SurfaceMesh::Face_index, SurfaceMesh::Face_index>> meeting_faces(
-    const TriMesh& mesh) {
-  const SurfaceMesh m = to_cgal(mesh);
-  std::vector<std::pair<SurfaceMesh::Face_index, SurfaceMesh::Face_index>> pairs;
-  CGAL::Polygon_mesh_processing::self_intersections(m, std::back_inserter(pairs));
-  return pairs;
-}
+/// mm: the largest distance of points of one mesh from the other, to within `error`.
+double directed_hausdorff_by_cgal(const TriMesh& from, const TriMesh& to, double error);
 
 inline std::size_t self_intersections(const TriMesh& mesh) { return meeting_faces(mesh).size(); }
 

@@ -119,9 +119,10 @@ void SizeSettler::share_inches() {
 // "T2 NO. 2 CENTER DRILL D4".
 void SizeSettler::add_centre_gauge() {
   const auto is = [](const ToolLength& told, const ToolLength& size) {
-    constexpr double kRounded = 0.02;  // mm: ".109" is 7/64
+    constexpr double kOfDecimals = 0.02;  // mm: ".109" is 7/64
     const double mm = size.mm(1);
-    return std::abs(told.mm(kMmPerInch) - mm) < kRounded || std::abs(told.mm(1) - mm) < kRounded;
+    return std::abs(told.mm(kMmPerInch) - mm) < kOfDecimals ||
+           std::abs(told.mm(1) - mm) < kOfDecimals;
   };
   std::erase_if(hint_.diameters, [&](const ToolLength& told) { return is(told, facts_.pilot); });
   const bool other = std::any_of(hint_.diameters.begin(), hint_.diameters.end(),

@@ -99,13 +99,13 @@ constexpr Glyph kGlyphs[] = {
     {'^', 2, "041624"},
     {' ', 1, ""},
 };
-constexpr Glyph kUnknown = {'\0', 4, "0046064600064640"};
+constexpr Glyph kUnknownGlyph = {'\0', 4, "0046064600064640"};
 constexpr double kGap = 1.7, kHeight = 6;
 
 const Glyph& glyph_of(char letter) {
   for (const Glyph& glyph : kGlyphs)
     if (glyph.letter == letter) return glyph;
-  return kUnknown;
+  return kUnknownGlyph;
 }
 
 double row_of(char y) { return y == 'a' ? -1 : y == 'b' ? -2 : y - '0'; }

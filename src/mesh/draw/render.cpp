@@ -27,7 +27,7 @@ constexpr std::size_t kMostEntries = 14;
 // Bytes, as measured. A triangle takes its shape for the light and its share of Embree's tree, and
 // more where edges are drawn. A pixel takes its light; in the band that is being drawn also what
 // its ray met; and more where edges are drawn.
-constexpr double kTriangleBytes = 200, kLinedTriangleBytes = 260;
+constexpr double kDrawnTriangleBytes = 200, kLinedTriangleBytes = 260;
 constexpr double kPixel = 12, kBandPixel = 112, kLinedPixel = 13;
 
 void require_valid(const TriMesh& mesh, const RenderOptions& options) {
@@ -54,7 +54,7 @@ void require_picture_memory(const TriMesh& mesh, const RenderOptions& options) {
   const double triangles = double(mesh.triangles.size()), width = options.width,
                pixels = width * options.height,
                band = width * std::min(options.height, kMostHeldRows);
-  const double drawn = kTriangleBytes * triangles + kBandPixel * band,
+  const double drawn = kDrawnTriangleBytes * triangles + kBandPixel * band,
                lined = kLinedTriangleBytes * triangles + kLinedPixel * pixels;
   require_memory(kPixel * pixels + std::max(drawn, lined),
                  fmt::format("a picture of {} x {} pixels of {} triangles", options.width,

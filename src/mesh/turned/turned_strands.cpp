@@ -201,14 +201,14 @@ class SquareTracer {
 
   // The chord from a to b, if the part is no farther from it than `height`. Gauss's three points.
   bool add(const End& a, const End& b, double height) {
-    constexpr double kOff = 0.1127016653792583, kShares[3] = {5.0 / 18, 8.0 / 18, 5.0 / 18};
+    constexpr double kOff = 0.1127016653792583, kWeights[3] = {5.0 / 18, 8.0 / 18, 5.0 / 18};
     const Vec3 places[3] = {lerp(a.at, b.at, kOff), lerp(a.at, b.at, 0.5),
                             lerp(a.at, b.at, 1 - kOff)};
     double d[3], mean = 0;
     field_.distances(places, candidates_, d, nullptr);
     for (int k = 0; k < 3; ++k) {
       if (std::abs(d[k]) > height + 2 * kInsideTolerance) return false;
-      mean += kShares[k] * d[k];
+      mean += kWeights[k] * d[k];
     }
     strands_.back().points.push_back({a.at, a.face, height, mean * distance(a.at, b.at), 0});
     return true;
