@@ -1,10 +1,10 @@
 #!/usr/bin/env python3
-"""Checks what documents and comments say of the repository: files that they name exist, and ARCHITECTURE.md tells every room.
+"""Checks what documents and comments say of the repository: files that they name exist, and docs/rooms.md tells every room.
 
 Checked are links and names of sources in backquotes, and in comments of src and include the names of sources, of members (Name::member)
 and of functions (name()): code must have them, outside of comments. Lines of prose have at most 120 characters; the rule of a table
-(|---|) stands alone in its line, or the table was wrapped as prose. ARCHITECTURE.md has each room of scripts/check_includes.py, and a walk
-of at most 12 files. Exit 1 and one line a fault.
+(|---|) stands alone in its line, or the table was wrapped as prose. docs/rooms.md has each room of scripts/check_includes.py,
+ARCHITECTURE.md a walk of at most 12 files. It is a page: at most 100 lines. Exit 1 and one line a fault.
 """
 
 import glob
@@ -89,10 +89,19 @@ def check_lines(path, text):
             yield f"{path}:{number}: the rule of a table does not stand alone, so there is no table"
 
 
+def check_rooms(text):
+    for room in ROOMS:
+        if "/" in room and f"`{room}`" not in text:
+            yield f"docs/rooms.md: the room {room} is missing"
+
+
 def check_architecture(text):
     for room in ROOMS:
-        if room and f"`{room}`" not in text and f"`src/{room}`" not in text:
-            yield f"ARCHITECTURE.md: the room {room} is missing"
+        if room and "/" not in room and f"`src/{room}`" not in text:
+            yield f"ARCHITECTURE.md: the stage {room} is missing"
+    lines = text.count("\n")
+    if lines > 100:
+        yield f"ARCHITECTURE.md: {lines} lines, at most 100 are wanted"
     steps = len(re.findall(r"^\d+\. `src/", text, re.M))
     if not 0 < steps <= 12:
         yield f"ARCHITECTURE.md: the walk names {steps} files, 1 to 12 are wanted"
@@ -114,7 +123,7 @@ def main():
     for path in code:
         faults += check_comments(path, read(path), known)
         faults += check_code_names(path, read(path), words, called)
-    faults += check_architecture(read("ARCHITECTURE.md"))
+    faults += [*check_architecture(read("ARCHITECTURE.md")), *check_rooms(read("docs/rooms.md"))]
     for fault in faults:
         print(fault)
     print(f"{len(paths)} documents, {len(faults)} faults")
