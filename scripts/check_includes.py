@@ -119,7 +119,9 @@ THIRD_PARTY = {
 }
 # Public header -> the public headers that it may include.
 PUBLIC = {"events.h": set(), "types.h": {"events.h"}, "files.h": set(), "memory.h": {"types.h"}, "options.h": {"types.h"}, "collisions.h": {"types.h"}, "solid_files.h": {"compare.h"},
-          "play.h": {"types.h"}, "mrsim.h": {"files.h", "types.h", "options.h", "collisions.h", "cycle_time.h", "history.h", "play.h"}, "job_file.h": {"types.h"},
+          "play.h": {"types.h"}, "job.h": {"files.h", "types.h", "options.h", "cycle_time.h", "history.h"},
+          "result.h": {"types.h", "collisions.h", "cycle_time.h", "history.h", "play.h"},
+          "mrsim.h": {"files.h", "types.h", "options.h", "collisions.h", "cycle_time.h", "history.h", "job.h", "play.h", "result.h"}, "job_file.h": {"types.h"},
           "compare.h": {"types.h", "options.h", "cycle_time.h", "play.h"}, "cycle_time.h": {"types.h"}, "history.h": {"types.h", "cycle_time.h"},
           "rest.h": {"types.h", "options.h"}}
 

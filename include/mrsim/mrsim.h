@@ -21,14 +21,14 @@
 #include <mrsim/cycle_time.h>
 #include <mrsim/files.h>
 #include <mrsim/history.h>
+#include <mrsim/job.h>
 #include <mrsim/options.h>
 #include <mrsim/play.h>
+#include <mrsim/result.h>
 #include <mrsim/types.h>
 
 #include <functional>
-#include <memory>
 #include <string>
-#include <utility>
 #include <vector>
 
 namespace mrsim {
@@ -118,160 +118,6 @@ MRSIM_API MeshSummary summarize(const TriMesh& mesh);
 /// logarithmic in the triangles.
 MRSIM_API void render(const TriMesh& mesh, const std::string& png_path,
                       const RenderOptions& options = {});
-
-struct JobResult;
-
-/// A file that a run writes besides the part: it appears together with the outputs, or none does.
-struct SideFile {
-  NamedPath file;  ///< "-" is the standard output; the role is what messages call it, "--report"
-  /// Called once the part's files are complete, in the order of Job::side_files.
-  std::function<void(const JobResult& result, const ByteSink& sink)> write;
-  bool is_last = false;  ///< lists all files: made when PreparedFiles are published
-};
-
-/// A file that a run has written.
-struct WrittenFile {
-  std::string path;
-  std::uint64_t bytes = 0;
-  std::string sha256;  ///< where Job::hash_files asks for it
-};
-
-/// Files of one run or of several, complete but not yet in their places. They lie on the disk
-/// without names, each with an open descriptor, and are gone if nobody publishes them.
-class MRSIM_API PreparedFiles {
- public:
-  PreparedFiles();
-  ~PreparedFiles();
-  PreparedFiles(const PreparedFiles&) = delete;
-  PreparedFiles& operator=(const PreparedFiles&) = delete;
-  /// Makes the last ones of `result`, whose `files` they join; then all take their places, or none
-  /// does and an Error is thrown.
-  void publish(JobResult& result);
-
- private:
-  friend class Outputs;
-  struct Files;
-  std::unique_ptr<Files> files_;
-};
-
-struct Job {
-  std::string program;
-  InterpOptions interp;
-  /// As load_stock takes it. Empty: the stock that the program states, or else a box around its
-  /// cuts, on lathes a bar; reported.
-  std::string stock;
-  StockOptions stock_options;
-  CarveOptions carve;
-  CollisionOptions collisions;
-  MeshOptions mesh;
-  std::vector<std::string> outputs;  ///< files to write, format by extension; may be empty
-  MeshFileOptions files;             ///< colours and such of the mesh files among them
-  std::vector<SideFile> side_files;  ///< written together with the outputs
-  /// Gets the files of the run, which appear when it is published; nullptr: at the end of the run.
-  PreparedFiles* prepared = nullptr;
-  std::vector<NamedPath> inputs;  ///< further files that no output may overwrite
-  bool hash_files = false;        ///< fill WrittenFile::sha256
-  /// Pieces that the program cuts loose: kept, with a warning, or dropped but for the largest, with
-  /// a note. A .vdb among the outputs holds them all: it is the stock and its cuts.
-  KeepPieces keep = KeepPieces::all;
-  /// Most triangles of the mesh, 0 = any number. More are reduced, and the distance that makes is
-  /// measured: JobResult::reduction. Error "max-triangles" where no sound mesh is that small. The
-  /// run is not done in slabs, and a .vdb does not change.
-  std::size_t max_triangles = 0;
-  /// The moment at which the program ends: "12" (a line), "O100:7" (a line of another file) or
-  /// "#5000" (a motion); empty: its end. The stock and the tools are those of the whole program.
-  std::string until;
-  /// What each motion removes is found, too, for JobResult::history.
-  HistoryDetail history = HistoryDetail::summary;
-  bool play = false;    ///< JobResult::play is made, for a page that plays the run
-  MachineData machine;  ///< what decides how long the program takes
-  bool strict = false;  ///< warnings are errors
-  /// Tolerance of the part in mm that the mesh will be judged by; 0 = none. Where neither a voxel
-  /// nor a tolerance of the mesh is given, the mesh keeps to a quarter of it.
-  double accept = 0;
-  /// Sees the part before anything is written; what it throws ends the run. Default: nothing.
-  std::function<void(const TriMesh& part)> inspect;
-  /// The whole mesh is wanted, in JobResult or by `inspect`. false: a run that does not fit into
-  /// memory is done in slabs where it can be, with the same files; JobResult::mesh is then empty.
-  bool whole_mesh = true;
-};
-
-/// One of the pieces that no material joins.
-struct PartPiece {
-  double volume = 0;  ///< mm^3, cavities subtracted
-  Vec3 center;        ///< centre of volume, mm
-  Box3 bounds;        ///< mm
-  std::size_t triangles = 0;
-  bool kept = true;  ///< false: dropped by Job::keep, and not in JobResult::mesh
-};
-
-/// What Job::max_triangles did to the mesh.
-struct MeshReduction {
-  std::size_t before = 0;  ///< triangles; 0: the mesh was not reduced
-  /// mm: the largest distance of a point of either mesh, before and after, from the other one lies
-  /// between these.
-  double least = 0, most = 0;
-  Vec3 place;  ///< where `least` was found
-};
-
-/// What StockOptions::wrap made of the stock's mesh.
-struct StockRepair {
-  bool wrapped = false;
-  std::size_t openings = 0;  ///< closed with triangles between their corners
-  double widest = 0;         ///< mm: the largest side of those
-  /// mm: the largest distance of a point of the wrap, or of the surface with its openings closed,
-  /// from the other one lies between these.
-  double least = 0, most = 0;
-  Vec3 place;  ///< where `least` was found
-};
-
-/// A wall (material between air) or gap that the mesh does not hold, or may not hold.
-struct ThinPlace {
-  Vec3 place;  ///< mm, on or in it
-  bool wall = false;
-  double thickness = 0;  ///< mm
-};
-
-struct JobResult {
-  Program program;   ///< with all diagnostics, those of later stages too
-  StockShape stock;  ///< as simulated, without its mesh
-  StockRepair stock_repair;
-  double voxel = 0;  ///< mm
-  std::string voxel_reason;
-  double tolerance = 0;  ///< mm, 0 = the mesh has the grid of the voxels
-  std::string tolerance_reason;
-  /// mm: certified distance between mesh and part; 0 where the voxel was given. By default it may
-  /// be that of the grid's triangles from the part; then mesh_usual holds for 99 % of them. Both
-  /// are of the mesh before its reduction.
-  double mesh_bound = 0, mesh_usual = 0;
-  /// Triangles whose distance from the exact part is sampled, not proven.
-  std::size_t mesh_sampled = 0;
-  /// Vertices that stay because the mesh would meet itself without them.
-  std::size_t mesh_kept = 0;
-  /// What mesh_bound does not hold for, the thickest first.
-  std::vector<ThinPlace> thin;
-  std::size_t rapid_motions = 0, line_motions = 0, arc_motions = 0;
-  CycleTime cycle;                  ///< how long the machine takes
-  History history;                  ///< what the motions remove
-  Play play;                        ///< the stock at every moment, where Job::play asks for it
-  std::size_t cutting_motions = 0;  ///< lines and arcs whose start is known
-  std::size_t active_voxels = 0;    ///< 0 where none were sampled: a .vdb alone needs them
-  CollisionReport collisions;       ///< each a warning among the diagnostics as well
-  TriMesh mesh;                     ///< empty where the run was done in slabs
-  std::size_t triangles = 0;        ///< of the part
-  std::size_t slabs = 0;            ///< 0: the mesh was in memory
-  MeshSummary summary;
-  MeshReduction reduction;
-  std::vector<PartPiece> pieces;  ///< of the part as cut, the largest first; usually one
-  /// mm^3, of the exact part where the mesh has a tolerance and no piece was dropped (docs/mesh.md,
-  /// Volume), else of the mesh (summary.volume); pieces that were dropped count as removed.
-  double volume = 0, stock_volume = 0, removed_volume = 0;
-  std::vector<std::pair<std::string, double>> stage_seconds;  ///< in the order they ran
-  std::size_t peak_memory = 0;                                ///< bytes
-  std::size_t expected_memory = 0;  ///< bytes, as estimated before the mesh was made
-  std::vector<WrittenFile> files;   ///< outputs, then side files, as far as they are complete
-  bool ok = false;                  ///< false: the program has errors, nothing was written
-};
 
 /// The whole way from program to part. With any error in the program nothing is carved or written
 /// and `ok` is false. Throws what interpret(), load_stock() and the writers throw, and:
