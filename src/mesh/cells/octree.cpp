@@ -13,7 +13,7 @@ namespace {
 
 constexpr int kLargestCell = 64;  ///< voxels, where sweeps can decide d
 constexpr int kMixedCell = 4;     ///< voxels: the largest cell in which faces may meet in a crease
-constexpr std::size_t kFetchedAhead = 4;  ///< cells whose corners are brought near
+constexpr std::size_t kCornersAhead = 4;  ///< cells whose corners are brought near
 constexpr double kShallow = 0.125;        ///< of the tolerance: what a cell may hide
 
 }  // namespace
@@ -186,8 +186,8 @@ void CellOctree::sample_corners(const std::vector<std::int32_t>& pending) {
             a.origin.z + (k & 4 ? a.size : 0)};
   };
   for (std::size_t i = 0; i < pending.size(); ++i) {
-    if (i + kFetchedAhead < pending.size())
-      for (int k = 0; k < 8; ++k) sample_of_.prefetch(key(corner(pending[i + kFetchedAhead], k)));
+    if (i + kCornersAhead < pending.size())
+      for (int k = 0; k < 8; ++k) sample_of_.prefetch(key(corner(pending[i + kCornersAhead], k)));
     const std::int32_t n = pending[i];
     OctreeNode& a = nodes_[static_cast<std::size_t>(n)];
     if (a.size > (tolerance_ > 0 ? largest : lattice().per_voxel()) && !shows_box(n)) continue;

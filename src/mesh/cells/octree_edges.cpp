@@ -16,7 +16,7 @@ namespace {
 
 constexpr std::size_t kWorthParts = 20'000;  ///< nodes: smaller trees are walked in one go
 constexpr int kPartLevels = 3;
-constexpr std::size_t kFetchedAhead = 8;  ///< faces that are brought near
+constexpr std::size_t kFacesAhead = 8;  ///< faces that are brought near
 
 // A cell, the face between two cells, low and high on an axis, or the edge along an axis between
 // four: the edges within it are a part of a walk.
@@ -241,7 +241,7 @@ std::vector<CellFace> CellOctree::faces(std::span<const MinimalEdge> edges,
   };
   std::vector<CellFace> out;
   for (std::size_t i = 0; i < sides.size(); ++i) {
-    if (i + kFetchedAhead < sides.size()) __builtin_prefetch(&id_at(i + kFetchedAhead));
+    if (i + kFacesAhead < sides.size()) __builtin_prefetch(&id_at(i + kFacesAhead));
     if (sides[i] < 0) continue;
     const std::size_t k = i / 4;
     const int quadrant = static_cast<int>(i % 4);

@@ -14,8 +14,6 @@
 namespace mrsim::detail {
 namespace {
 
-using Triangle = CollapsedMesh::Triangle;
-
 constexpr double kGrowth = 1.6;       ///< of the length of new edges, from pass to pass
 constexpr double kFineCosine = 0.98;  ///< between a new triangle and the exact surface: 11 degrees
 constexpr double kLeastCosine = 0.3;  ///< where the triangles before lie no better
@@ -61,7 +59,7 @@ class VertexRemover {
   }
 
   Spoke spoke(std::uint32_t v, std::uint32_t t) const {
-    const Triangle& x = mesh_.triangles[t];
+    const CollapsedMesh::Triangle& x = mesh_.triangles[t];
     const std::size_t k = x[0] == v ? 0 : x[1] == v ? 1 : 2;
     return {t, x[(k + 1) % 3], x[(k + 2) % 3]};
   }
