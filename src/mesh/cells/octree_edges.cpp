@@ -4,63 +4,42 @@
 #include "mesh/cells/octree.h"
 
 #include <algorithm>
-#include <atomic>
 #include <cmath>
 #include <limits>
 #include <tuple>
-#include <utility>
 #include <vector>
 
 namespace mrsim::detail {
 namespace {
 
-constexpr std::size_t kWorthParts = 20'000;  ///< nodes: smaller trees are walked in one go
-constexpr int kPartLevels = 3;
-constexpr std::size_t kFacesAhead = 8;  ///< faces that are brought near
-
-// A cell, the face between two cells, low and high on an axis, or the edge along an axis between
-// four: the edges within it are a part of a walk.
-struct WalkPart {
-  int count;  ///< of cells: 1, 2 or 4
-  std::int32_t cells[4];
-  int axis;
-};
-
 // Walks the edges of the tree: a cell's own, those in the face between two cells, those about the
 // line where four cells meet [Ju, Losasso, Schaefer and Warren 2002].
 class EdgeWalk {
  public:
-  struct Options {
-    const std::vector<char>* marked = nullptr;  ///< only edges about nodes with a mark; null: all
-    std::vector<char>* ring = nullptr;  ///< set for leaves about such an edge, crossed or not
-    bool doubtful = false;  ///< edges that may be crossed twice instead of the crossed ones
-  };
+  /// `marked` (null: everything): only edges about nodes with a mark; `ring` (null: none): set for
+  /// all leaves about such an edge, crossed or not.
+  EdgeWalk(const CellOctree& tree, const std::vector<char>* marked, std::vector<char>* ring,
+           std::vector<MinimalEdge>& out)
+      : tree_(tree), marked_(marked), ring_(ring), out_(out) {}
 
-  EdgeWalk(const CellOctree& tree, const Options& options, std::vector<MinimalEdge>& out)
-      : tree_(tree), options_(options), out_(out) {}
+  /// Collect edges that may be crossed twice instead of the crossed ones.
+  void doubtful() { doubtful_ = true; }
 
-  void walk(const WalkPart& part) {
-    if (part.count == 1)
-      cell(part.cells[0]);
-    else if (part.count == 2)
-      face(part.cells[0], part.cells[1], part.axis);
-    else
-      edge(part.cells, part.axis);
-  }
-
-  /// The parts of the root's walk, in its order, down to cells of `levels` halvings.
-  std::vector<WalkPart> parts(int levels) const {
-    std::vector<WalkPart> parts = {{1, {0}, 0}};
-    for (; levels > 0; --levels) {
-      std::vector<WalkPart> finer;
-      for (const WalkPart& part : parts)
-        if (part.count == 1)
-          each_part(part.cells[0], [&](const WalkPart& p) { finer.push_back(p); });
-        else
-          finer.push_back(part);
-      parts = std::move(finer);
-    }
-    return parts;
+  void cell(std::int32_t n) {
+    const OctreeNode& node = tree_.node(n);
+    if (node.child < 0 || !is_marked(n)) return;
+    for (int k = 0; k < 8; ++k) cell(node.child + k);
+    for (int axis = 0; axis < 3; ++axis)
+      for (int k = 0; k < 8; ++k)
+        if (!(k >> axis & 1)) face(node.child + k, node.child + (k | 1 << axis), axis);
+    for (int axis = 0; axis < 3; ++axis)
+      for (int s = 0; s < 2; ++s) {
+        std::int32_t four[4];
+        for (int q = 0; q < 4; ++q)
+          four[q] =
+              node.child + (s << axis | (q & 1) << (axis + 1) % 3 | (q >> 1) << (axis + 2) % 3);
+        edge(four, axis);
+      }
   }
 
  private:
@@ -71,29 +50,7 @@ class EdgeWalk {
   bool is_empty(std::int32_t n) const { return tree_.node(n).region != ExactField::Region::mixed; }
 
   bool is_marked(std::int32_t n) const {
-    return !options_.marked || (*options_.marked)[static_cast<std::size_t>(n)] != 0;
-  }
-
-  // Calls f with the parts of a cell's walk; with none where it has no edges within it.
-  template <class F>
-  void each_part(std::int32_t n, const F& f) const {
-    const OctreeNode& node = tree_.node(n);
-    if (node.child < 0 || !is_marked(n)) return;
-    for (int k = 0; k < 8; ++k) f({1, {node.child + k}, 0});
-    for (int axis = 0; axis < 3; ++axis)
-      for (int k = 0; k < 8; ++k)
-        if (!(k >> axis & 1)) f({2, {node.child + k, node.child + (k | 1 << axis)}, axis});
-    for (int axis = 0; axis < 3; ++axis)
-      for (int s = 0; s < 2; ++s) {
-        WalkPart four{4, {}, axis};
-        for (int q = 0; q < 4; ++q)
-          four.cells[q] =
-              node.child + (s << axis | (q & 1) << (axis + 1) % 3 | (q >> 1) << (axis + 2) % 3);
-        f(four);
-      }
-  }
-  void cell(std::int32_t n) {
-    each_part(n, [&](const WalkPart& part) { walk(part); });
+    return !marked_ || (*marked_)[static_cast<std::size_t>(n)] != 0;
   }
 
   void face(std::int32_t low, std::int32_t high, int axis) {
@@ -145,10 +102,8 @@ class EdgeWalk {
   }
 
   void emit(const std::int32_t (&four)[4], int axis, int smallest) {
-    if (options_.ring)  // other parts may meet the same leaves
-      for (const std::int32_t n : four)
-        std::atomic_ref((*options_.ring)[static_cast<std::size_t>(n)])
-            .store(1, std::memory_order_relaxed);
+    if (ring_)
+      for (const std::int32_t n : four) (*ring_)[static_cast<std::size_t>(n)] = 1;
     const OctreeNode& node = tree_.node(four[smallest]);
     const int u = (axis + 1) % 3, v = (axis + 2) % 3;
     const int k = ((smallest & 1) ^ 1) << u | ((smallest >> 1) ^ 1) << v;
@@ -159,7 +114,7 @@ class EdgeWalk {
     if (e.low < 0 || e.high < 0) return;
     const FieldSample &a = tree_.sample(e.low), &b = tree_.sample(e.high);
     const bool crossed = is_inside(a.distance) != is_inside(b.distance);
-    if (options_.doubtful
+    if (doubtful_
             ? crossed || a.owner == b.owner || node.size > tree_.lattice().per_voxel() ||
                   std::abs(a.distance) + std::abs(b.distance) > node.size * tree_.lattice().fine()
             : !crossed)
@@ -177,37 +132,17 @@ class EdgeWalk {
   }
 
   const CellOctree& tree_;
-  const Options options_;
+  const std::vector<char>* marked_;
+  std::vector<char>* ring_;
   std::vector<MinimalEdge>& out_;
+  bool doubtful_ = false;
 };
-
-// The edges of a walk over the whole tree, the same for any number of threads.
-std::vector<MinimalEdge> walked_edges(const CellOctree& tree, int threads,
-                                      const EdgeWalk::Options& options) {
-  std::vector<MinimalEdge> out;
-  EdgeWalk whole(tree, options, out);
-  if (tree.size() < kWorthParts) {
-    whole.walk({1, {0}, 0});
-    return out;
-  }
-  const std::vector<WalkPart> parts = whole.parts(kPartLevels);
-  std::vector<std::vector<MinimalEdge>> found(parts.size());
-  parallel_for(parts.size(), threads,
-               [&](std::size_t k) { EdgeWalk(tree, options, found[k]).walk(parts[k]); });
-  std::size_t count = 0;
-  for (const auto& edges : found) count += edges.size();
-  out.reserve(count);
-  for (auto& edges : found) {
-    out.insert(out.end(), edges.begin(), edges.end());
-    std::vector<MinimalEdge>().swap(edges);
-  }
-  return out;
-}
 
 }  // namespace
 
 std::vector<MinimalEdge> CellOctree::crossing_edges() const {
-  std::vector<MinimalEdge> out = walked_edges(*this, threads_, {});
+  std::vector<MinimalEdge> out;
+  EdgeWalk(*this, nullptr, nullptr, out).cell(0);
   if (is_whole()) return out;
   std::sort(out.begin(), out.end(), [](const MinimalEdge& a, const MinimalEdge& b) {
     return std::tie(a.start.x, a.start.y, a.start.z, a.axis) <
@@ -221,39 +156,24 @@ std::vector<CellFace> CellOctree::faces(std::span<const MinimalEdge> edges,
   const auto has_edges = [&](std::int32_t n) {
     return is_complete(n) && (complete.empty() || complete[static_cast<std::size_t>(n)] != 0);
   };
-  // By the smaller of the two cells and its side; -1 where there is no face.
-  std::vector<std::int64_t> sides(4 * edges.size());
-  parallel_for(
-      edges.size(), threads_,
-      [&](std::size_t k) {
-        for (int quadrant = 0; quadrant < 4; ++quadrant) {
-          const CellFace face = face_of(edges[k], quadrant);
-          const std::int32_t owner = size_of(face.high) < size_of(face.low) ? face.high : face.low;
-          sides[4 * k + static_cast<std::size_t>(quadrant)] =
-              face.low == face.high ? -1
-                                    : 6 * std::int64_t(owner) + 2 * face.axis + (owner == face.low);
-        }
-      },
-      256);
-  std::vector<std::int32_t> ids(6 * size(), -1);
-  const auto id_at = [&](std::size_t i) -> std::int32_t& {
-    return ids[static_cast<std::size_t>(std::max(sides[i], std::int64_t(0)))];
-  };
+  std::vector<std::int32_t> ids(6 * size(), -1);  // by the smaller of the two cells and its side
   std::vector<CellFace> out;
-  for (std::size_t i = 0; i < sides.size(); ++i) {
-    if (i + kFacesAhead < sides.size()) __builtin_prefetch(&id_at(i + kFacesAhead));
-    if (sides[i] < 0) continue;
-    const std::size_t k = i / 4;
-    const int quadrant = static_cast<int>(i % 4);
-    std::int32_t& index = id_at(i);
-    if (index < 0) {
-      index = static_cast<std::int32_t>(out.size());
-      CellFace& face = out.emplace_back(face_of(edges[k], quadrant));
-      face.low_complete = has_edges(face.low);
-      face.high_complete = has_edges(face.high);
+  for (std::size_t k = 0; k < edges.size(); ++k)
+    for (int quadrant = 0; quadrant < 4; ++quadrant) {
+      CellFace face = face_of(edges[k], quadrant);
+      if (face.low == face.high) continue;
+      const std::int32_t owner = size_of(face.high) < size_of(face.low) ? face.high : face.low;
+      const std::int32_t side = 2 * face.axis + (owner == face.low);
+      std::int32_t& index =
+          ids[6 * static_cast<std::size_t>(owner) + static_cast<std::size_t>(side)];
+      if (index < 0) {
+        index = static_cast<std::int32_t>(out.size());
+        face.low_complete = has_edges(face.low);
+        face.high_complete = has_edges(face.high);
+        out.push_back(face);
+      }
+      out[static_cast<std::size_t>(index)].add(static_cast<std::int32_t>(k), quadrant);
     }
-    out[static_cast<std::size_t>(index)].add(static_cast<std::int32_t>(k), quadrant);
-  }
   if (is_whole()) return out;
   const auto plane = [&](const CellFace& face) {
     const int axis = face.axis;
@@ -277,7 +197,10 @@ EdgeEnds CellOctree::ends(const MinimalEdge& e) const {
 }
 
 std::vector<MinimalEdge> CellOctree::doubtful_edges() const {
-  std::vector<MinimalEdge> out = walked_edges(*this, threads_, {.doubtful = true});
+  std::vector<MinimalEdge> out;
+  EdgeWalk walk(*this, nullptr, nullptr, out);
+  walk.doubtful();
+  walk.cell(0);
   add_doubtful_inside(out);
   return out;
 }
@@ -319,13 +242,16 @@ std::vector<char> CellOctree::with_parents(std::vector<char> leaves) const {
 }
 
 std::vector<MinimalEdge> CellOctree::crossing_edges_about(const std::vector<char>& leaves) const {
+  std::vector<MinimalEdge> out;
   const std::vector<char> marked = with_parents(leaves);
-  return walked_edges(*this, threads_, {.marked = &marked});
+  EdgeWalk(*this, &marked, nullptr, out).cell(0);
+  return out;
 }
 
 void CellOctree::add_neighbours(std::vector<char>& leaves) const {
+  std::vector<MinimalEdge> unused;
   const std::vector<char> marked = with_parents(leaves);
-  walked_edges(*this, threads_, {.marked = &marked, .ring = &leaves});
+  EdgeWalk(*this, &marked, &leaves, unused).cell(0);
 }
 
 }  // namespace mrsim::detail
