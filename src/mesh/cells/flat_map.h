@@ -24,9 +24,6 @@ class FlatMap {
     return {fresh, true};
   }
 
-  /// Brings the place of the key near to the processor, for a call that follows soon.
-  void prefetch(std::uint64_t key) const { __builtin_prefetch(&slots_[first_slot(key)]); }
-
   /// The value of the key, -1 where it is unknown.
   std::int32_t find(std::uint64_t key) const {
     const Slot& s = slots_[slot_of(key)];
@@ -40,13 +37,10 @@ class FlatMap {
     std::int32_t value = -1;
   };
 
-  std::size_t first_slot(std::uint64_t key) const {
+  std::size_t slot_of(std::uint64_t key) const {
     std::uint64_t h = (key ^ key >> 31) * 0x9e3779b97f4a7c15u;
     h ^= h >> 29;
-    return h & (slots_.size() - 1);
-  }
-  std::size_t slot_of(std::uint64_t key) const {
-    std::size_t i = first_slot(key);
+    std::size_t i = h & (slots_.size() - 1);
     while (slots_[i].key != key && slots_[i].key != kEmpty) i = (i + 1) & (slots_.size() - 1);
     return i;
   }

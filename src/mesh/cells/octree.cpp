@@ -13,8 +13,7 @@ namespace {
 
 constexpr int kLargestCell = 64;  ///< voxels, where sweeps can decide d
 constexpr int kMixedCell = 4;     ///< voxels: the largest cell in which faces may meet in a crease
-constexpr std::size_t kCornersAhead = 4;  ///< cells whose corners are brought near
-constexpr double kShallow = 0.125;        ///< of the tolerance: what a cell may hide
+constexpr double kShallow = 0.125;  ///< of the tolerance: what a cell may hide
 
 }  // namespace
 
@@ -180,19 +179,12 @@ void CellOctree::sample_corners(const std::vector<std::int32_t>& pending) {
   const std::size_t first = samples_.size();
   std::vector<std::pair<LatticePoint, std::int32_t>> wanted;  // place, a node about it
   const std::int32_t largest = kLargestCell * lattice().per_voxel();
-  const auto corner = [&](std::int32_t n, int k) -> LatticePoint {
-    const OctreeNode& a = node(n);
-    return {a.origin.x + (k & 1 ? a.size : 0), a.origin.y + (k & 2 ? a.size : 0),
-            a.origin.z + (k & 4 ? a.size : 0)};
-  };
-  for (std::size_t i = 0; i < pending.size(); ++i) {
-    if (i + kCornersAhead < pending.size())
-      for (int k = 0; k < 8; ++k) sample_of_.prefetch(key(corner(pending[i + kCornersAhead], k)));
-    const std::int32_t n = pending[i];
+  for (const std::int32_t n : pending) {
     OctreeNode& a = nodes_[static_cast<std::size_t>(n)];
     if (a.size > (tolerance_ > 0 ? largest : lattice().per_voxel()) && !shows_box(n)) continue;
     for (int k = 0; k < 8; ++k) {
-      const LatticePoint p = corner(n, k);
+      const LatticePoint p{a.origin.x + (k & 1 ? a.size : 0), a.origin.y + (k & 2 ? a.size : 0),
+                           a.origin.z + (k & 4 ? a.size : 0)};
       const auto [id, is_new] =
           sample_of_.insert(key(p), static_cast<std::int32_t>(first + wanted.size()));
       if (is_new) wanted.emplace_back(p, n);

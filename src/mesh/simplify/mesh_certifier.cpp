@@ -10,9 +10,9 @@
 namespace mrsim::detail {
 namespace {
 
-constexpr double kMissed = 1e-4;  ///< mm: a vertex farther off its face has missed a crease
-constexpr double kLimitGrowth = 1.25;
-constexpr int kCreaseCells = 8;  ///< on each side of a cell that has missed a crease
+constexpr double kMissed = 1e-4;       ///< mm: a vertex farther off its face has missed a crease
+constexpr double kLimitGrowth = 1.25;  ///< a bound above T is told within a quarter
+constexpr int kCreaseCells = 8;        ///< on each side of a cell that has missed a crease
 
 int longest_axis(const Vec3& v) {
   const Vec3 size{std::abs(v.x), std::abs(v.y), std::abs(v.z)};

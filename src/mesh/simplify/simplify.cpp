@@ -55,11 +55,12 @@ void MeshSimplifier::find_blocks() {
 
 // Brings the blocks up to date in which other vertices are locked than before.
 void MeshSimplifier::simplify_blocks(const std::vector<char>& locked) {
-  std::vector<char> changed(blocks_.size(), by_blocks_ == nullptr);
+  std::vector<char> changed;
   if (!by_blocks_) {
     find_blocks();
     changed.assign(blocks_.size(), 1);
   } else {
+    changed.assign(blocks_.size(), 0);
     for (std::size_t v = 0; v < locked.size() && !blocks_.empty(); ++v)
       if (locked[v] != by_blocks_->locked[v]) changed[by_blocks_->block[v]] = 1;
     by_blocks_->restore(changed);

@@ -8,18 +8,9 @@
 #include <cstdint>
 #include <optional>
 #include <span>
-#include <vector>
 
 namespace mrsim {
 
-/// SweepTable::all().
-std::vector<std::uint32_t> all_numbers(const SweepColumns& c, double longest);
-/// SweepTable::expanded().
-std::vector<std::uint32_t> sweeps_bounded(const SweepColumns& c,
-                                          std::span<const std::uint32_t> list, const Box3& box);
-/// SweepTable::meeting().
-std::vector<std::uint32_t> sweeps_meeting(const SweepColumns& c,
-                                          std::span<const std::uint32_t> list, const Box3& box);
 /// SweepTable::nearest().
 SweepTable::Nearest nearest_sweep(const SweepColumns& c, std::span<const std::uint32_t> list,
                                   const Vec3& p, double enough);

@@ -4,6 +4,7 @@
 #include "removal/columns/build_columns.h"
 #include "removal/sweep/sweep_faces.h"
 #include "removal/sweep/sweep_lists.h"
+#include "removal/sweep/sweep_numbers.h"
 #include "removal/sweep/sweep_range.h"
 
 #include <algorithm>
