@@ -46,9 +46,11 @@ constexpr int kLateSteps = 3;              ///< of splitting in one round after 
 constexpr double kMostDrawn = 0.4;         ///< share of loops up to which only these are drawn anew
 constexpr std::size_t kDrawnRounds = 8;    ///< in which more detail may take the place of splitting
 constexpr int kLostRounds = 3;             ///< of splitting cells about walls that were lost
-constexpr double kMostLostNodes = 400'000;  ///< that may be added for these
-constexpr double kLostNodeMemory = 1500;    ///< bytes that each of them takes in the end
-constexpr double kLostShare = 0.5;  ///< of the nodes that are left where a grid may take its place
+constexpr double kMostLostNodes = 2'400'000;  ///< that may be added for these
+constexpr double kLostNodeMemory = 1500;      ///< bytes that each of them takes in the end
+/// Where a grid may take its place: up to which share of all nodes there are more for these, and
+/// the share of those left that they may take.
+constexpr double kFullOctree = 0.75, kLostShare = 0.8;
 
 class AdaptiveMesher {
  public:
@@ -103,10 +105,9 @@ class AdaptiveMesher {
     detail::require_cells(budget_.nodes_after_first(0, tree_.size()), budget_.most());
     make_triangles();
     mend_all();
-    TriMesh out = finished();
-    for (int k = 0; k < kLostRounds && !lost_.empty() && find_lost(out);) ++k;
-    report_.thin = detail::distinct(lost_);
-    return out;
+    std::optional<LabelledMesh> without_lost;
+    for (int k = 0; k < kLostRounds && !without_lost && find_lost(without_lost);) ++k;
+    return finished(without_lost ? std::move(*without_lost) : drawn());
   }
 
   // Splits cells until all triangles are within the tolerance.
@@ -120,10 +121,21 @@ class AdaptiveMesher {
     }
   }
 
-  // The mesh of the surface, simplified, and what it has lost. The surface is gone then.
-  TriMesh finished() {
+  // The mesh of the surface as it is drawn.
+  LabelledMesh drawn() const {
     LabelledMesh mesh = detail::labelled_mesh(*surface_);
     detail::drop_unused_vertices(mesh);
+    return mesh;
+  }
+
+  // What the mesh has lost that is at least `thinnest` mm thick.
+  std::vector<FoundThin> lost_from(const LabelledMesh& mesh, double thinnest) const {
+    return detail::lost_features(field_, tree_, tree_.doubtful_edges(), detail::to_tri_mesh(mesh),
+                                 tolerance_, thinnest, options_.threads);
+  }
+
+  // The mesh, simplified, with what it has lost in the report. The surface is gone then.
+  TriMesh finished(LabelledMesh mesh) {
     report_.cells = surface_->loops().size();
     surface_.reset();
     passed_ = detail::FlatMap();
@@ -134,44 +146,41 @@ class AdaptiveMesher {
     report_.memory =
         std::max(report_.memory, detail::memory_of_mesh(tree_, report_.triangles_before));
     mesh = simplified(mesh);
-    const detail::MeshCertifier::Total total = certifier().total(mesh);
+    const std::vector<FoundThin> lost = lost_from(mesh, 0);
+    timer_.step("thin");
+    const detail::MeshCertifier::Total total = certifier().total(mesh, lost);
     report_.tolerance = tolerance_;
     report_.bound = total.bound;
     report_.sampled = total.sampled;
     report_.volume_excess = certifier().volume_excess(mesh);
+    report_.thin = detail::distinct(lost);
     timer_.step("certify");
-    TriMesh out = detail::to_tri_mesh(mesh);
-    lost_ = detail::lost_features(field_, tree_, tree_.doubtful_edges(), out, tolerance_,
-                                  options_.threads);
-    timer_.step("thin");
-    return out;
+    return detail::to_tri_mesh(mesh);
   }
 
-  // Makes the mesh once more, on smaller cells about what it has lost. False: there is no room for
-  // them, or a mesh on them takes too much, and `mesh` stays as it is.
-  bool find_lost(TriMesh& mesh) {
-    MeshReport before = report_;
-    const std::vector<FoundThin> lost = lost_;
+  // Draws the surface once more where it has lost something, on smaller cells. False: nothing is
+  // lost, or there is no room for such cells. Where the mesh on them takes too much, `before` is
+  // the one without what is lost.
+  bool find_lost(std::optional<LabelledMesh>& before) {
+    LabelledMesh mesh = drawn();
+    const std::vector<FoundThin> lost = lost_from(mesh, tolerance_);
+    timer_.step("thin");
+    const MeshReport report = report_;
     try {
       if (detail::split_lost(tree_, lost, tolerance_, room_for_lost()) == 0) return false;
       timer_.step("tree");
       budget_ = NodeBudget(options_.most_nodes, tolerance_, false);
-      redrawn_.clear(), measured_nodes_ = 0, is_whole_ = true;
-      surface_.emplace(field_, tree_, surface_options());
-      tree_.mark_drawn();
+      redrawn_.clear();
+      is_whole_ = draws_all();
       find_topology();
       make_triangles();
       mend_all();
-      mesh = finished();
       return true;
     } catch (const Error& error) {
       if (error.code() != "mesh-unresolved" && error.code() != "memory") throw;
-      if (surface_)
-        before.memory =
-            std::max(before.memory, detail::memory_of_loops(tree_, surface_->loops().size()));
-      before.seconds = report_.seconds;
-      report_ = std::move(before);
-      lost_ = lost;
+      report_.passes = report.passes;
+      report_.unresolved = report.unresolved;
+      before = std::move(mesh);
       return false;
     }
   }
@@ -181,8 +190,9 @@ class AdaptiveMesher {
     const auto nodes = static_cast<double>(tree_.size());
     const auto memory = static_cast<double>(options_.max_memory);
     double room = kMostLostNodes;
-    if (memory > 0) room = std::min(room, (memory - report_.memory) / kLostNodeMemory);
-    if (budget_.most() > 0) room = std::min(room, kLostShare * (budget_.most() - nodes));
+    if (memory > 0) room = std::min(room, (memory - taken()) / kLostNodeMemory);
+    if (budget_.most() > 0)
+      room = std::min(room, kLostShare * (kFullOctree * budget_.most() - nodes));
     return room;
   }
 
@@ -361,7 +371,6 @@ class AdaptiveMesher {
   std::vector<std::int32_t> redrawn_;   ///< cells, about what is drawn more finely since
   bool few_failed_ = true;              ///< cells in the round before
   std::optional<DualSurface> surface_;  ///< until its triangles are final
-  std::vector<FoundThin> lost_;         ///< of the mesh that was finished last
   detail::FlatMap passed_;              ///< by hashes of triangles within the tolerance
 };
 

@@ -129,6 +129,31 @@ TEST(Thin, PinsAreKept) {
       }
 }
 
+// Default settings have room for so many nodes: pins of two widths stand between slots, and the
+// thin ones take too many. They are named, and the bound is that of what was drawn.
+TEST(Thin, TheThickestPinsAreKeptWhereNotAllFit) {
+  constexpr double kTolerance = 0.01, kThick = 0.3 * kVoxel, kThin = 0.06 * kVoxel;
+  std::vector<Cut> cuts;
+  std::vector<Place> thick;
+  for (int k = 0; k < 8; ++k) {
+    const Place at{{10 + 14.07 * (k % 4), 10 + 16.2 * (k / 4)}, {1, 0}};
+    if (k % 2 == 0) thick.push_back(at);
+    const double half = k % 2 == 0 ? kThick : kThin;
+    for (const Vec2 way : {at.along, at.across()})
+      for (const double off : {-half, half}) cuts.push_back(slot_beside(at, way, off));
+  }
+  MeshPlan options;
+  options.tolerance = kTolerance;
+  options.most_nodes = 100'000;
+  MeshReport report;
+  const Box3 stock{{0, 0, 0}, {62, 36, kTop}};
+  const TriMesh mesh = mesh_part(AnalyticField(stock, false, cuts), kVoxel, options, &report);
+  for (const Place& at : thick) EXPECT_EQ(held(mesh, at, 0.5 * kThick), kPoints) << at.middle.x;
+  EXPECT_FALSE(report.thin.empty());
+  for (const ThinFeature& f : report.thin) EXPECT_LT(f.thickness, kThick);
+  EXPECT_LE(report.bound, kTolerance);
+}
+
 TEST(Thin, LowPinsAreKeptOrReported) {
   constexpr double kHalf = 0.15 * kVoxel, kHeight = 0.6 * kVoxel;
   for (const double turn : {0.0, 0.4})
@@ -186,7 +211,7 @@ class Lost : public ::testing::Test {
   std::vector<FoundThin> lost(const std::vector<Cut>& cuts,
                               const std::vector<MinimalEdge>& edges) const {
     const TriMesh mesh = made({kStock, false, cuts}, kTolerance, kVoxel / 8).mesh;
-    return detail::lost_features(part_, tree_, edges, mesh, kTolerance, 1);
+    return detail::lost_features(part_, tree_, edges, mesh, kTolerance, 0, 1);
   }
   std::size_t lost(const std::vector<Cut>& cuts) const { return lost(cuts, edges_).size(); }
 

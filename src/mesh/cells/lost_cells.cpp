@@ -23,11 +23,13 @@ double width(const CellOctree& tree, std::int32_t cell) {
   return box.hi.x - box.lo.x;
 }
 
-// Nodes that it takes to split all about a place that is lost: it stands for a square of a voxel,
-// or for as much of a pin.
+// Nodes that come of splitting all about a place that is lost: it stands for a square of a voxel,
+// or for as much of a pin. The sides of what is found are split on until they are within the
+// tolerance: in all, three to seven times as many as the cells that a single sheet passes.
 double nodes_about(double voxel, double goal) {
+  constexpr double kBesideSheet = 6;
   const double halvings = std::max(0.0, std::ceil(std::log2(voxel / goal)));
-  return 8.0 / 3 * std::pow(4.0, halvings);
+  return kBesideSheet * 8 / 3 * std::pow(4.0, halvings);
 }
 
 // The width (mm) that each leaf about some features is to be split to.
@@ -36,7 +38,7 @@ using Goals = std::unordered_map<std::int32_t, double>;
 // The walls and gaps between two owners. Where only a part of one were drawn, its torn border would
 // fail, and be split until the rest of it is there.
 struct LostWall {
-  double thickness = 0;  // mm, the median: lines through a pin's corner see less of it
+  double thickness = 0;  // mm, the largest: lines through a pin's corner see less of it
   std::vector<const ThinFeature*> places;
 };
 
@@ -49,11 +51,8 @@ std::vector<LostWall> lost_walls(std::span<const FoundThin> lost, double toleran
   }
   std::vector<LostWall> walls;
   for (auto& [owners, wall] : by_owners) {
-    std::vector<double> thicknesses;
-    for (const ThinFeature* place : wall.places) thicknesses.push_back(place->thickness);
-    const auto middle = thicknesses.begin() + static_cast<std::ptrdiff_t>(thicknesses.size() / 2);
-    std::nth_element(thicknesses.begin(), middle, thicknesses.end());
-    wall.thickness = *middle;
+    for (const ThinFeature* place : wall.places)
+      wall.thickness = std::max(wall.thickness, place->thickness);
     walls.push_back(std::move(wall));
   }
   std::stable_sort(walls.begin(), walls.end(),

@@ -175,8 +175,8 @@ std::optional<ThinFeature> first_hidden(const SurfaceCells& cells, const Minimal
 class LostSearch {
  public:
   LostSearch(const ExactField& field, const SurfaceCells& cells, const TriMesh& mesh,
-             double tolerance)
-      : field_(field), cells_(cells), mesh_(mesh), tolerance_(tolerance) {}
+             double tolerance, double thinnest)
+      : field_(field), cells_(cells), mesh_(mesh), tolerance_(tolerance), thinnest_(thinnest) {}
 
   std::optional<FoundThin> on_edge(const MinimalEdge& e) const {
     const EdgeEnds ends = cells_.ends(e);
@@ -236,7 +236,7 @@ class LostSearch {
                                    const EdgeEnd& b, int most, bool& found) const {
     const bool ends_inside = is_inside(a.at.distance);
     const std::optional<Passage> passage = find_passage(probe, a, b, ends_inside);
-    if (!passage) return {};
+    if (!passage || distance(passage->from, passage->to) < thinnest_) return {};
     found = true;
     if (most == 0 || !is_held(probe, *passage, !ends_inside))
       return feature_of(cells_, e, a, b, *passage, !ends_inside);
@@ -266,7 +266,7 @@ class LostSearch {
   const ExactField& field_;
   const SurfaceCells& cells_;
   TriangleTree mesh_;
-  double tolerance_;
+  double tolerance_, thinnest_;  ///< mm
 };
 
 }  // namespace
@@ -358,10 +358,10 @@ std::vector<FoundThin> thin_features(const ExactField& field, const SurfaceCells
 
 std::vector<FoundThin> lost_features(const ExactField& field, const SurfaceCells& cells,
                                      std::span<const MinimalEdge> doubtful, const TriMesh& mesh,
-                                     double tolerance, int threads) {
+                                     double tolerance, double thinnest, int threads) {
   if (doubtful.empty()) return {};
   if (mesh.triangles.empty()) return thin_features(field, cells, doubtful);
-  const LostSearch search(field, cells, mesh, tolerance);
+  const LostSearch search(field, cells, mesh, tolerance, thinnest);
   std::vector<std::optional<FoundThin>> lost(doubtful.size());
   parallel_for(
       doubtful.size(), threads, [&](std::size_t k) { lost[k] = search.on_edge(doubtful[k]); }, 16);

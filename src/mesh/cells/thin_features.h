@@ -30,11 +30,12 @@ std::vector<FoundThin> thin_features(const ExactField& field, const SurfaceCells
                                      std::span<const MinimalEdge> doubtful);
 
 /// The doubtful edges' features that a mesh of the part does not hold within `tolerance` mm, on the
-/// edge or on lines beside it, in the order of the edges. Requires: the mesh is closed and
-/// oriented. Costs some hundred samples and searches in the mesh for each thin feature.
+/// edge or on lines beside it, in the order of the edges; those at least `thinnest` mm thick where
+/// they are met. Requires: the mesh is closed and oriented. Costs some hundred samples and searches
+/// in the mesh for each such feature.
 std::vector<FoundThin> lost_features(const ExactField& field, const SurfaceCells& cells,
                                      std::span<const MinimalEdge> doubtful, const TriMesh& mesh,
-                                     double tolerance, int threads);
+                                     double tolerance, double thinnest, int threads);
 
 /// Material of the part, if blocks down to a voxel (mm) show any that is thicker than an eighth of
 /// it. Costs a few samples for each block that the surface may pass.

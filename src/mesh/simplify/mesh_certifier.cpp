@@ -1,5 +1,6 @@
 #include "mesh/simplify/mesh_certifier.h"
 
+#include "core/numbers/triangle_tree.h"
 #include "core/process/parallel.h"
 #include "removal/field/face_range.h"
 
@@ -12,6 +13,7 @@ namespace {
 
 constexpr double kMissed = 1e-4;       ///< mm: a vertex farther off its face has missed a crease
 constexpr double kLimitGrowth = 1.25;  ///< a bound above T is told within a quarter
+constexpr double kLostReach = 2;       ///< voxels from a triangle to a place in a wall it passes
 constexpr int kCreaseCells = 8;        ///< on each side of a cell that has missed a crease
 
 int longest_axis(const Vec3& v) {
@@ -74,8 +76,23 @@ TriangleBound MeshCertifier::least_bound(const Corners3& t, const FieldSample& f
       return found;
 }
 
-MeshCertifier::Total MeshCertifier::total(LabelledMesh& mesh) const {
+// A triangle across the foot of a wall is inside it by half its thickness at most. The wall is
+// known by its places on edges of the lattice, a voxel apart; between these it is at most as deep
+// as half a voxel, or they would show it.
+bool MeshCertifier::passes_lost(const Corners3& t, double bound,
+                                std::span<const FoundThin> lost) const {
+  const double voxel = tree_.lattice().voxel();
+  return std::ranges::any_of(lost, [&](const FoundThin& found) {
+    const Vec3& p = found.feature.place;
+    return bound <= 0.5 * std::max(found.feature.thickness, voxel) &&
+           distance(p, nearest_on_triangle(p, t[0], t[1], t[2]).point) <= kLostReach * voxel;
+  });
+}
+
+MeshCertifier::Total MeshCertifier::total(LabelledMesh& mesh,
+                                          std::span<const FoundThin> lost) const {
   std::vector<TriangleBound> bounds(mesh.triangles.size());
+  std::vector<char> counts(mesh.triangles.size(), 1);
   std::vector<std::optional<FieldSample>> nearer(mesh.triangles.size());
   parallel_for_chunks(bounds.size(), threads_, kChunk, [&](std::size_t begin, std::size_t end) {
     FaceDistances distances(field_);
@@ -83,15 +100,17 @@ MeshCertifier::Total MeshCertifier::total(LabelledMesh& mesh) const {
       const Corners3 corners = corners_of(mesh, t);
       bounds[t] = least_bound(corners, mesh.faces[mesh.labels[t]], distances);
       if (bounds[t].distance <= tolerance_) continue;
-      const auto face = nearer_face(field_, tree_, mesh, t);
-      if (!face) continue;
-      const TriangleBound other = least_bound(corners, *face, distances);
-      if (other.distance < bounds[t].distance) bounds[t] = other, nearer[t] = face;
+      if (const auto face = nearer_face(field_, tree_, mesh, t)) {
+        const TriangleBound other = least_bound(corners, *face, distances);
+        if (other.distance < bounds[t].distance) bounds[t] = other, nearer[t] = face;
+      }
+      counts[t] =
+          bounds[t].distance <= tolerance_ || !passes_lost(corners, bounds[t].distance, lost);
     }
   });
   Total total;
   for (std::size_t t = 0; t < bounds.size(); ++t) {
-    total.bound = std::max(total.bound, bounds[t].distance);
+    if (counts[t]) total.bound = std::max(total.bound, bounds[t].distance);
     total.sampled += !bounds[t].is_proven;
     if (!nearer[t]) continue;
     mesh.labels[t] = static_cast<std::uint32_t>(mesh.faces.size());

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "mesh/cells/octree.h"
+#include "mesh/cells/thin_features.h"
 #include "mesh/simplify/labelled_mesh.h"
 #include "mesh/simplify/simplify.h"
 #include "mesh/simplify/triangle_bounds.h"
@@ -11,6 +12,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <vector>
 
 namespace mrsim::detail {
@@ -31,12 +33,14 @@ class MeshCertifier {
                           FaceDistances& distances) const;
 
   struct Total {
-    double bound = 0;         ///< mm: the largest of all triangles
+    double bound = 0;         ///< mm: the largest of the triangles
     std::size_t sampled = 0;  ///< triangles whose bound is not proven
   };
   /// A triangle that is not within the tolerance of the face of its label gets another label, that
-  /// of the face at its middle, where that one is nearer.
-  Total total(LabelledMesh& mesh) const;
+  /// of the face at its middle, where that one is nearer. Where it is not within the tolerance
+  /// since it passes a wall or gap that the mesh has lost, it does not count. Costs a product of
+  /// their numbers.
+  Total total(LabelledMesh& mesh, std::span<const FoundThin> lost) const;
   /// The volume of the mesh less that of the part, mm^3: the integral of d over the mesh.
   double volume_excess(const LabelledMesh& mesh) const;
 
@@ -45,6 +49,7 @@ class MeshCertifier {
                       FaceDistances& distances) const;
   TriangleBound least_bound(const Corners3& t, const FieldSample& face,
                             FaceDistances& distances) const;
+  bool passes_lost(const Corners3& t, double bound, std::span<const FoundThin> lost) const;
 
   const ExactField& field_;
   const CellOctree& tree_;
