@@ -93,12 +93,53 @@ TEST(Tolerance, BoundHoldsOnRandomPrograms) {
   }
 }
 
+// In the air |d| may be less than the distance from the part: within a ramp that a flat mill has
+// cut, and beside sharp edges, as where a flank leaves the stock.
+void expect_material_is_near(const PartField& field, double voxel, double tolerance) {
+  MeshPlan options;
+  options.tolerance = tolerance;
+  MeshReport report;
+  const TriMesh mesh = mesh_part(field, voxel, options, &report);
+  const auto vec = [&](std::uint32_t v) {
+    const auto& x = mesh.vertices[v];
+    return Vec3{x[0], x[1], x[2]};
+  };
+  double most = 0;
+  for (const auto& t : mesh.triangles)
+    for (int k = 0; k < 3; ++k) {
+      const Vec3 p = 0.5 * (vec(t[k]) + vec(t[(k + 1) % 3]));
+      if (field.sample(p, field.all()).distance > 0.3 * report.bound)
+        most = std::max(most, testing::distance_from_material(field, p));
+    }
+  EXPECT_LE(most, 1.002 * report.bound + kFloats);
+}
+
+TEST(Tolerance, HoldsWithinTheRampOfAFlatMill) {
+  const Tool tool = mill(ToolType::endmill, 8.2633);
+  const std::vector<Motion> ramp{line({15.93, 9.62, 20}, {15.93, 9.62, 4}),
+                                 line({15.93, 9.62, 4}, {7.586, 16.04, 2.69})};
+  const PartField field(StockSolid(testing::box_stock({0, 0, 0}, {20, 20, 8})),
+                        SweepTable(ramp, std::span(&tool, 1)));
+  for (const double tolerance : {0.005, 0.01, 0.02}) expect_material_is_near(field, 0.5, tolerance);
+}
+
+TEST(Tolerance, HoldsWhereAFlankLeavesTheStock) {
+  Tool tool = mill(ToolType::chamfer, 11.9306);
+  tool.tip_angle = radians(48), tool.tip_diameter = 6.7662;
+  const std::vector<Motion> plunges{
+      line({31.580453, 18.750454, 20}, {31.580453, 18.750454, -2.42579}),
+      line({31.580453, 25.297256, 20}, {31.580453, 25.297256, -4.93497})};
+  const StockShape stock = testing::box_stock({-1, 3, -7.1512}, {35.9932, 34.61, 0});
+  const PartField field(StockSolid(stock), SweepTable(plunges, std::span(&tool, 1)));
+  expect_material_is_near(field, 0.1, 0.00628883);
+}
+
 // The floor of a flat mill turns into the wall within half a micron: a crease, not a face to
 // refine.
 TEST(Tolerance, RampsOfFlatMillsTakeFewCells) {
   Motion helix = arc({10, 10, 7}, 6, 0, 1.6 * kPi);
   helix.rise = -2, helix.end.z -= 2;
-  const std::pair<Motion, std::size_t> most[] = {{helix, 8500},
+  const std::pair<Motion, std::size_t> most[] = {{helix, 9000},
                                                  {line({3, 6, 7}, {17, 13, 6}), 4500}};
   for (const auto& [m, cells] : most) {
     const MeshReport report = expect_bound_holds({m}, mill(ToolType::endmill, 4), 0.01, "ramp");

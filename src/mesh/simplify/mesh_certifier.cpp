@@ -52,7 +52,7 @@ TriangleBound MeshCertifier::bound(const Corners3& t, const FieldSample& face, d
   std::int32_t cell = 0;
   if (found.distance <= limit)
     found.distance =
-        std::max(found.distance, largest_distance(field_, tree_, face, a, b, c, limit, cell));
+        std::max(found.distance, largest_distance(distances, tree_, face, a, b, c, limit, cell));
   if (found.distance <= tolerance_) return found;
   const double part = part_bound(distances, tree_, a, b, c, limit);
   return part < found.distance ? TriangleBound{part, false} : found;

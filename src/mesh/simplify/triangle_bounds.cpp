@@ -129,9 +129,32 @@ double crease_distance(FaceDistances& distances, const CellOctree& tree, const V
   return std::copysign(crease_bound(distances, along, across, p, p), distances(p, along));
 }
 
+// Distance of a place from the face that decides d there. In the material it is |d|; in a sweep d
+// may be less than the depth, by the root of 2 at most.
+double depth_under(FaceDistances& distances, const Vec3& p, const FieldSample& face) {
+  const double d = std::abs(face.distance);
+  return face.distance < kFlat ? d : std::clamp(distances(p, face), d, kIntrusion * d);
+}
+
+// Distance of a node from the part where `other` decides d, not the triangle's face; half as much
+// again, as the other face may reach farther in between the nodes, unless both are one surface
+// here. In the air beside an edge d is only the larger distance of its two faces: the place of
+// `other` that is nearest may be cut off by the triangle's face, and the edge is what is nearest.
+double distance_beside(FaceDistances& distances, const Vec3& p, const FieldSample& face,
+                       const FieldSample& other) {
+  const double d = std::abs(other.distance), g = distances(p, face);
+  const double room = std::abs(other.distance - g) < 0.25 * d ? 1 : kIntrusion;
+  if (other.distance < kFlat) return room * d;
+  const double depth = depth_under(distances, p, other);
+  const double along =
+      dot(distances.field().gradient(p, face), distances.field().gradient(p, other));
+  if (g - depth * along <= 0) return std::max(room * d, depth);
+  return std::max(room * d, crease_bound(distances, face, other, p, p));
+}
+
 }  // namespace
 
-double largest_distance(const ExactField& field, const CellOctree& tree, const FieldSample& face,
+double largest_distance(FaceDistances& distances, const CellOctree& tree, const FieldSample& face,
                         const Vec3& a, const Vec3& b, const Vec3& c, double limit,
                         std::int32_t& cell) {
   // Interior nodes and middles first; all of them where the triangle spans many voxels.
@@ -150,11 +173,8 @@ double largest_distance(const ExactField& field, const CellOctree& tree, const F
     cell = tree.locate(p, cell);
     if (tree.node(cell).plain && same_face(tree.node(cell).face, face)) continue;
     const FieldSample s = tree.sample_at(p, cell);
-    // Another face may reach farther in between the samples, unless it is the same surface here.
-    const bool same = same_face(s, face) || std::abs(s.distance - field.patch_distance(p, face)) <
-                                                0.25 * std::abs(s.distance);
-    const double room = same ? 1 : kIntrusion;
-    most = std::max(most, room * std::abs(s.distance));
+    most = std::max(
+        most, same_face(s, face) ? std::abs(s.distance) : distance_beside(distances, p, face, s));
     if (most > limit) return most;
   }
   return most;
@@ -200,7 +220,7 @@ double part_bound(FaceDistances& distances, const CellOctree& tree, const Vec3& 
       cell = tree.locate(p, cell);
       const FieldSample s = tree.sample_at(p, cell);
       double& value = nodes.value[i][j];
-      value = s.distance;
+      value = std::copysign(depth_under(distances, p, s), s.distance);
       if (dot(normal, field.gradient(p, s)) > kNearlySmooth * area) {
         if (!has_face) face = s;
         has_face = true;

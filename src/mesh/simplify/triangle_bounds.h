@@ -21,7 +21,7 @@ TriangleBound triangle_bound(FaceDistances& distances, const FieldSample& face, 
 /// once it is above `limit`. Finds triangles that leave the face they are measured by. `cell`: the
 /// search for the nodes' cells begins there (any cell; a near one is faster) and leaves the last
 /// one.
-double largest_distance(const ExactField& field, const CellOctree& tree, const FieldSample& face,
+double largest_distance(FaceDistances& distances, const CellOctree& tree, const FieldSample& face,
                         const Vec3& a, const Vec3& b, const Vec3& c, double limit,
                         std::int32_t& cell);
 

@@ -222,7 +222,7 @@ class VertexRemover {
     const FieldSample& face = from_.faces[from_.labels[s.triangle]];
     const double off = triangle_bound(distances_, face, a, b, c, limits_.tolerance).distance;
     if (off > limits_.tolerance) return false;
-    return largest_distance(field_, tree_, face, a, b, c, limits_.tolerance, cell_) <=
+    return largest_distance(distances_, tree_, face, a, b, c, limits_.tolerance, cell_) <=
            limits_.tolerance;
   }
 
