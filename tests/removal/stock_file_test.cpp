@@ -3,6 +3,7 @@
 #include "core/numbers/vec.h"
 #include "removal/part/recipe_codec.h"
 #include "removal/part/stock_grid.h"
+#include "removal/vdb/grid_surface.h"
 #include "removal/vdb/grids.h"
 #include "removal/vdb/level_set.h"
 #include "support/error_code.h"

@@ -1,25 +1,19 @@
 #include "removal/vdb/level_set.h"
 
-#include "core/numbers/hash.h"
 #include "core/process/error.h"
 #include "core/process/parallel.h"
+#include "removal/vdb/grid_surface.h"
+#include "removal/vdb/voxel_hash.h"
 
 #include <algorithm>
-#include <array>
-#include <cmath>
-#include <cstdint>
-#include <map>
 #include <string>
 #include <vector>
 
 #include <fmt/format.h>
 #include <openvdb/io/File.h>
-#include <openvdb/tools/VolumeToMesh.h>
 
 namespace mrsim {
 namespace {
-
-constexpr double kFinest = 1.0 / (1 << 20);  // of a voxel: the resolution of 32-bit floats
 
 Error unreadable(const std::string& why) { return {"vdb-unreadable", why}; }
 
@@ -44,11 +38,6 @@ std::string grid_name(const openvdb::GridPtrVec& heads) {
   return fit[0];
 }
 
-template <class T>
-void update(ContentHash& hash, const T& value) {
-  hash.update(&value, sizeof value);
-}
-
 LevelSetSurface read(const std::string& path) {
   openvdb::initialize();
   openvdb::io::File file(path);
@@ -71,45 +60,6 @@ LevelSetSurface read(const std::string& path) {
 
 // Where voxels are zero but for rounding, VolumeToMesh draws sheets some 1e-27 mm thin, in which no
 // point is certainly inside or outside. Vertices that agree within a millionth of a voxel are one.
-TriMesh joined_surface(const std::vector<openvdb::Vec3s>& points,
-                       const std::vector<openvdb::Vec3I>& triangles,
-                       const std::vector<openvdb::Vec4I>& quads, double voxel) {
-  const double step = kFinest * voxel;
-  TriMesh mesh;
-  std::map<std::array<float, 3>, std::uint32_t> known;
-  std::vector<std::uint32_t> vertex_of;
-  for (const openvdb::Vec3s& p : points) {
-    const auto snapped = [&](float x) { return static_cast<float>(step * std::round(x / step)); };
-    const std::array<float, 3> v{snapped(p.x()), snapped(p.y()), snapped(p.z())};
-    const auto [at, is_new] = known.emplace(v, static_cast<std::uint32_t>(mesh.vertices.size()));
-    if (is_new) mesh.vertices.push_back(v);
-    vertex_of.push_back(at->second);
-  }
-  // OpenVDB's triangles run clockwise.
-  const auto add = [&](std::uint32_t a, std::uint32_t b, std::uint32_t c) {
-    const std::array<std::uint32_t, 3> t{vertex_of[c], vertex_of[b], vertex_of[a]};
-    if (t[0] != t[1] && t[1] != t[2] && t[2] != t[0]) mesh.triangles.push_back(t);
-  };
-  for (const openvdb::Vec3I& t : triangles) add(t[0], t[1], t[2]);
-  for (const openvdb::Vec4I& q : quads) add(q[0], q[1], q[2]), add(q[0], q[2], q[3]);
-  return mesh;
-}
-
-std::string voxel_hash(const openvdb::FloatGrid& grid) {
-  ContentHash hash;
-  const openvdb::Vec3d size = grid.voxelSize();
-  for (int axis = 0; axis < 3; ++axis) update(hash, size[axis]);
-  for (auto leaf = grid.tree().cbeginLeaf(); leaf; ++leaf) {
-    const openvdb::Coord origin = leaf->origin();
-    for (int axis = 0; axis < 3; ++axis) update(hash, static_cast<std::int32_t>(origin[axis]));
-    for (auto voxel = leaf->cbeginValueOn(); voxel; ++voxel) {
-      update(hash, static_cast<std::int32_t>(voxel.pos()));
-      update(hash, voxel.getValue());
-    }
-  }
-  return hash.uuid();
-}
-
 LevelSetSurface read_level_set(const std::string& path) {
   LevelSetSurface found;
   with_threads(1, [&] {

@@ -3,24 +3,17 @@
 #include "core/numbers/vec.h"
 #include "core/process/parallel.h"
 #include "removal/vdb/grids.h"
-#include "removal/vdb/level_set.h"
+#include "removal/vdb/small_grid.h"
 
 #include <algorithm>
 #include <cstddef>
 
 #include <openvdb/tools/Composite.h>
-#include <openvdb/tools/LevelSetUtil.h>
 #include <openvdb/tools/MeshToVolume.h>
-#include <openvdb/tools/SignedFloodFill.h>
 
 namespace mrsim {
 namespace {
 
-// Each piece has a tree of its own for a while. OpenVDB's usual one takes 300 kB where it holds a
-// single voxel, and there may be ten thousand pieces; in this one the nodes above the leaves are
-// small. Grids of which there is only one have OpenVDB's usual type, whose functions are compiled
-// in its library.
-using SmallGrid = openvdb::Grid<openvdb::tree::Tree3<float, 3, 3>::Type>;
 using openvdb::FloatGrid;
 
 constexpr float kBand = 4;            // voxels on both sides of a surface
@@ -40,17 +33,6 @@ FloatGrid::Ptr voxels_of(const TriMesh& mesh, double voxel) {
 FloatGrid::Ptr grown(const FloatGrid& solid, double by) {
   FloatGrid::Ptr out = solid.deepCopy();
   for (auto it = out->beginValueOn(); it; ++it) it.setValue(*it - float(by));
-  return out;
-}
-
-// The same level set in a small grid, whose class tells volumeToMesh on which side the solid is.
-SmallGrid::Ptr in_small_nodes(const FloatGrid& grid) {
-  SmallGrid::Ptr out = SmallGrid::create(grid.background());
-  out->setTransform(grid.transform().copy());
-  out->setGridClass(grid.getGridClass());
-  for (auto leaf = grid.tree().cbeginLeaf(); leaf; ++leaf)
-    out->tree().addLeaf(new SmallGrid::TreeType::LeafNodeType(*leaf));
-  openvdb::tools::signedFloodFill(out->tree());
   return out;
 }
 
@@ -78,8 +60,7 @@ std::vector<RestVoxels> find_rest_voxels(const RestTask& task) {
     const auto part = voxels_of(task.part, task.voxel);
     const auto nominal = voxels_of(task.nominal, task.voxel);
     const auto rest = openvdb::tools::csgDifferenceCopy(*part, *grown(*nominal, task.above));
-    std::vector<SmallGrid::Ptr> pieces;
-    openvdb::tools::segmentSDF(*in_small_nodes(*rest), pieces);
+    const std::vector<SmallGrid::Ptr> pieces = pieces_of(*rest);
     out.resize(pieces.size());
     for (std::size_t i = 0; i < pieces.size(); ++i)
       out[i] = {surface_of(*pieces[i]), places_of(*pieces[i], *nominal)};

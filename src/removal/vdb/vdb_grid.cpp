@@ -2,7 +2,7 @@
 
 #include "core/process/parallel.h"
 #include "removal/vdb/cut_grid.h"
-#include "removal/vdb/level_set.h"
+#include "removal/vdb/voxel_hash.h"
 
 #include <algorithm>
 #include <functional>
