@@ -29,8 +29,8 @@ std::uint64_t next_random(std::uint64_t& state) {
 
 // Of each of so many files; five are one beginning and four changes.
 std::size_t variations(std::size_t files) {
-  constexpr std::size_t kMost = mrsim::testing::rounds(80), kAll = mrsim::testing::rounds(13000);
-  return std::clamp<std::size_t>(kAll / files, 5, kMost);
+  const std::size_t most = mrsim::testing::rounds(80), all = mrsim::testing::rounds(13000);
+  return std::clamp<std::size_t>(all / files, 5, most);
 }
 
 // A fifth of them are beginnings.
