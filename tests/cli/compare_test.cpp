@@ -119,8 +119,8 @@ TEST_F(Compare,
 TEST_F(Compare, ShiftOfTheWholePartVanishesWithIcp) {
   const std::string moved =
       "PRIMER_2F.MPF --stock block.stl -q -o part.ply && sed 's/TRANS X50 /TRANS X50.3 /' "
-      "PRIMER_2F.MPF >MOVED.MPF && '" MRSIM_PROGRAM
-      "' MOVED.MPF --stock box:0.3,-60,0,100.3,0,10 -q -o moved.ply";
+      "PRIMER_2F.MPF >MOVED.MPF && '" +
+      kProgram + "' MOVED.MPF --stock box:0.3,-60,0,100.3,0,10 -q -o moved.ply";
   ASSERT_EQ(run(moved).code, 0);
   EXPECT_EQ(run("compare moved.ply PRIMER_2F.nominal.stl --accept 0.02").code, 4);
   const Outcome o =

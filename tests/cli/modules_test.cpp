@@ -12,7 +12,7 @@ class Modules : public CliTest {
   // A library elsewhere that finds its module, if it is there and is one.
   void expect_beside_the_library(const std::string& name, const std::string& arguments,
                                  const std::string& code) {
-    const std::filesystem::path library = MRSIM_LIBRARY, moved = folder_ / "moved";
+    const std::filesystem::path library = kLibrary, moved = folder_ / "moved";
     const std::filesystem::path module = moved / "mrsim" / (name + ".so");
     std::filesystem::create_directories(moved / "mrsim");
     std::filesystem::copy(library, moved / "libmrsim.so.0");

@@ -43,8 +43,8 @@ TEST_F(RunJson, ThePeakOfMemoryIsOfTheRunAlone) {
   if (!kIsPlain) GTEST_SKIP();
   const std::string large = "cd '" + folder_.string() +
                             "' && python3 -c 'import subprocess, sys; held = b\"x\" * (400 << 20); "
-                            "sys.exit(subprocess.call(sys.argv[1:]))' '" MRSIM_PROGRAM "' " +
-                            kCut + "-o part.stl --json r.json";
+                            "sys.exit(subprocess.call(sys.argv[1:]))' '" +
+                            kProgram + "' " + kCut + "-o part.stl --json r.json";
   ASSERT_EQ(std::system(large.c_str()), 0);
   EXPECT_LT(parsed("r.json")["memory"]["peak"], 200e6);
 }

@@ -2,8 +2,10 @@
 #pragma once
 
 #include "support/json_schema.h"
+#include "support/sanitized.h"
 #include "support/temp_folder.h"
 
+#include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
@@ -18,11 +20,17 @@ namespace mrsim::testing {
 
 using Json = nlohmann::json;
 
-#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
-inline constexpr bool kIsPlain = false;  // a sanitizer's shadow is memory as well
-#else
-inline constexpr bool kIsPlain = true;
-#endif
+/// A variable of the environment, where tests of one build run the program of another.
+inline std::string from_environment(const char* name, const char* otherwise) {
+  const char* value = std::getenv(name);
+  return value ? value : otherwise;
+}
+
+// The program, its library, and whether neither is sanitized: a sanitizer's shadow is memory as
+// well.
+inline const std::string kProgram = from_environment("MRSIM_PROGRAM", MRSIM_PROGRAM),
+                         kLibrary = from_environment("MRSIM_LIBRARY", MRSIM_LIBRARY);
+inline const bool kIsPlain = !is_sanitized();
 
 struct Outcome {
   int code = -1;
@@ -47,8 +55,8 @@ class CliTest : public TempFolderTest {
 
   /// `arguments` as typed after "mrsim" in a shell, `variables` before it.
   Outcome run(const std::string& arguments, const std::string& variables = "") {
-    const std::string command = "cd '" + folder_.string() + "' && " + variables +
-                                " '" MRSIM_PROGRAM "' " + arguments + " >.out 2>.err </dev/null";
+    const std::string command = "cd '" + folder_.string() + "' && " + variables + " '" + kProgram +
+                                "' " + arguments + " >.out 2>.err </dev/null";
     const int status = std::system(command.c_str());
     Outcome outcome;
     outcome.code = WIFEXITED(status) ? WEXITSTATUS(status) : 100 + status;

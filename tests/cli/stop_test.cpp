@@ -20,20 +20,15 @@ class Stop : public CliTest {
     const std::chrono::duration<double> took = std::chrono::steady_clock::now() - begin;
     EXPECT_EQ(outcome.code, code) << arguments << "\n" << outcome.err;
     EXPECT_TRUE(contains(outcome.err, "stopped")) << arguments << "\n" << outcome.err;
-    EXPECT_LT(took.count(), 1 + 1 + kBusy) << arguments;
+    EXPECT_LT(took.count(), 1 + 1 + busy_) << arguments;
     EXPECT_FALSE(exists("part.stl")) << arguments;
     for (const auto& entry : std::filesystem::directory_iterator(folder_))
       EXPECT_FALSE(entry.path().filename().string().starts_with(".mrsim-")) << entry.path();
   }
 
-// s: other tests run beside this one, sanitizers take their time
-#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
-  static constexpr double kBusy = 15;
-  static constexpr int kAnnounced = 200;
-#else
-  static constexpr double kBusy = 4;
-  static constexpr int kAnnounced = 60;
-#endif
+  // s: other tests run beside this one, sanitizers take their time
+  const double busy_ = kIsPlain ? 4 : 15;
+  const int announced_ = kIsPlain ? 60 : 200;
 };
 
 TEST_F(Stop, EndsALongRunWithinASecond) {
@@ -51,7 +46,7 @@ TEST_F(Stop, EndsALongRunWithinASecond) {
 TEST_F(Stop, ALongRunIsAnnounced) {
   const std::string note = "will take about ";
   const std::string until_announced = "sh -c '\"$0\" \"$@\" & run=$!; for k in $(seq " +
-                                      std::to_string(kAnnounced) + "); do sleep 1; grep -q \"" +
+                                      std::to_string(announced_) + "); do sleep 1; grep -q \"" +
                                       note + "\" .err && break; done; kill -TERM $run; wait $run'";
   for (const char* rest : {" --voxel 0.004", " --tolerance 0.00003"}) {
     const Outcome outcome =
