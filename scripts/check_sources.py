@@ -51,12 +51,12 @@ def differences(*words):
 class Includes:
     """Who includes whom among the files of src and include, by the paths that stand in #include lines."""
 
-    def __init__(self):
+    def __init__(self, root=ROOT):
         self.text, self.direct, self.users = {}, {}, {}
-        for folder, _, names in (step for top in ("src", "include") for step in os.walk(os.path.join(ROOT, top))):
+        for folder, _, names in (step for top in ("src", "include") for step in os.walk(os.path.join(root, top))):
             for name in names:
-                path = os.path.relpath(os.path.join(folder, name), ROOT)
-                with open(os.path.join(ROOT, path), encoding="utf-8") as file:
+                path = os.path.relpath(os.path.join(folder, name), root)
+                with open(os.path.join(root, path), encoding="utf-8") as file:
                     self.text[path] = code = code_of(file.read())
                 self.direct[path] = set(INCLUDE.findall(code))
                 for header in self.direct[path]:
@@ -90,11 +90,12 @@ class Includes:
                            *(NAMES.get(name, ()) for name in {path} | self.includes(path)))
 
     def can_miss(self, header, lost):
-        """Sources in which an include can be missing after a header has lost these lines."""
-        includes = INCLUDE.findall(lost)
+        """Sources in which an include can be missing after a header, itself among its users, has lost these lines."""
+        includes = set(INCLUDE.findall(lost))
+        includes = includes.union(*(self.includes(name) for name in includes))
         gone = declared(lost).union(*(self.names(name) for name in includes))
         unknown = {name for name in includes if not self.names(name)}
-        found = {user for user in self.includers(header)
+        found = {user for user in self.includers(header) | {header}
                  if (gone & words_of(self.text[user])) - self.names(user) or unknown - self.includes(user)}
         return found.union(*(self.includers(user) for user in found))
 
@@ -102,6 +103,19 @@ class Includes:
 INCLUDE = re.compile(r'^#include ["<]([^">]+)[">]', re.M)
 # What a standard header is included for, of those that have few names; any use of others is possible.
 NAMES = {"array": {"array"}, "atomic": {"atomic"}, "bitset": {"bitset"}, "cstddef": {"size_t", "byte", "ptrdiff_t"},
+         "cmath": set("abs fabs sqrt cbrt hypot sin cos tan asin acos atan atan2 exp log log2 log10 pow floor ceil round trunc lround "
+                      "llround rint nearbyint fmod remainder modf ldexp frexp copysign signbit isfinite isnan isinf nextafter fma fmin "
+                      "fmax fdim".split()),
+         "algorithm": set("min max minmax clamp sort stable_sort partial_sort nth_element is_sorted find find_if find_if_not "
+                          "find_first_of adjacent_find search count count_if all_of any_of none_of for_each for_each_n equal mismatch "
+                          "lexicographical_compare copy copy_n copy_if copy_backward move_backward fill fill_n generate generate_n "
+                          "transform replace replace_if remove remove_if remove_copy_if unique unique_copy reverse reverse_copy rotate "
+                          "shuffle partition stable_partition partition_point lower_bound upper_bound equal_range binary_search merge "
+                          "inplace_merge includes set_union set_intersection set_difference min_element max_element minmax_element "
+                          "push_heap pop_heap make_heap sort_heap next_permutation prev_permutation swap_ranges iter_swap "
+                          "ranges".split()),
+         "cstring": {"memcpy", "memmove", "memset", "memcmp", "memchr", "strlen", "strcmp", "strncmp", "strchr", "strerror"},
+         "numeric": {"accumulate", "iota", "reduce", "inner_product", "partial_sum", "gcd", "lcm", "midpoint"},
          "deque": {"deque"}, "functional": {"function", "hash", "less", "greater", "plus", "ref", "cref", "invoke"},
          "initializer_list": {"initializer_list"}, "limits": {"numeric_limits"}, "map": {"map", "multimap"},
          "memory": {"unique_ptr", "shared_ptr", "weak_ptr", "make_unique", "make_shared"}, "mutex": {"mutex", "lock_guard"},
