@@ -90,6 +90,7 @@ TEST(Dwell, HolesWaitAtTheirBottom) {
       << "the last stroke alone";
   EXPECT_EQ(cycle("G84 P200", Dialect::fanuc), "4:0.2 5:0.2") << "at R, too";
   EXPECT_EQ(cycle("G82 P0.5", Dialect::ngc), "4:0.5");
+  EXPECT_EQ(cycle("G82", Dialect::ngc), " dwell-missing") << "others than LinuxCNC drill";
   EXPECT_EQ(cycle("G82 P500", Dialect::iso), "4:0.5 dwell-unit");
 }
 

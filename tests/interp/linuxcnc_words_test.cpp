@@ -99,6 +99,8 @@ TEST(LinuxCncWords, ADwellBesideAMoveMoves) {
   EXPECT_EQ(path_text(p), "l3,0,0 l4,0,0");
   EXPECT_EQ(p.motions[0].feed, 50);
   EXPECT_EQ(path_of_words("G1 F50 X3\nG4 X2\nM2\n"), "l3,0,0 | dwell-unit");
+  EXPECT_EQ(path_of_words("G1 F50 X3\nG4 S2\nM2\n"), "l3,0,0 | dwell-unit") << "Marlin";
+  EXPECT_EQ(path_of_words("G1 F50 X3\nG4 S2 M3\nM2\n"), "l3,0,0 | value-missing");
 }
 
 // Twelve holes of the manual: four to the right, three up, three to the left, two down.
@@ -115,13 +117,14 @@ TEST(LinuxCncWords, TheHolesOfTheManualsSquareAreDrilled) {
   expect_near(p.motions.back().end, {0, 0, 0});
 }
 
-TEST(LinuxCncWords, AnotherCycleNeedsItsOwnDepthStrokeAndDwell) {
+TEST(LinuxCncWords, AnotherCycleNeedsItsOwnDepthAndStroke) {
   const std::string first = "F50 S100 M3\nG0 Z5\nG99 G83 X1 Z-2 R1 Q3\n";
   const std::string drilled = "r0,0,5 r1,0,5 r1,0,1 l1,0,-2 r1,0,1";
   EXPECT_EQ(path_of_words(first + "X2\nM2\n"), drilled + " r2,0,1 l2,0,-2 r2,0,1");
   EXPECT_EQ(path_of_words(first + "G81 X2\nM2\n"), drilled + " | value-missing");
   EXPECT_EQ(path_of_words(first + "G73 X2 Z-2\nM2\n"), drilled + " | value-missing");
-  EXPECT_EQ(path_of_words(first + "G82 X2 Z-2\nM2\n"), drilled + " | value-missing");
+  EXPECT_EQ(path_of_words(first + "G82 X2 Z-2\nM2\n"),
+            drilled + " r2,0,1 l2,0,-2 r2,0,1 | dwell-missing");
   EXPECT_EQ(path_of_words(first + "G82 X2 Z-2 P1\nX3\nM2\n"),
             drilled + " r2,0,1 l2,0,-2 r2,0,1 r3,0,1 l3,0,-2 r3,0,1");
 }

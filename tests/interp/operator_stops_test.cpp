@@ -105,5 +105,24 @@ TEST(OperatorStops, AToolChangedByHandWithoutATWordIsAnError) {
   EXPECT_EQ(codes(read_text(head, at_origin(Dialect::fanuc)), Severity::error), "");
 }
 
+// FreeCAD's posts for Grbl and Marlin leave tool changes as comments.
+TEST(OperatorStops, AToolChangeInACommentIsTold) {
+  const auto told = [](const std::string& comment, const std::string& head = "(M6 T2)\n") {
+    const std::string first = "G0 X0 Y0 Z5\nG1 Z-2 F100\nG0 Z5\n";
+    return codes(
+        read_text(head + first + comment + "G0 X20\nG1 Z-3\nM30\n", at_origin(Dialect::ngc)),
+        Severity::warning);
+  };
+  EXPECT_EQ(told("( M6 T3 )\n"), "tool-in-comment");
+  EXPECT_EQ(told("(M6 T3.0)\n"), "tool-in-comment");
+  EXPECT_EQ(told(";T3 M06\n", ""), "tool-in-comment");
+  EXPECT_EQ(told("(M6 T2)\n"), "") << "the same tool";
+  EXPECT_EQ(told("(M6 T1)\n", "T1 M6\n"), "") << "the one in the spindle";
+  EXPECT_EQ(told("(M6 T3)\nT3 M6\n"), "");
+  for (const char* text : {"M6", "T3", "M6 T3 DRILL", "M6 T3 S100", "M5 T3", "M6 T3.5", "T3=dr6"})
+    EXPECT_EQ(tool_change_in_comment(text), std::nullopt) << text;
+  EXPECT_EQ(tool_change_in_comment(" t12m6 "), 12);
+}
+
 }  // namespace
 }  // namespace mrsim

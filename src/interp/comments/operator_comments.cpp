@@ -4,17 +4,22 @@
 #include "interp/comments/comment_tokens.h"
 #include "interp/comments/comment_view.h"
 #include "interp/comments/tool_kind.h"
+#include "interp/text/characters.h"
 
 #include <algorithm>
+#include <charconv>
+#include <cmath>
 #include <cstddef>
 #include <initializer_list>
 #include <string>
 #include <string_view>
+#include <system_error>
 
 namespace mrsim {
 namespace {
 
 constexpr std::size_t kLongestNote = 200;  // characters that are read of a note to the operator
+constexpr double kMostTools = 99'999'999;  // numbers of tools have at most eight digits
 
 // Whether one of the words stands behind the word at i, with at most two others in between: "TURN
 // THE PART OVER".
@@ -176,6 +181,30 @@ bool says_tool_is_changed(std::string_view bytes) {
   return tool || std::any_of(kinds.begin(), kinds.end(), [](const ToolKind& kind) {
            return kind.trade != ToolTrade::no_cutter;
          });
+}
+
+std::optional<int> tool_change_in_comment(std::string_view bytes) {
+  std::optional<int> tool;
+  bool changes = false;
+  int words = 0;
+  const std::string text = upper_case(bytes.substr(0, kLongestNote));
+  const char *at = text.data(), *end = at + text.size();
+  for (;;) {
+    at = std::find_if(at, end, [](char c) { return c != ' ' && c != '\t' && c != '\r'; });
+    if (at == end) break;
+    const char letter = *at++;
+    double value = 0;
+    const auto [next, failed] = std::from_chars(at, end, value);
+    if (failed != std::errc() || value != std::floor(value) || ++words > 2) return {};
+    at = next;
+    if (letter == 'M' && value == 6)
+      changes = true;
+    else if (letter == 'T' && value >= 0 && value <= kMostTools)
+      tool = static_cast<int>(value);
+    else
+      return {};
+  }
+  return changes ? tool : std::nullopt;
 }
 
 }  // namespace mrsim

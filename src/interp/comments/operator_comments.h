@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string_view>
 
 namespace mrsim {
@@ -18,5 +19,9 @@ PartTurned says_part_is_turned(std::string_view bytes, bool lathe);
 
 /// Whether the comment asks for a change of the tool by hand.
 bool says_tool_is_changed(std::string_view bytes);
+
+/// The number of the tool, of a comment that is nothing but a tool change, "M6 T2": posts for
+/// controls without M6 leave it there.
+std::optional<int> tool_change_in_comment(std::string_view bytes);
 
 }  // namespace mrsim

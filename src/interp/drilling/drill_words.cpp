@@ -81,7 +81,10 @@ bool DrillWords::read_words(const Basis& b) {
   const int g = cycle.number;
   if ((g == 74 || g == 84) && !is(Dialect::ngc) && !read_tap()) return false;
   if (is(Dialect::ngc) && !cycle.dwells && (g == 82 || g == 86 || g == 89))
-    return error("value-missing", fmt::format("G{} needs P, its dwell", g), block_.words.front());
+    reporter_.once(
+        Severity::warning, "dwell-missing",
+        fmt::format("G{} has no P, its dwell: read as 0 s; LinuxCNC refuses the block", g),
+        block_.words.front(), "cycle");
   const Word* q = take('Q');
   return !q || pecks_.read(*q);
 }

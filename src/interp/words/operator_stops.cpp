@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string>
 
 #include <fmt/format.h>
 
@@ -47,6 +48,7 @@ void OperatorStops::end_block(std::size_t cuts) {
   called_ |= find(letter('T')) || control_.tool.current != tool_;
   if (cuts <= cuts_) return;
   if (stopped_ && cuts_ > 0) tell();
+  tell_changes_in_comments();
   stopped_ = called_ = false;
   texts_.clear();
   tool_ = control_.tool.current;
@@ -75,6 +77,23 @@ bool OperatorStops::names_another_tool(std::string_view text) const {
   return hint.firm && hint.type && hint.id.empty() && !hint.upkeep &&
          fill_tool(hint, scale(), false, said, why) && size > 0 &&
          std::abs(said.diameter - size) > kSameSize;
+}
+
+// A change that stands in a comment is none.
+void OperatorStops::tell_changes_in_comments() {
+  for (const Text& text : texts_) {
+    const std::optional<int> number = tool_change_in_comment(text.bytes);
+    if (!number) continue;
+    if (cuts_ > 0 && !called_ && commented_ != number &&
+        control_.tool.current != std::to_string(*number))
+      reporter_.once(Severity::warning, "tool-in-comment",
+                     fmt::format("line {} changes the tool in a comment (\"{}\"), which no control "
+                                 "reads: what follows is cut with the tool before; if it is "
+                                 "changed there, write T{} M6 outside the comment",
+                                 text.line, to_utf8(text.bytes), *number),
+                     block_.words.front(), "tool-in-comment");
+    commented_ = number;
+  }
 }
 
 void OperatorStops::tell_turn(const Text& text) const {

@@ -6,6 +6,7 @@
 #include "interp/control/control.h"
 
 #include <cstddef>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -33,11 +34,13 @@ class OperatorStops : public ControlPart {
   void tell() const;
   void tell_turn(const Text& text) const;
   void tell_change(const Text& text) const;
+  void tell_changes_in_comments();
 
-  std::vector<Text> texts_;  ///< since the last cut; they count behind a stop
-  bool stopped_ = false;     ///< an M0 or M1 came since the last cut
-  bool called_ = false;      ///< a T word, or another tool, came since the last cut
-  std::string tool_;         ///< the tool of the last cut
+  std::vector<Text> texts_;       ///< since the last cut; they count behind a stop
+  bool stopped_ = false;          ///< an M0 or M1 came since the last cut
+  bool called_ = false;           ///< a T word, or another tool, came since the last cut
+  std::string tool_;              ///< the tool of the last cut
+  std::optional<int> commented_;  ///< the tool that a comment has changed to last
   std::size_t cuts_ = 0;
 };
 
