@@ -1,5 +1,6 @@
 #include "mesh/adaptive.h"
 
+#include "core/numbers/rounding.h"
 #include "core/process/error.h"
 #include "core/process/parallel.h"
 #include "mesh/cells/cell_halvings.h"
@@ -46,11 +47,6 @@ constexpr int kLateSteps = 3;              ///< of splitting in one round after 
 constexpr double kMostDrawn = 0.4;         ///< share of loops up to which only these are drawn anew
 constexpr std::size_t kDrawnRounds = 8;    ///< in which more detail may take the place of splitting
 constexpr int kLostRounds = 3;             ///< of splitting cells about walls that were lost
-constexpr double kMostLostNodes = 2'400'000;  ///< that may be added for these
-constexpr double kLostNodeMemory = 1500;      ///< bytes that each of them takes in the end
-/// Where a grid may take its place: up to which share of all nodes there are more for these, and
-/// the share of those left that they may take.
-constexpr double kFullOctree = 0.75, kLostShare = 0.8;
 
 class AdaptiveMesher {
  public:
@@ -185,15 +181,10 @@ class AdaptiveMesher {
     }
   }
 
-  // Nodes that may be added about what is lost, by counts alone: equal runs give equal meshes.
   double room_for_lost() const {
-    const auto nodes = static_cast<double>(tree_.size());
     const auto memory = static_cast<double>(options_.max_memory);
-    double room = kMostLostNodes;
-    if (memory > 0) room = std::min(room, (memory - taken()) / kLostNodeMemory);
-    if (budget_.most() > 0)
-      room = std::min(room, kLostShare * (kFullOctree * budget_.most() - nodes));
-    return room;
+    return detail::room_for_lost(tree_.size(), budget_.most(),
+                                 memory > 0 ? memory - taken() : kInfinity);
   }
 
   // Leaves that were made, or are to be drawn more finely, since triangles were measured last.

@@ -102,17 +102,11 @@ void ModalWords::keep_turning_end(const Word& word, int number) {
 bool ModalWords::pause(const Word& word) {
   block_.pause = take('P');
   if (block_.pause) return true;
-  const bool is_alone = block_.words.size() == 2;
-  for (const char c : {'X', 'S'}) {
-    if (block_.pause || !is_alone) break;
-    block_.pause = take(c);
-    if (block_.pause)
-      reporter_.once(Severity::warning, "dwell-unit",
-                     fmt::format("{} beside G4 is read as {}'s seconds; LinuxCNC refuses the block",
-                                 c, c == 'X' ? "WinCNC" : "Marlin and RepRap"),
-                     word, "G4");
-  }
-  return block_.pause || error("value-missing", "G4 needs P, its seconds", word);
+  if (block_.words.size() == 2) block_.pause = peek('X') ? take('X') : take('S');
+  if (!block_.pause) return error("value-missing", "G4 needs P, its seconds", word);
+  reporter_.once(Severity::warning, "dwell-unit",
+                 "X or S beside G4 are read as seconds; LinuxCNC refuses the block", word, "G4");
+  return true;
 }
 
 bool ModalWords::refuse_unknown(const Word& word) {

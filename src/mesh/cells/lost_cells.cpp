@@ -17,6 +17,10 @@ namespace {
 constexpr double kOfThickness = 0.7;
 // What is much thinner than others waits: beside these it may be a corner of theirs.
 constexpr double kOfThickest = 0.4;
+// Nodes that may be added, and bytes that each of them takes in the end.
+constexpr double kMostLostNodes = 2'400'000, kLostNodeMemory = 1500;
+// Up to which share of the most nodes there are more for what is lost, and the share of those left.
+constexpr double kFullOctree = 0.75, kLostShare = 0.8;
 
 double width(const CellOctree& tree, std::int32_t cell) {
   const Box3 box = tree.box(cell);
@@ -124,6 +128,12 @@ Goals wanted_widths(const CellOctree& tree, std::span<const FoundThin> lost, dou
 }
 
 }  // namespace
+
+double room_for_lost(std::size_t nodes, double most, double memory) {
+  const double room = std::min(kMostLostNodes, memory / kLostNodeMemory);
+  if (most == 0) return room;
+  return std::min(room, kLostShare * (kFullOctree * most - static_cast<double>(nodes)));
+}
 
 std::size_t split_lost(CellOctree& tree, std::span<const FoundThin> lost, double tolerance,
                        double room) {

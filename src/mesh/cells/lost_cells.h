@@ -15,4 +15,8 @@ namespace mrsim::detail {
 std::size_t split_lost(CellOctree& tree, std::span<const FoundThin> lost, double tolerance,
                        double room);
 
+/// Nodes that may be added about what is lost, by counts alone: equal runs give equal meshes.
+/// `nodes`: of the octree; `most`: those that it may have, 0 = any number; `memory`: bytes left.
+double room_for_lost(std::size_t nodes, double most, double memory);
+
 }  // namespace mrsim::detail
