@@ -105,7 +105,7 @@ bool ModalWords::pause(const Word& word) {
   if (block_.words.size() == 2) block_.pause = peek('X') ? take('X') : take('S');
   if (!block_.pause) return error("value-missing", "G4 needs P, its seconds", word);
   reporter_.once(Severity::warning, "dwell-unit",
-                 "X or S beside G4 are read as seconds; LinuxCNC refuses the block", word, "G4");
+                 "X or S beside G4 is read as seconds; LinuxCNC refuses the block", word, "G4");
   return true;
 }
 

@@ -29,7 +29,7 @@ double width(const CellOctree& tree, std::int32_t cell) {
 
 // Nodes that come of splitting all about a place that is lost: it stands for a square of a voxel,
 // or for as much of a pin. The sides of what is found are split on until they are within the
-// tolerance: in all, three to seven times as many as the cells that a single sheet passes.
+// tolerance: in all, six times as many as the cells that a single sheet passes.
 double nodes_about(double voxel, double goal) {
   constexpr double kBesideSheet = 6;
   const double halvings = std::max(0.0, std::ceil(std::log2(voxel / goal)));
