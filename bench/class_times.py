@@ -25,9 +25,18 @@ WAVE_TOOLS = {
 
 
 class Program:
-    def __init__(self, stock, tool):
-        self.stock, self.tool, self.moves = stock, tool, 0
+    """Begins with the first of its tools, T1."""
+
+    def __init__(self, stock, *tools):
+        self.stock, self.tools, self.moves = stock, tools, 0
         self.lines = ["%", "O7001", "G90 G94 G17 G21", "T1 M6", "S12000 M3", "G54"]
+
+    def options(self):
+        tools = [word for number, tool in enumerate(self.tools, 1) for word in ("--tool", f"{number}={tool}")]
+        return ["--stock", self.stock] + tools
+
+    def change_to(self, number):
+        self.lines += ["G0 Z20.", f"T{number} M6", "S12000 M3"]
 
     def rapid(self, **to):
         self._add("G0", to)
@@ -146,6 +155,87 @@ def wheel(moves):
     return p
 
 
+def ring(p, cx, cy, half_x, half_y, corner):
+    """Once round a rectangle with rounded corners, from the middle of its lower side."""
+    ways = ((1, 0), (0, 1), (-1, 0), (0, -1))
+    for k, (x, y) in enumerate(((half_x, -half_y), (half_x, half_y), (-half_x, half_y), (-half_x, -half_y))):
+        (ax, ay), (bx, by) = ways[k], ways[(k + 1) % 4]
+        p.cut(x=cx + x - corner * ax, y=cy + y - corner * ay)
+        p.arc("G3", x=cx + x + corner * bx, y=cy + y + corner * by, i=corner * bx, j=corner * by)
+    p.cut(x=cx, y=cy - half_y)
+
+
+def zigzag_pocket(p, cx, cy, half):
+    """Two levels of rows that leave cusps at the walls."""
+    rows = max(2, math.ceil(2 * half / 4.5) + 1)
+    for depth in (3, 6):
+        p.rapid(x=cx - half, y=cy - half)
+        p.rapid(z=2)
+        p.cut(z=-depth)
+        for row in range(rows):
+            y, side = cy - half + 2 * half * row / (rows - 1), 1 if row % 2 else -1
+            p.cut(x=cx + side * half, y=y)
+            p.cut(x=cx - side * half, y=y)
+        p.rapid(z=2)
+
+
+def bore(p, cx, cy, radius):
+    """Down a helix in steps of a millimetre, and once round."""
+    p.rapid(x=cx + radius, y=cy)
+    p.rapid(z=1)
+    for depth in range(0, 9):
+        p.arc("G3", x=cx + radius, y=cy, z=-depth, i=-radius, j=0)
+    p.arc("G3", x=cx + radius, y=cy, i=-radius, j=0)
+    p.rapid(z=2)
+
+
+def plate(moves):
+    """Faced, pockets and bores milled, drilled, its outline cut in steps, all edges chamfered: five features of three kinds."""
+    p = Program("box:-4,-4,-12,164,124,1", "endmill:d=20", "endmill:d=6", "drill:d=5,a=118", "chamfer:d=8,a=90")
+    p.rapid(x=-12, y=0, z=3)
+    for row in range(9):
+        p.cut(x=-12 if row % 2 == 0 else 172, y=15 * row, z=0)
+        p.cut(x=172 if row % 2 == 0 else -12, y=15 * row)
+    across = max(2, math.ceil(math.sqrt(moves / 36)))
+    down = max(2, math.ceil(across * 0.7))
+    pitch = min(148 / across, 108 / down)
+    places = [(6 + pitch * (i + 0.5), 6 + pitch * (j + 0.5), (i + 2 * j) % 3) for j in range(down) for i in range(across)]
+    half = max(0.5, 0.42 * pitch - 3)
+    p.change_to(2)
+    for x, y, kind in places:
+        if kind == 0:
+            zigzag_pocket(p, x, y, half)
+        elif kind == 1:
+            bore(p, x, y, half)
+    for depth in (3, 6, 9, 12):
+        p.rapid(x=80, y=-3)
+        p.rapid(z=2)
+        p.cut(z=-depth)
+        ring(p, 80, 60, 83, 63, 11)
+        p.rapid(z=2)
+    p.change_to(3)
+    for x, y, kind in places:
+        for dx, dy in ((-1, -1), (1, -1), (1, 1), (-1, 1)) if kind == 2 and half > 3 else ():
+            p.rapid(x=x + dx * half, y=y + dy * half)
+            for above, depth in ((1, 4), (-3.5, 8), (-7.5, 14)):
+                p.rapid(z=above)
+                p.cut(z=-depth)
+            p.rapid(z=2)
+    p.change_to(4)
+    p.rapid(x=80, y=-1.5)
+    p.rapid(z=2)
+    p.cut(z=-2)
+    ring(p, 80, 60, 81.5, 61.5, 9.5)
+    p.rapid(z=2)
+    for x, y, kind in places:
+        if kind < 2:
+            p.rapid(x=x, y=y - half - 1.5)
+            p.cut(z=-2)
+            ring(p, x, y, half + 1.5, half + 1.5, 1.5 if kind == 0 else half + 1.5)
+            p.rapid(z=2)
+    return p
+
+
 def programs(more=1):
     """Makers by name; `more` times the moves."""
     found = {f"wave-{name}": lambda tool=tool: wave(tool, 20000 * more) for name, tool in WAVE_TOOLS.items()}
@@ -155,6 +245,7 @@ def programs(more=1):
     found["drilled"] = lambda: drilled(2400 * more)
     found["fins"] = lambda: fins(576 * more)
     found["wheel"] = lambda: wheel(2400 * more)
+    found["plate"] = lambda: plate(1000 * more)
     return found
 
 
@@ -177,7 +268,7 @@ def measure(command):
 def command_of(args, program, path, voxel, out):
     with open(path, "w", encoding="ascii") as file:
         file.write(program.text())
-    command = [args.mrsim, path, "--stock", program.stock, "--tool", "1=" + program.tool, "--verbose", "-o", out]
+    command = [args.mrsim, path, *program.options(), "--verbose", "-o", out]
     return command if voxel == "default" else command + ["--voxel", voxel]
 
 

@@ -133,13 +133,15 @@ def seconds(command, runs):
 
 
 def cases(args, scratch):
-    """Name, program, stock and tool of each case."""
+    """Name, program, stock and tool of each case of one tool: FreeCAD's height map has one."""
     for name, make in class_times.programs().items():
         program = make()
+        if len(program.tools) > 1:
+            continue
         path = os.path.join(scratch, name + ".nc")
         with open(path, "w", encoding="ascii") as out:
             out.write(program.text())
-        yield name, path, program.stock, program.tool
+        yield name, path, program.stock, program.tools[0]
     for file in sorted(os.listdir(args.programs)) if args.programs else []:
         if file.endswith(".args"):
             words = shlex.split(open(os.path.join(args.programs, file), encoding="ascii").read())
