@@ -20,6 +20,7 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
+#include <string>
 #include <utility>
 
 #include <fmt/format.h>
@@ -46,20 +47,20 @@ constexpr std::size_t kCarefulRounds = 4;  ///< of splitting, by one step each
 constexpr int kLateSteps = 3;              ///< of splitting in one round after those
 constexpr double kMostDrawn = 0.4;         ///< share of loops up to which only these are drawn anew
 constexpr std::size_t kDrawnRounds = 8;    ///< in which more detail may take the place of splitting
-constexpr int kLostRounds = 3;             ///< of splitting cells about walls that were lost
+constexpr double kRaisedEstimate = 2;  ///< expected nodes of a raised octree, at most, / real ones
+constexpr int kLostRounds = 3;         ///< of splitting cells about walls that were lost
 
 class AdaptiveMesher {
  public:
-  /// `tolerance`: mm, the one of `options` or what it was raised to.
-  AdaptiveMesher(const ExactField& field, const Lattice& lattice, double tolerance,
-                 const MeshPlan& options, MeshReport& report)
+  AdaptiveMesher(const ExactField& field, const Lattice& lattice, const MeshPlan& options,
+                 NodeBudget& budget, MeshReport& report)
       : field_(field),
         options_(options),
-        tolerance_(tolerance),
-        budget_(options.most_nodes, options.most_tolerance, tolerance > options.tolerance),
+        tolerance_(budget.tolerance()),
+        budget_(budget),
         report_(report),
         timer_(report, options.progress),
-        tree_(field, lattice, tolerance, options.threads,
+        tree_(field, lattice, budget.tolerance(), options.threads,
               {options.max_memory, static_cast<std::size_t>(budget_.most())}),
         surface_(std::in_place, field, tree_, surface_options()) {
     timer_.step("tree");
@@ -90,7 +91,9 @@ class AdaptiveMesher {
     const double memory = detail::expected_memory(field_, tree_, tolerance_, options_.threads);
     detail::require_mesh_memory(memory, options_.max_memory, tolerance_);
     tree_.mark_drawn();  // their surface is part of the expected memory
-    detail::require_cells(detail::expected_nodes(memory), budget_.most());
+    // Of another octree, which has far fewer, about twice the nodes in the end may be expected.
+    const double usual = tolerance_ > options_.tolerance ? kRaisedEstimate : 1;
+    detail::require_cells(detail::expected_nodes(memory), usual * budget_.most());
     timer_.expect(kSecondsPerByte * memory / resolve_threads(options_.threads));
     timer_.step("tree");
     budget_.begin(tree_.size());
@@ -162,10 +165,11 @@ class AdaptiveMesher {
     const std::vector<FoundThin> lost = lost_from(mesh, tolerance_);
     timer_.step("thin");
     const MeshReport report = report_;
+    budget_.begin_lost();
+    tree_.raise_tolerance(tolerance_, static_cast<std::size_t>(budget_.most()));
     try {
       if (detail::split_lost(tree_, lost, tolerance_, room_for_lost()) == 0) return false;
       timer_.step("tree");
-      budget_ = NodeBudget(options_.most_nodes, tolerance_, false);
       redrawn_.clear();
       is_whole_ = draws_all();
       find_topology();
@@ -263,12 +267,12 @@ class AdaptiveMesher {
   // so far.
   FailedTriangles find_failures_that_fit() {
     FailedTriangles found = find_failures();
-    while (!budget_.fits(found.cells, tree_.size(), tolerance_)) {
-      if (!budget_.may_raise(tolerance_))
+    while (!budget_.fits(found.cells, tree_.size())) {
+      if (!budget_.may_raise())
         throw Error("mesh-unresolved", detail::too_many_cells(budget_.most()));
       budget_.raise(tree_.size());
-      tolerance_ *= 2;
-      tree_.raise_tolerance(tolerance_);
+      tolerance_ = budget_.tolerance();
+      tree_.raise_tolerance(tolerance_, static_cast<std::size_t>(budget_.most()));
       found = find_failures();
     }
     return found;
@@ -352,7 +356,7 @@ class AdaptiveMesher {
   const ExactField& field_;
   const MeshPlan& options_;
   double tolerance_;  ///< mm
-  NodeBudget budget_;
+  NodeBudget& budget_;
   MeshReport& report_;
   StepTimer timer_;
   CellOctree tree_;
@@ -370,11 +374,13 @@ class AdaptiveMesher {
 std::optional<TriMesh> adaptive_mesh(const ExactField& field, double voxel, const MeshPlan& options,
                                      MeshReport& report) {
   double memory = 0;
-  for (double tolerance = options.tolerance;; tolerance *= 2) {
-    const int halvings = detail::voxel_halvings(field.bounds(), voxel, tolerance);
+  std::string why;  // of the first octree, whose tolerance is the wish
+  NodeBudget budget(options.most_nodes, options.tolerance, options.most_tolerance);
+  for (;;) {
+    const int halvings = detail::voxel_halvings(field.bounds(), voxel, budget.tolerance());
     const Lattice lattice(field.bounds(), voxel, halvings);
     try {
-      TriMesh mesh = AdaptiveMesher(field, lattice, tolerance, options, report).run();
+      TriMesh mesh = AdaptiveMesher(field, lattice, options, budget, report).run();
       report.memory = std::max(report.memory, memory);
       return mesh;
     } catch (const Error& error) {
@@ -383,13 +389,12 @@ std::optional<TriMesh> adaptive_mesh(const ExactField& field, double voxel, cons
       // An octree that was given up before its end held between an eighth and all of its nodes.
       const double tree = detail::kNodeMemory * static_cast<double>(options.most_nodes) / 2;
       memory = std::max(memory, report.memory > 0 ? report.memory : tree);
-      // Once the surface is drawn, the tolerance is raised without another octree.
-      const bool may_retry = options.makes_new_octrees && has_no_mesh && report.passes == 0;
+      if (why.empty()) why = error.what();
+      const bool is_drawn = report.passes > 0;
       report = {};
-      if (may_retry && 2 * tolerance <= NodeBudget::kRaisedForNodes * options.most_tolerance)
-        continue;
+      if (options.makes_new_octrees && has_no_mesh && budget.begin_again(is_drawn)) continue;
       report.memory = memory;
-      report.given_up = error.what();
+      report.given_up = why;
       return {};
     }
   }

@@ -163,8 +163,8 @@ void expect_raised(const PartField& field, const RaisedMesh& found) {
 
 TEST(DefaultMesh, AnOctreeWithTooManyNodesIsMadeAnewWithACoarserTolerance) {
   const PartField field = crests();
-  expect_raised(field, raised_mesh(field, 12000, true));
-  EXPECT_FALSE(raised_mesh(field, 12000, false).report.given_up.empty());
+  expect_raised(field, raised_mesh(field, 30000, true));
+  EXPECT_FALSE(raised_mesh(field, 30000, false).report.given_up.empty());
 }
 
 TEST(DefaultMesh, TheToleranceIsRaisedWhereTooManyCellsFail) {

@@ -83,7 +83,10 @@ class CellOctree final : public SurfaceCells {
   }
 
   /// Cells that are made from now on may hide and bend as a tolerance of so many mm allows.
-  void raise_tolerance(double tolerance) { tolerance_ = tolerance; }
+  void raise_tolerance(double tolerance, std::size_t most_nodes) {
+    tolerance_ = tolerance;
+    limits_.nodes = most_nodes;
+  }
   bool can_split(std::int32_t node) const { return this->node(node).size >= 2; }
   /// Splits the given leaves; duplicates and what can not be split are skipped. Number split.
   std::size_t split(std::vector<std::int32_t> leaves);

@@ -25,8 +25,7 @@ struct MeshPlan {
   /// mm: before it is given up, the tolerance is doubled as long as it does not exceed this;
   /// because of the octree's nodes, half of this.
   double most_tolerance = 0;
-  /// Whether another octree may be made for that where one has too many nodes before any surface is
-  /// drawn.
+  /// Whether another octree may be made for that where one has too many nodes.
   bool makes_new_octrees = false;
   Progress progress;
 };

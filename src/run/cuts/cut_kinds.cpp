@@ -18,7 +18,7 @@ namespace {
 constexpr double kNarrow = 0.5;
 // Share of the cuts above which helices, or upright arcs, are many, and level or pointed ones are
 // most.
-constexpr double kManyOfCuts = 0.25, kMostOfCuts = 0.8;
+constexpr double kManyOfCuts = 0.25, kMostOfCuts = 0.8, kHalfOfCuts = 0.5;
 
 bool is_helix(const Motion& motion) { return motion.kind == MotionKind::arc && motion.rise != 0; }
 
@@ -50,6 +50,11 @@ class KindFinder {
         has_share(kMostOfCuts, [&](const Motion& m) { return is_level(m) && is_by(m, is_flat); });
     kinds.are_pointed = has_share(
         kMostOfCuts, [&](const Motion& m) { return !is_upright_line(m) && is_by(m, is_pointed); });
+    const auto rises = [](const Motion& m) { return !is_level(m) && !is_upright_line(m); };
+    kinds.are_slanted =
+        has_share(kMostOfCuts, rises) || has_share(kHalfOfCuts, [&](const Motion& m) {
+          return rises(m) && m.kind == MotionKind::line;
+        });
     kinds.search_arcs = std::ranges::any_of(cuts_, [&](const Motion* m) {
       return (is_helix(*m) || is_upright_arc(*m)) && is_by(*m, is_pointed);
     });

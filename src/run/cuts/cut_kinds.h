@@ -16,6 +16,7 @@ struct CutKinds {
                        ///< than half of the tool
   bool are_level = false;    ///< most keep their height, by flat mills
   bool are_pointed = false;  ///< most are made along the surface by mills that are no end mills
+  bool are_slanted = false;  ///< most rise or fall on their way, or half of them on lines
   bool search_arcs = false;  ///< one is a helix or upright arc whose distance has no closed form
   bool have_many_helices = false;       ///< more than a quarter
   bool have_many_upright_arcs = false;  ///< more than a quarter, by tools that are no balls

@@ -60,10 +60,11 @@ constexpr double kFewSweeps = 20, kMostSweeps = 6.5e5, kMostSearched = 6e4;
 // Average number of creasing sweeps in a block up to which a part counts as plain (pockets, holes):
 // its cells take half the time.
 constexpr double kPlainSweeps = 1.5;
-// Cells of the wished size, and creasing sweeps in a block, up to which a second octree is worth
-// its time where the first one has too many nodes. Above these numbers the second one mostly has
-// too many, too.
-constexpr double kMostRetried = 1.2e5, kMostRetriedCreasing = 6;
+// Cells of the wished size, and creasing sweeps in a block, up to which another octree is worth its
+// time where one has too many nodes. Above these numbers it mostly has too many, too; where the
+// cuts are no relief or engraving it has not, unless the wished cells for twice the tolerance are
+// more than this share of the most nodes.
+constexpr double kMostRetried = 1.2e5, kMostRetriedCreasing = 6, kMostRetriedShare = 1.4;
 // Nodes of the octree above which the grid takes its place: as many as two cores make in some five
 // seconds. Nodes on the slopes of pointed mills take twice as long, those about the crests of a
 // winding helix, or on upright arcs of flat mills, three times, so there are fewer of them.
@@ -91,9 +92,9 @@ double coarser_grid(double voxel) {
 
 // Cells of this size are within the tolerance on a cylinder or ball of the cutter's radius, and
 // hold no more than half of it.
-double wished_cell(const MeshChoice& choice, double longest) {
-  if (!(choice.kinds.radius > 0)) return longest / kVoxelsOfSide;
-  return std::min(2 * std::sqrt(choice.kinds.radius * choice.tolerance), choice.kinds.radius / 2);
+double wished_cell(const CutKinds& kinds, double tolerance, double longest) {
+  if (!(kinds.radius > 0)) return longest / kVoxelsOfSide;
+  return std::min(2 * std::sqrt(kinds.radius * tolerance), kinds.radius / 2);
 }
 
 std::string count_text(double count) {
@@ -119,6 +120,16 @@ bool may_suit_tolerance(const detail::SurfaceSurvey& survey, const MeshChoice& c
   return survey.creasing <= kMostCreasing ||
          (groove_nodes(choice) <= kFewGrooveNodes &&
           static_cast<double>(survey.blocks) * survey.creasing <= few);
+}
+
+// Whether another octree, for twice the tolerance, is worth its time where one has too many nodes.
+bool suits_another_octree(const detail::SurfaceSurvey& survey, const MeshChoice& choice,
+                          double longest) {
+  const double cells = survey.cells(wished_cell(choice.kinds, choice.tolerance, longest));
+  if (cells <= kMostRetried && survey.creasing <= kMostRetriedCreasing) return true;
+  const double next = survey.cells(wished_cell(choice.kinds, 2 * choice.tolerance, longest));
+  return !choice.kinds.are_slanted && !choice.kinds.are_pointed &&
+         next <= kMostRetriedShare * static_cast<double>(choice.most_nodes);
 }
 
 // What a mesh within the tolerance takes where creases lie everywhere: bytes and seconds of a cell,
@@ -243,7 +254,8 @@ MeshChoice choose_mesh(const Job& job, const StockShape& stock, const CutList& c
 
 void fit_mesh(const ExactField& field, int threads, MeshChoice& choice) {
   if (!choice.fits_voxel && choice.tolerance > 0) return;
-  const double cell = wished_cell(choice, longest_side(field.bounds()));
+  const double longest = longest_side(field.bounds());
+  const double cell = wished_cell(choice.kinds, choice.tolerance, longest);
   if (choice.fits_voxel) choice.fallback_voxel = std::max(choice.voxel, round_down_voxel(cell));
   if (choice.is_default) choice.most_nodes = kMostPlainNodes;
   if (field.is_turned(field.all())) return;  // meshed by its section
@@ -256,8 +268,6 @@ void fit_mesh(const ExactField& field, int threads, MeshChoice& choice) {
   choice.block_sweeps = survey.sweeps;
   choice.shared_sweeps = survey.shared;
   if (!choice.is_default) return;
-  choice.makes_new_octrees =
-      survey.cells(cell) <= kMostRetried && survey.creasing <= kMostRetriedCreasing;
   if (choice.kinds.search_arcs)
     choice.most_nodes = kMostSearchedNodes;
   else if (choice.kinds.have_winding_helix || choice.kinds.have_many_upright_arcs)
@@ -268,6 +278,7 @@ void fit_mesh(const ExactField& field, int threads, MeshChoice& choice) {
     choice.most_nodes = choice.kinds.are_level     ? kMostLevelNodes
                         : choice.kinds.are_pointed ? kMostPointedNodes
                                                    : kMostNodes;
+  choice.makes_new_octrees = suits_another_octree(survey, choice, longest);
   choice.fallback_cells = survey.crossed_cells(choice.fallback_voxel);
 }
 
