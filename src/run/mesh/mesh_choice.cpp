@@ -52,7 +52,7 @@ constexpr double kMostGrooveCells = 4e6;
 // would be halved too often. It is tried after all where all blocks together have few such sweeps,
 // as on a large sheet whose blocks are large, and pointed tools leave few narrow grooves. Where
 // most cuts are level, more sweeps count as few.
-constexpr double kMostCreasing = 9, kFewCreasing = 1e5, kFewLevelCreasing = 3e5;
+constexpr double kMostCreasing = 9, kFewCreasing = 1e5, kFewLevelCreasing = 3.5e5;
 // Sweeps in all blocks together above which no tolerance is tried: kMostSweeps where a block has
 // more than kFewSweeps on average, kMostSearched where points of helices are searched, which costs
 // ten times as much.
