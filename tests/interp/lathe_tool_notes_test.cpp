@@ -339,5 +339,34 @@ TEST(ToolNotes, FacesWithoutDataAreNotBored) {
     EXPECT_EQ(errors(bore), "tool-unknown") << bore;
 }
 
+// Faces by hand go back where they came from, pass below pass, as a blade that plunges does; so do
+// those of G72 without R.
+TEST(ToolNotes, FacesCutStepByStepAreNotPlunged) {
+  const auto errors = [](const std::string& cut) {
+    InterpOptions options = at_origin(Dialect::fanuc, MachineKind::lathe);
+    options.table.tools.clear();
+    return codes(
+        read_text("T0101\nG97 S500 M3\nG0 X62. Z2.\n" + cut + "G0 X100. Z150.\nM30\n", options),
+        Severity::error);
+  };
+  const auto passes = [](const std::vector<double>& depths, double to) {
+    std::string text;
+    for (const double depth : depths)
+      text += fmt::format("G0 Z{}\nG1 X{:.1f} F.2\nG0 X62.\n", -depth, to);
+    return text;
+  };
+  EXPECT_EQ(errors(passes({1}, -1) + passes({2, 4, 6.5, 9}, 30)), "");
+  EXPECT_EQ(errors("G0 Z0\nG1 X-1. F.2\nG0 Z1.\nX62.\n" + passes({2, 4}, 30)), "");
+  EXPECT_EQ(errors(passes({0.5, 3, 5}, 30) + passes({6}, 40)), "") << "to a boss that widens";
+  const std::string contour = "N1 G0 Z-16.\nG1 X40.\nZ-6.\nX30. Z0\nN2 X-1.\n";
+  EXPECT_EQ(errors("G72 P1 Q2 D2. U.2 W.1 F.2\n" + contour), "") << "Haas's, without R";
+  EXPECT_EQ(errors("G72 W1.5\nG72 P1 Q2 U.2 W.1 F.2\n" + contour), "");
+  EXPECT_EQ(errors("G0 Z1.\nG72 W3.\nG72 P1 Q2 U.2 W.1 F.2\n" + contour), "");
+  for (const std::string& groove :
+       {passes({2}, 50), passes({0.5, 6}, 30), passes({0.5, 2}, 30) + passes({3}, 20),
+        passes({1, 2}, 30) + "T0202\n" + passes({4}, 30)})
+    EXPECT_EQ(errors(groove), "tool-unknown") << groove;
+}
+
 }  // namespace
 }  // namespace mrsim

@@ -282,7 +282,8 @@ void MotionEmitter::warn_unknown_start(const Motion& motion) {
 // tool, that insert would cut another part; so would one for the outside, "T6 CCMT 32.5", in a
 // bore.
 void MotionEmitter::refuse_undescribed_tool(const Motion& motion) {
-  const UndescribedTool::Kind kind = undescribed_.told_by(motion, program_.zero_height);
+  const UndescribedTool::Kind kind =
+      undescribed_.told_by(motion, program_.zero_height, block_.turn_cycle == 72);
   if (kind.does.empty() || motion.tool < 0) return;
   const Tool& tool = program_.tools[static_cast<std::size_t>(motion.tool)];
   const bool bare = is_turning(tool.type) && tool.origin.starts_with(kNoToolData);

@@ -11,15 +11,18 @@ namespace {
 constexpr double kAtAxis = 0.05;  // mm: a drill that runs out by less still drills on the axis
 constexpr double kFreed = 0.02;   // mm: bars leave the wall of their bore by more
 constexpr double kPlunge = 1;     // mm: faces are cut above this depth, grooves below it
+constexpr double kFaceStep = 3;   // mm: the deepest pass of a face that is cut below another one
 constexpr double kLinks = 10;     // mm: the longest way to a face that tools go with the feed
 constexpr double kSamePlace = 1e-6;
 
 }  // namespace
 
-UndescribedTool::Kind UndescribedTool::told_by(const Motion& motion, double face) {
+UndescribedTool::Kind UndescribedTool::told_by(const Motion& motion, double face, bool faces) {
+  if (motion.tool != tool_) faced_ = false;
+  tool_ = motion.tool;
   const bool feeds = is_cut(motion);
   const bool drill = drills(motion, feeds), bar = bores(motion, feeds, face);
-  const bool blade = plunges(motion, feeds, face);
+  const bool blade = plunges(motion, feeds, face) && !faces;
   rapid_ = motion.kind == MotionKind::rapid;
   if (drill) return {"goes in and out along the axis, as a drill does", "drill:d=10", "BAR STOP"};
   if (bar)
@@ -66,15 +69,16 @@ bool UndescribedTool::plunges(const Motion& motion, bool feeds, double face) {
   const double along = motion.end.x - motion.start.x;
   if (motion.kind == MotionKind::arc || std::abs(motion.end.z - motion.start.z) > kSamePlace ||
       motion.assumed_start) {
+    // A tool that leaves towards plus Z has cut a face: a blade would meet the wall of its groove.
+    if (plunging_ && !feeds && motion.end.z > motion.start.z) faces_on(motion.start.z, face);
     plunging_ = false;
     return false;
   }
   const double deep = plunged_to_ - plunged_from_;
-  const bool back = plunging_ && along * deep < 0;
-  if (back) {
+  if (plunging_ && along * deep < 0) {
     const bool out = (motion.end.x - plunged_from_) * deep <= kSamePlace;
     if (out) plunging_ = false;
-    return out && std::abs(deep) > kPlunge && motion.end.z < face - kPlunge;
+    return out && std::abs(deep) > kPlunge && !faces_on(motion.end.z, face);
   }
   if (!feeds || !(plunging_ || rapid_)) {
     plunging_ = false;
@@ -82,9 +86,20 @@ bool UndescribedTool::plunges(const Motion& motion, bool feeds, double face) {
   }
   if (!plunging_) plunged_from_ = plunged_to_ = motion.start.x;
   plunging_ = true;
-  const bool deeper = std::abs(motion.end.x - plunged_from_) > std::abs(deep);
-  if (deeper) plunged_to_ = motion.end.x;
+  const double deepest = std::abs(plunged_to_ - plunged_from_);
+  if (std::abs(motion.end.x - plunged_from_) > deepest) plunged_to_ = motion.end.x;
   return false;
+}
+
+// A pass at the face, or one step below a pass that went as far towards the axis.
+bool UndescribedTool::faces_on(double z, double face) {
+  const bool below = faced_ && z > faced_z_ - kFaceStep - kSamePlace &&
+                     plunged_to_ > faced_to_ - kSamePlace && plunged_to_ < plunged_from_;
+  if (z < face - kPlunge && !below) return false;
+  faced_ = true;
+  faced_z_ = z;
+  faced_to_ = plunged_to_;
+  return true;
 }
 
 }  // namespace mrsim

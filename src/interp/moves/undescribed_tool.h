@@ -19,13 +19,15 @@ class UndescribedTool {
     bool bores = false;
   };
 
-  /// The next motion, in the order of the program; `face`: Z of the program's zero.
-  Kind told_by(const Motion& motion, double face);
+  /// The next motion, in the order of the program; `face`: Z of the program's zero; `faces`: it is
+  /// one of a cycle that cuts a face, whose passes are no plunges of a blade.
+  Kind told_by(const Motion& motion, double face, bool faces);
 
  private:
   bool drills(const Motion& motion, bool feeds);
   bool bores(const Motion& motion, bool feeds, double face);
   bool plunges(const Motion& motion, bool feeds, double face);
+  bool faces_on(double z, double face);
 
   static constexpr double kNothingCut = 1e99;
   bool drilled_ = false;                      ///< the last motion fed along the axis
@@ -34,6 +36,9 @@ class UndescribedTool {
   bool rapid_ = false;                        ///< the last motion was a rapid
   bool plunging_ = false;                     ///< feeds along X from where a rapid has led
   double plunged_from_ = 0, plunged_to_ = 0;  ///< X
+  int tool_ = -1;                             ///< of the last motion
+  bool faced_ = false;                        ///< that tool has cut the face
+  double faced_z_ = 0, faced_to_ = 0;         ///< Z of its last pass there, and X at its end
 };
 
 }  // namespace mrsim

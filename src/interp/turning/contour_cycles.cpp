@@ -249,6 +249,7 @@ void ContourCycles::end_contour() {
   position_ = position_before_;
   modal_.comp = Code::comp_off;  // roughing ignores compensation
   put_back_block(place_);
+  block_.turn_cycle = call_.cut.number;
   if (contour_.size() >= MotionEmitter::kMostCaptured)
     error("value-range", fmt::format("the contour has {} motions or more", contour_.size()),
           call_.cut.where);
