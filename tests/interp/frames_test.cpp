@@ -224,8 +224,6 @@ TEST(Frames, BehindMachineCoordinatesTheAxisIsUnknown) {
     EXPECT_TRUE(p.motions[2].assumed_start);
     EXPECT_FALSE(p.motions[3].assumed_start);
   }
-  EXPECT_EQ(codes(read_text("G1 X1 F1\nG91 G53 Z0\n", at_origin(Dialect::fanuc))),
-            "machine-incremental");
 }
 
 TEST(Frames, AWayToTheMachineOutOfACutIsAWarning) {

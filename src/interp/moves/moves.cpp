@@ -75,11 +75,15 @@ bool Moves::machine_move() {
   if (!axes_.target(to, apply_inverse(machine, position_.physical))) return false;
   if (modal_.incremental && is(Dialect::ngc))
     return error("machine-incremental", "G53 does not go with G91", *axes_.motion_word(to));
-  if (modal_.incremental && !is(Dialect::sinumerik))
-    return error("machine-incremental",
-                 "G53 in G91 does nothing on some controls and moves on others: write G90",
-                 *axes_.motion_word(to));
-  if (control_.machine_known && !is_circular(current_motion())) return line(to, machine);
+  const bool undecided = modal_.incremental && !is(Dialect::sinumerik);
+  if (undecided)
+    reporter_.once(Severity::warning, "machine-incremental",
+                   "G53 in G91 moves nothing on some controls, and on others the axis to its place "
+                   "of the machine: where it is counts as unknown until it is given again; write "
+                   "G90",
+                   *axes_.motion_word(to), "incremental");
+  if (control_.machine_known && !undecided && !is_circular(current_motion()))
+    return line(to, machine);
   unknown(to.named, *axes_.motion_word(to));
   return true;
 }

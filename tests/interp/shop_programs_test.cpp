@@ -1,0 +1,29 @@
+// Programs as shops and posts write them, which were refused or misread.
+#include "interp/support.h"
+
+namespace mrsim {
+namespace {
+
+using namespace mrsim::testing;
+
+// Posts write "G91 G30 Z0" and "G91 G53 X-800. Y0" behind it: some controls go there, others stay.
+TEST(ShopPrograms, AxesUnderG53InG91AreUnknown) {
+  const std::string text =
+      "G0 X0 Y0 Z5\nG1 Z-1 F1\nG0 Z5\nG91 G30 Z0\nG91 G53 X-800. Y0\nG90 G0 X5 Y0\nZ5\nG1 Z-1\n";
+  for (const bool zero_known : {false, true}) {
+    InterpOptions options = at_origin(Dialect::fanuc);
+    if (zero_known) options.places.zero = {{"G54", {-350, -200, -400}}};
+    const Program p = read_text(text, options);
+    EXPECT_EQ(codes(p), "machine-incremental");
+    for (const Motion& m : p.motions) EXPECT_LT(-800, m.end.x);
+    EXPECT_EQ(p.motions.back().end.z, -1);
+    EXPECT_FALSE(p.motions.back().assumed_start);
+  }
+  EXPECT_EQ(codes(read_text("G1 X1 F1\nG91 G53 X0\nG90 G1 Y5\nY6\n", at_origin(Dialect::fanuc))),
+            "machine-incremental leaves-in-cut start-unknown");
+  EXPECT_EQ(codes(read_text("G1 X1 F1\nG91 G53 Z0\n", at_origin(Dialect::ngc))),
+            "machine-incremental");
+}
+
+}  // namespace
+}  // namespace mrsim
