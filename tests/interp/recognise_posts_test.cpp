@@ -143,6 +143,10 @@ TEST(RecogniseForeign, ForeignLanguagesAreNamedAndRefused) {
       std::string::npos);
   EXPECT_NE(refusal("%PLATE G71 *\nN10 G30 G17 X+0 Y+0 Z-40*\n").find("DIN/ISO"),
             std::string::npos);
+  EXPECT_NE(
+      refusal("%PLATE G71\nN10 G30 G17 X+0 Y+0 Z-40\nN20 G31 G90 X+90 Y+90 Z+0\n").find("DIN/"),
+      std::string::npos);
+  EXPECT_EQ(refusal("%\nO1\nG91 G30 Z0\nG90 G17 G30 P2 X0 Y0\nG1 X5 Y0 F100\nM30\n"), "");
   EXPECT_EQ(refusal("N10 G54\nN70 TRANS X=R11*(R10-1)\nN80 G1 X1 Y1 F100\n"), "");
   EXPECT_EQ(refusal("G50 S2000\nG85 NAP1 D3 F.3 U.4 W.2\n"), "");
   EXPECT_EQ(recognised("N1 G15 H1\nN6 CALL O100 Q3\nG1 Y1\n").dialect, Dialect::fanuc);

@@ -6,6 +6,22 @@ namespace {
 
 using namespace mrsim::testing;
 
+std::string path_of(const std::string& text, const std::string& name) {
+  InterpOptions options = at_origin(Dialect::automatic);
+  options.machine = MachineKind::automatic;
+  return path_text(read_text(text, options, name));
+}
+
+// On a SINUMERIK programs in ISO mode have its file names and headers, too.
+TEST(ShopPrograms, TheIsoModeOfAMainProgramFileIsFanucs) {
+  const std::string body = "G21 G17 G90 G54\nG0 X5. Y0\nG2 X10. Y-5. R5. F100\nM30\n";
+  const std::string path = "r5,0,0 a10,-5,0";
+  EXPECT_EQ(path_of("%_N_PART_MPF\n;$PATH=/_N_MPF_DIR\nG291\n" + body, "PART.MPF"), path);
+  EXPECT_EQ(path_of("%_N_PART_MPF\nG291\nO0012 (PART)\n" + body, "PART.MPF"), path);
+  const std::string siemens = "G0 X5 Y0\nG2 X10 Y-5 CR=5 F100\nM30\n";
+  EXPECT_EQ(path_of("%_N_PART_MPF\n;$PATH=/_N_MPF_DIR\nG17 G90 G54\n" + siemens, "PART.MPF"), path);
+}
+
 // Posts write "G91 G30 Z0" and "G91 G53 X-800. Y0" behind it: some controls go there, others stay.
 TEST(ShopPrograms, AxesUnderG53InG91AreUnknown) {
   const std::string text =

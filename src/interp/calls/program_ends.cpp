@@ -10,6 +10,15 @@
 #include <fmt/format.h>
 
 namespace mrsim {
+namespace {
+
+// G291 of SINUMERIK, above the number of a program in ISO mode.
+bool begins_iso_mode(const Block& block) {
+  return block.words.size() == 1 && block.words[0].address == letter('G') &&
+         block.words[0].value == 291;
+}
+
+}  // namespace
 
 bool BlockReader::ends_at_header(const Word* program) {
   Activation& top = stack_.back();
@@ -19,7 +28,7 @@ bool BlockReader::ends_at_header(const Word* program) {
   const bool leader = header && !header->text.empty() && header->text[0] == '%';
   const bool section = program || (header && !section_name(block_.line, control_.dialect).empty());
   if (!top.started || !(section || (leader && !is(Dialect::codesys)))) {
-    if (!leader) top.started = true;
+    if (!leader && !begins_iso_mode(block_)) top.started = true;
     return false;
   }
   if (leader && upper_case(header->text.substr(1, 4)) == "WAIT") return false;  // CNCjs: it pauses

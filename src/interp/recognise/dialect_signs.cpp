@@ -133,6 +133,7 @@ int DialectSigns::points(Dialect d) const {
 
 bool DialectSigns::certain() const {
   const Dialect d = best();
+  if (d == Dialect::sinumerik && !moved_) return false;
   for (const Dialect o :
        {Dialect::sinumerik, Dialect::fanuc, Dialect::codesys, Dialect::iso, Dialect::ngc})
     if (o != d && points(d) < points(o) + 20) return false;

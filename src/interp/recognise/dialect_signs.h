@@ -24,6 +24,7 @@ class DialectSigns {
   void line(const LineScan& scan, std::string_view raw, int number);
   /// Weighs a line of plain motion, as read_plain() has found it.
   void plain(const PlainLine& line, int number) {
+    moved_ = true;
     if (line.arc) arcs_ = true;
     if (line.line) arcs_ = false;
     if (line.arc && line.radius) weigh_radius(number);
@@ -32,7 +33,7 @@ class DialectSigns {
   /// The dialect with the most points; ISO where there are no signs.
   Dialect best() const;
   const std::string& reason(Dialect d) const { return entries_[slot(d)].reason; }
-  /// Whether no other dialect has nearly as many points.
+  /// Whether no other dialect has nearly as many points, and G291 can not change that.
   bool certain() const;
 
  private:

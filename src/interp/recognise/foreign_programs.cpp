@@ -200,6 +200,20 @@ void ForeignPrograms::weigh_sliding_head(const LineScan& s, int number, std::str
            raw);
 }
 
+// Heidenhain's DIN/ISO as its editor shows it: without stars, "%NAME G71" is the head, and G30 with
+// the tool's axis is a corner of the blank.
+void ForeignPrograms::weigh_heidenhain(const LineScan& s, int number, std::string_view raw) {
+  if (number <= kHeadLines && !o_number_ && ends_in_star(s.code, raw))
+    refuse("a Heidenhain DIN/ISO program (blocks that end in *)", number, raw);
+  const std::string_view head =
+      std::string_view(s.code).substr(0, s.code.find_last_not_of(" \t\r") + 1);
+  if (head.starts_with('%'))
+    unit_in_head_ = head.size() > 4 && (head.ends_with(" G70") || head.ends_with(" G71"));
+  const bool axis = has_word(s.code, "G17") || has_word(s.code, "G18") || has_word(s.code, "G19");
+  if (unit_in_head_ && axis && has_word(s.code, "G30"))
+    refuse("a Heidenhain DIN/ISO program (G30 is its blank)", number, raw);
+}
+
 // Old SINUMERIK: the head is "%MPF 90"; "@371" or "(TEXT)", which later ones do not have.
 void ForeignPrograms::weigh_old_sinumerik(const LineScan& s, int number, std::string_view raw) {
   if (s.code.starts_with("%MPF") || s.code.starts_with("%SPF"))
@@ -212,8 +226,7 @@ void ForeignPrograms::weigh_old_sinumerik(const LineScan& s, int number, std::st
 
 void ForeignPrograms::line(std::string_view raw, const LineScan& scan, int number) {
   if (scan.code.size() > 1 && scan.code[0] == 'O' && is_digit(scan.code[1])) o_number_ = true;
-  if (number <= kHeadLines && !o_number_ && ends_in_star(scan.code, raw))
-    refuse("a Heidenhain DIN/ISO program (blocks that end in *)", number, raw);
+  weigh_heidenhain(scan, number, raw);
   // M48 is the head of a drill file. Behind the first words of a program it allows overrides.
   if (scan.code == "M48" && !coded_) refuse("an Excellon drill file", number, raw);
   coded_ = coded_ || !scan.code.empty();

@@ -29,6 +29,7 @@ class ForeignPrograms {
   [[noreturn]] void refuse(const std::string& what, int number, std::string_view raw) const;
   void weigh_printer(const std::string& code, int number, std::string_view raw);
   void weigh_plotter(const std::string& code, int number, std::string_view raw);
+  void weigh_heidenhain(const LineScan& scan, int number, std::string_view raw);
   void weigh_old_sinumerik(const LineScan& scan, int number, std::string_view raw);
   void weigh_num(const std::string& code, int number, std::string_view raw);
   void weigh_hnc(const std::string& code, int number, std::string_view raw);
@@ -38,6 +39,7 @@ class ForeignPrograms {
   const std::string& path_;
   bool numbered_ = false;       ///< "%12" alone heads the text
   bool old_sinumerik_ = false;  ///< "%MPF 90" does
+  bool unit_in_head_ = false;   ///< "%NAME G71" does
   bool coded_ = false;          ///< a line has held more than a comment
   bool o_number_ = false;       ///< O and a number have headed a program
   // A 3-D printer does both.
