@@ -41,5 +41,15 @@ TEST(ShopPrograms, AxesUnderG53InG91AreUnknown) {
             "machine-incremental");
 }
 
+// Haas's controls ask for no THEN.
+TEST(ShopPrograms, ConditionsWithoutThenHoldForTheirBlock) {
+  const std::string loop =
+      "#1=0\nN10 #1=#1+4\nIF [#1 GT 10] #1=10\nG1 X#1 F9\nIF [#1 LT 10] GOTO 10\n"
+      "IF [#1 EQ 3] X99\nIF [#1 EQ 10] Y5\n";
+  EXPECT_EQ(mill(loop), "l4,0,0 l8,0,0 l10,0,0 l10,5,0 | statement");
+  for (const char* const wrong : {"THAN X5", ",R5", ""})
+    EXPECT_EQ(mill("#1=1\nIF [#1 EQ 2] " + std::string(wrong) + "\n"), " | statement") << wrong;
+}
+
 }  // namespace
 }  // namespace mrsim

@@ -99,21 +99,22 @@ bool MacroStatements::if_statement(std::size_t from, std::size_t p) {
   std::size_t behind = p = behind_comments(block_.line, p);
   const std::string word = letters(behind);
   if (abbreviates(word, "GOTO")) return go_to(behind, holds);
-  if (abbreviates(word, "THEN")) {
-    if (ends_block(block_.line, behind)) return branch(from, holds);
-    if (const std::size_t other = else_at(behind); other < block_.line.size())
-      return fail("not-supported",
-                  "ELSE in the block of its IF is not supported: write THEN, ELSE and ENDIF at the "
-                  "ends of blocks of their own",
-                  other, other + 4);
-    if (holds) {
-      reader_.set_position(behind);
-      return true;
-    }
-  } else {
+  const bool then = abbreviates(word, "THEN");
+  if (!then && !begins_word(block_.line, p))
     return fail("statement", "GOTO or THEN is expected here", p, p + 1);
+  if (!then) {
+    reporter_.once(Severity::warning, "statement",
+                   "THEN is left out here, as Haas's controls read it; FANUC's stop (alarm)",
+                   place_word(p, p + 1), "then");
+    behind = p;
   }
-  reader_.set_position(end_of_block(behind));
+  if (then && ends_block(block_.line, behind)) return branch(from, holds);
+  if (const std::size_t other = else_at(behind); other < block_.line.size())
+    return fail("not-supported",
+                "ELSE in the block of its IF is not supported: write THEN, ELSE and ENDIF at the "
+                "ends of blocks of their own",
+                other, other + 4);
+  reader_.set_position(holds ? behind : end_of_block(behind));
   return true;
 }
 

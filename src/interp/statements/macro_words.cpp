@@ -2,6 +2,7 @@
 
 #include "interp/language/flow_scan.h"
 #include "interp/text/block.h"
+#include "interp/text/characters.h"
 
 #include <algorithm>
 #include <array>
@@ -22,6 +23,11 @@ bool is_macro_a(const std::vector<Word>& words, const Word& code) {
   const Word* const next = &code + 1;
   return code.value == 65 && next < words.data() + words.size() && next->address == letter('H') &&
          !next->point;
+}
+
+bool begins_word(std::string_view line, std::size_t p) {
+  const auto at = [&](std::size_t i) { return i < line.size() ? line[i] : ' '; };
+  return at(p) == '#' || (is_letter(at(p)) && !is_letter(at(p + 1)));
 }
 
 std::size_t words_behind_jump(std::string_view line, std::size_t p) {

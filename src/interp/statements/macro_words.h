@@ -20,6 +20,9 @@ bool is_probing_macro(long number);
 /// P#101 Q#102 R5" adds, and calls no program. In macro B P stands there.
 bool is_macro_a(const std::vector<Word>& words, const Word& code);
 
+/// Whether a word or an assignment begins at `p`: "M99", "G1", "#3=1".
+bool begins_word(std::string_view line, std::size_t p);
+
 /// The place of the words behind the target of a GOTO, "10", "#3" or "[#3+1]", which is at `p`. The
 /// end of the line: there are none.
 std::size_t words_behind_jump(std::string_view line, std::size_t p);
