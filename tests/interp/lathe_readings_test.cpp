@@ -71,6 +71,20 @@ TEST(LatheToolReadings, InsertsAreReadFromComments) {
   });
 }
 
+// Shops name inserts by what they do; a size before ROUGHER makes it a mill.
+TEST(LatheToolReadings, ARougherBesideDataOfAnInsertTurns) {
+  expect_readings({
+      {lathe_inch, "80 DEG ROUGHER .031 R", "turning, insert 80, nose 0.7874"},
+      {lathe_inch, "T0101 80 DEG OD RGHR", "turning, insert 80"},
+      {lathe_inch, "T0101 CNMG 432 ROUGHER", "turning, insert 80, nose 0.79375"},
+      {lathe_mm, "55 DEG FINISHER", "turning, insert 55"},
+      {lathe_mm, "PROFILER 35 DEG R0.4", "turning, insert 35, nose 0.4"},
+      {lathe_inch, "1/2 ROUGHER", "endmill 12.7"},
+      {lathe_inch, "3/4 OD ROUGHER", "endmill 19.05"},
+      {inch, "1/2 4FL ROUGHER", "endmill 12.7"},
+  });
+}
+
 // A number that nothing names, of the value of a nose radius in mm or inches.
 TEST(LatheToolReadings, AnUnnamedNumberOfTheSizeOfANoseIsItsRadius) {
   expect_readings({

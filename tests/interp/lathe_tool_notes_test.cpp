@@ -46,6 +46,20 @@ TEST(ToolNotes, WorkNamesTheToolOfALathe) {
   EXPECT_EQ(p.tools[4].type, ToolType::turning);
 }
 
+// "OD ROUGHER", "60 DEG THREADER": what the tool does names it, as "OD ROUGHING TOOL" does.
+TEST(ToolNotes, DoersNameTheToolOfALathe) {
+  InterpOptions options;
+  options.dialect = Dialect::iso;
+  options.machine = MachineKind::lathe;
+  const Program p = read_text(
+      "G21 G99\nT0101 (OD ROUGHER)\nG0 X50. Z2.\nG1 Z-9. F.2\nX52.\nG0 Z2.\n"
+      "T0202 (60 DEG THREADER)\nG0 X50. Z2.\nG32 Z-8. F1.5\nG0 X52.\nM30\n",
+      options);
+  ASSERT_EQ(p.tools.size(), 2U) << listing(p);
+  EXPECT_EQ(p.tools[0].type, ToolType::turning);
+  EXPECT_EQ(p.tools[1].type, ToolType::threading);
+}
+
 // As SINUMERIK's lists call them; A and I are outside and inside.
 TEST(ToolNotes, NamesInTheListsOfLathesTellTheTool) {
   const auto named = [](const std::string& name) {

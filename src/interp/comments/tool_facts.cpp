@@ -28,6 +28,7 @@ class FactReader {
     facts_.kinds = find_tool_kinds(view_.tokens());
     read_short_kind();
     facts_.insert = find_insert_code(view_.tokens());
+    drop_rougher(view_, facts_);
     read_tool_id(view_, facts_);
     take_kinds();
     read_inch_word();

@@ -3,6 +3,7 @@
 #include "interp/comments/comment_words.h"
 #include "interp/comments/tool_id.h"
 
+#include <algorithm>
 #include <string_view>
 
 namespace mrsim {
@@ -22,7 +23,8 @@ constexpr std::string_view kBores =
     "BORE BORING ALESAGE ALESER MANDRINADO MANDRINAR MANDRILAR MANDRILADO MANDRILAMENTO ALESATURA "
     "BAREN* WYTACZ* VYVRT*";
 constexpr std::string_view kTurns =
-    "TURN TURNING FACE FACING PROFILE PROFILING DREHEN PLANEN CHARIOTAGE DRESSAGE TORNEADO "
+    "TURN TURNING FACE FACING PROFILE PROFILER PROFILING DREHEN PLANEN CHARIOTAGE DRESSAGE "
+    "TORNEADO "
     "CILINDRAR "
     "CILINDRADO REFRENTADO FACEAR TORNITURA SFACCIATURA";
 // Beside the word for a thread these name the turning before it.
@@ -30,7 +32,8 @@ constexpr std::string_view kTurnsBefore =
     "TURN TURNED RELIEF DREHEN VORDREHEN FREISTICH CHARIOTAGE TORNEADO CILINDRAR CILINDRADO "
     "TORNITURA TOCZENIE";
 constexpr std::string_view kRough =
-    "ROUGH ROUGHING FINISH FINISHING RGH FIN SCHRUPPEN SCHLICHTEN EBAUCHE FINITION DESBASTE DESB "
+    "ROUGH ROUGHER ROUGHING FINISH FINISHER FINISHING RGH RGHR FIN SCHRUPPEN SCHLICHTEN EBAUCHE "
+    "FINITION DESBASTE DESB "
     "ACABADO ACABAMENTO SGROSSATURA FINITURA";
 constexpr std::string_view kFaceGrooves =
     "AXIAL* FRONTAL* CZOLOW* CZO~OW* CELNI STIRNSTECH* STIRNEINST* PLANSTECH* PLANEINST*";
@@ -144,7 +147,31 @@ bool is_of_tool(const CommentView& view, std::size_t i) {
   return i == 0 || tool(before) || !view.word(before);
 }
 
+// Whether the comment has an angle that only inserts have: "80 DEG".
+bool has_angle_of_insert(const CommentView& view) {
+  for (std::size_t i = 0; i < view.size(); ++i)
+    if (view[i].angle && (view[i].value == 35 || view[i].value == 55 || view[i].value == 80))
+      return true;
+  return false;
+}
+
 }  // namespace
+
+void drop_rougher(const CommentView& view, ToolFacts& facts) {
+  const bool turns = facts.insert || has_angle_of_insert(view) ||
+                     std::any_of(facts.kinds.begin(), facts.kinds.end(),
+                                 [](const ToolKind& k) { return is_turning(k.type); });
+  std::erase_if(facts.kinds, [&](const ToolKind& k) {
+    if (k.end != k.first + 1 || !view.is_one(k.first, {"ROUGHER", "RGHR"})) return false;
+    const std::size_t before = k.first == 0 ? CommentView::kNone : k.first - 1;
+    const bool sided =
+        view.is_one(before, {"OD", "ID"}) && (before == 0 || !view.is_size(before - 1));
+    const bool sized =
+        view.is_size(before) && !view[before].angle &&
+        !(facts.insert && before >= facts.insert->first && before < facts.insert->end);
+    return !sized && (turns || sided);
+  });
+}
 
 bool names_slot_mill(const CommentView& view, std::size_t i) {
   if (is_word_of(view, i, kSlotMills)) return true;

@@ -8,6 +8,11 @@
 
 namespace mrsim {
 
+/// Drops ROUGHER as a name of a mill where the comment tells an insert: "80 DEG ROUGHER", "CNMG 432
+/// ROUGHER", "OD ROUGHER". A size before it makes it a mill: "1/2 ROUGHER". Requires: kinds and
+/// insert are read, and no token is taken.
+void drop_rougher(const CommentView& view, ToolFacts& facts);
+
 /// Sets inside, bores, turned_side, face_groove and full_radius; takes no tokens.
 void read_side_words(const CommentView& view, ToolFacts& facts);
 
