@@ -263,40 +263,6 @@ TEST(Turning, ACycleWithAContourDoesNotEndTheProgram) {
               "call-not-alone");
 }
 
-// A thread's way is the spindle's: the F in force says nothing of it.
-TEST(Turning, ATraceShowsTheLeadOfAThread) {
-  const Program p = read_text("G98\nG0 X20. Z5.\nG1 X18. F100.\nG32 Z-10. F1.5\n",
-                              at_origin(Dialect::fanuc, MachineKind::lathe));
-  const std::string line = motion_text(p, p.motions.back());
-  EXPECT_NE(line.find("lead 1.5 mm"), std::string::npos) << line;
-  EXPECT_EQ(line.find("F 100"), std::string::npos);
-}
-
-/// "lead or feed of each motion", rapids as "-".
-std::string paces(const std::string& text, Dialect dialect) {
-  const Program p = read_text(text, at_origin(dialect, MachineKind::lathe));
-  std::string out;
-  for (const Motion& m : p.motions)
-    out += m.kind == MotionKind::rapid && m.lead == 0 ? "-"
-           : m.lead != 0                              ? fmt::format(" t{:g}", m.lead)
-                                                      : fmt::format(" f{:g}", m.feed);
-  return out + codes(p);
-}
-
-// A thread's lead is no matter of the cycle behind it, whose F is its own.
-TEST(Turning, ACycleRightBehindAThreadHasItsOwnFeed) {
-  EXPECT_EQ(paces("G97 S500 M3\nG0 X40 Z5\nG32 Z-5 F1.5\nG90 X30 Z-10 F0.2\nX28\n", Dialect::fanuc),
-            "- t1.5- f0.2 f0.2-- f0.2 f0.2-");
-  EXPECT_EQ(paces("G97 S500 M3\nG0 X40 Z5\nG32 Z-5 F1.5\nG92 X30 Z-10 F2\n", Dialect::fanuc),
-            "- t1.5- t2--");
-  EXPECT_EQ(paces("G97 S500 M3\nG0 X0 Z5\nG32 Z-5 F1.5\nG83 Z-9 Q20 F0.1\n", Dialect::fanuc),
-            "- t1.5 f0.1-");
-  EXPECT_EQ(paces("G18 G8 S500 M3\nG0 X20 Z5\nG33.1 Z-5 K1.5\n"
-                  "G76 P2 Z-9 I-1 J1 K1.5 R1 Q0 H0 E0 L0\nG1 X30 F60\nM2\n",
-                  Dialect::ngc),
-            "- t1.5 t1.5-- t2--- t2- f60");
-}
-
 // C beside one axis is a chamfer with the sign of its direction, as I and K are.
 TEST(Turning, ChamfersOfCHaveASign) {
   const auto run = [](const std::string& chamfer) {
