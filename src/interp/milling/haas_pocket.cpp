@@ -1,6 +1,7 @@
 #include "interp/milling/haas_pocket.h"
 
 #include <cmath>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -47,7 +48,7 @@ bool HaasPocket::read_words() {
 bool HaasPocket::run() {
   where_ = *block_.oneshot;
   mover_.begin(where_);
-  if (out_.captures()) return error("not-supported", "G150 inside a contour", where_);
+  if (contour_.is_read()) return error("not-supported", "G150 inside a contour", where_);
   Target start;
   if (!read_words() || !axes_.target(start, position_.programmed)) return false;
   if (!find_contour()) return false;
@@ -82,49 +83,30 @@ bool HaasPocket::find_contour() {
 void HaasPocket::end_block() {
   if (!waits_) return;
   waits_ = false;
-  place_ = block_.place();
-  position_before_ = position_;
-  modal_before_ = modal_;
-  request_.on_start = [this] { begin_contour(); };
+  contour_.keep_state(block_.place());
+  request_.on_start = [this] {
+    contour_.begin();
+    modal_.comp = Code::comp_off;
+  };
   request_.on_end = [this] { end_contour(); };
   const Word where = where_;
   reader_.enter(std::move(request_), where);
 }
 
-void HaasPocket::begin_contour() {
-  contour_.clear();
-  errors_before_ = reporter_.errors();
-  out_.capture(&contour_);
-  modal_.comp = Code::comp_off;
-}
-
-void HaasPocket::end_program() {
-  if (!out_.captures()) return;
-  out_.capture(nullptr);
-  reporter_.set_place(place_.file, place_.line, place_.call, {});
-  error("program-end-missing", "the program ends inside the contour of G150", where_);
-}
+void HaasPocket::end_program() { contour_.end_program(where_, "G150"); }
 
 void HaasPocket::end_contour() {
-  out_.capture(nullptr);
-  modal_ = modal_before_;
-  position_ = position_before_;
-  put_back_block(place_);
-  if (reporter_.errors() != errors_before_) return;
-  if (contour_.size() < 2 || contour_.size() >= MotionEmitter::kMostCaptured) {
-    error("value-range", fmt::format("the contour has {} motions", contour_.size()), where_);
-    return;
-  }
-  modal_.comp = Code::comp_off;
+  if (!contour_.end() || !contour_.has_usual_size(where_)) return;
+  const Code comp = std::exchange(modal_.comp, Code::comp_off);
   pocket();
-  modal_.comp = modal_before_.comp;
+  modal_.comp = comp;
 }
 
 // Cuts in steps of Q, which leave K, then along the wall at the full depth.
 bool HaasPocket::pocket() {
   const Vec2 hole = mover_.position();
   Loop loop;
-  if (!cutter_.closed_loop(contour_, 1, loop)) return false;
+  if (!cutter_.closed_loop(contour_.motions(), 1, loop)) return false;
   if ((signed_area(loop) > 0) != left_)
     return error("pocket-contour",
                  fmt::format("the contour of G150 runs {}clockwise: with {} the cutter would run "

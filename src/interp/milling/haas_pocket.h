@@ -2,10 +2,9 @@
 // that leads to it from the start hole X Y. Private to src/interp.
 #pragma once
 
+#include "interp/cycles/captured_contour.h"
 #include "interp/milling/region_cutter.h"
 #include "interp/statements/statements.h"
-
-#include <vector>
 
 namespace mrsim {
 
@@ -20,7 +19,7 @@ class HaasPocket : public ControlPart {
         compensation_(compensation),
         mover_(control, moves),
         cutter_(control, moves),
-        out_(out) {}
+        contour_(control, out) {}
 
   /// Whether the block has G150.
   bool wants_block() const;
@@ -34,7 +33,6 @@ class HaasPocket : public ControlPart {
  private:
   bool read_words();
   bool find_contour();
-  void begin_contour();
   void end_contour();
   bool pocket();
 
@@ -44,18 +42,13 @@ class HaasPocket : public ControlPart {
   CompensationWords& compensation_;
   CycleMover mover_;
   RegionCutter cutter_;
-  MotionEmitter& out_;
+  CapturedContour contour_;
   Word where_, program_;
   RegionCutter::Levels levels_;
   double radius_ = 0, step_ = 0, finish_ = 0;  ///< mm
   bool left_ = true;                           ///< G41
   CallRequest request_;
   bool waits_ = false;  ///< the contour comes next
-  BlockPlace place_;    ///< where the block of the cycle stands
-  std::vector<Motion> contour_;
-  Modal modal_before_;
-  Position position_before_;
-  std::size_t errors_before_ = 0;
 };
 
 }  // namespace mrsim

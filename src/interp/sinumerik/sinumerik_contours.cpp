@@ -6,6 +6,8 @@
 #include "interp/sinumerik/contour_turning.h"
 #include "interp/text/characters.h"
 
+#include <utility>
+
 #include <fmt/format.h>
 
 namespace mrsim {
@@ -88,8 +90,7 @@ bool SinumerikContours::find_contour(const std::string& name, CallRequest& reque
 void SinumerikContours::end_block() {
   if (!waits_) return;
   waits_ = false;
-  position_before_ = position_;
-  modal_before_ = modal_;
+  contour_.keep_state(call_.place);
   enter_contour();
 }
 
@@ -104,39 +105,28 @@ void SinumerikContours::enter_contour() {
   reader_.enter(std::move(request), where);
 }
 
-void SinumerikContours::end_program() {
-  if (!out_.captures()) return;
-  out_.capture(nullptr);
-  reporter_.set_place(call_.place.file, call_.place.line, call_.place.call, {});
-  error("program-end-missing", "the program ends inside the contour of this cycle", where_);
-}
+void SinumerikContours::end_program() { contour_.end_program(where_); }
 
 void SinumerikContours::begin_contour() {
-  contour_.clear();
-  errors_before_ = reporter_.errors();
-  out_.capture(&contour_);
+  contour_.begin();
   if (modal_.feed == 0) modal_.feed = 1;  // the cycle has its own feeds
 }
 
 void SinumerikContours::end_contour() {
-  out_.capture(nullptr);
-  modal_ = modal_before_;
-  position_ = position_before_;
-  modal_.comp = Code::comp_off;
-  put_back_block(call_.place);
-  if (reporter_.errors() != errors_before_) {
+  const bool faultless = contour_.end();
+  const Code comp = std::exchange(modal_.comp, Code::comp_off);
+  if (!faultless) {
     contours_.clear();
     requests_.clear();
     return;
   }
-  if (contour_.size() < 2 || contour_.size() >= MotionEmitter::kMostCaptured) {
-    error("value-range", fmt::format("the contour has {} motions", contour_.size()), where_);
+  if (!contour_.has_usual_size(where_)) {
     requests_.clear();
   } else {
-    contours_.push_back(contour_);
+    contours_.push_back(contour_.motions());
     if (contours_.size() == requests_.size()) finish_contours();
   }
-  modal_.comp = modal_before_.comp;
+  modal_.comp = comp;
 }
 
 void SinumerikContours::finish_contours() {

@@ -3,6 +3,7 @@
 // while their motions are kept; then it hands the contours to the cycle. Private to src/interp.
 #pragma once
 
+#include "interp/cycles/captured_contour.h"
 #include "interp/cycles/cycle_call.h"
 #include "interp/moves/moves.h"
 #include "interp/statements/statements.h"
@@ -21,14 +22,14 @@ class SinumerikContours : public ControlPart {
         statements_(statements),
         tools_(tools),
         moves_(moves),
-        out_(out) {}
+        contour_(control, out) {}
 
   /// Whether run() knows the cycle of this name.
   static bool knows(std::string_view name);
   /// Reads the call. False: an error was reported.
   bool run(const CycleCall& call, const Word& where);
   /// Whether the blocks being read are the contour of a cycle.
-  bool reads_contour() const { return out_.captures(); }
+  bool reads_contour() const { return contour_.is_read(); }
   /// Called after the block: goes on with the contour of a cycle.
   void end_block();
   /// Called at the end of the program, which may lie inside a contour.
@@ -47,18 +48,14 @@ class SinumerikContours : public ControlPart {
   Statements* statements_;
   ToolChanger& tools_;
   Moves& moves_;
-  MotionEmitter& out_;
   CycleCall call_;
   Word where_;
   std::vector<std::string> named_;  ///< the contours that the last calls of CYCLE62 name
   bool named_used_ = false;  ///< a cycle has used them, so the next CYCLE62 begins a new list
   std::vector<CallRequest> requests_;
   bool waits_ = false;                         ///< the contours of call_ come next
-  std::vector<Motion> contour_;                ///< the contour being read
+  CapturedContour contour_;                    ///< the contour being read
   std::vector<std::vector<Motion>> contours_;  ///< the contours read so far
-  Modal modal_before_;
-  Position position_before_;
-  std::size_t errors_before_ = 0;
 };
 
 }  // namespace mrsim

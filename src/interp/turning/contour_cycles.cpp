@@ -95,7 +95,7 @@ bool ContourCycles::run() {
   const Word* first = take('P');
   const Word* last = take('Q');
   const int g = block_.turn_cycle;
-  if (out_.captures())
+  if (contour_.is_read())
     return error("not-supported", fmt::format("G{} inside the contour of a cycle", g),
                  *block_.oneshot);
   if (!first && !last && g != 70) return settings();
@@ -127,14 +127,12 @@ bool ContourCycles::run() {
 
 void ContourCycles::end_block() {
   if (block_.lap_begins) return pass_over_lap();
-  if (first_block_ && out_.captures()) read_first_block();
+  if (first_block_ && contour_.is_read()) read_first_block();
   if (!waits_) return;
   waits_ = false;
   CallRequest request;
   if (!find_contour(request)) return;
-  place_ = block_.place();
-  position_before_ = position_;
-  modal_before_ = modal_;
+  contour_.keep_state(block_.place());
   const bool finishing = call_.cut.number == 70;
   if (!finishing) request.on_start = [this] { begin_contour(); };
   request.on_end = [this, finishing] { finishing ? finish() : end_contour(); };
@@ -211,13 +209,7 @@ void ContourCycles::prefer_contour_before(long first, long last, Place& begin, P
           call_.first);
 }
 
-void ContourCycles::end_program() {
-  if (!out_.captures()) return;
-  out_.capture(nullptr);
-  reporter_.set_place(place_.file, place_.line, place_.call, {});
-  error("program-end-missing", "the program ends inside the contour of this cycle",
-        call_.cut.where);
-}
+void ContourCycles::end_program() { contour_.end_program(call_.cut.where); }
 
 // G70 ends where it began. By FANUC's manuals radius compensation is off on the way back and starts
 // again with the next move, so that the contour is finished to its end.
@@ -225,7 +217,8 @@ void ContourCycles::finish() {
   block_.forget_words();
   block_.begin();
   const Code comp = std::exchange(modal_.comp, Code::comp_off);
-  ContourPasses(control_, moves_, call_.cut, contour_).go(position_before_.physical, kRapid);
+  ContourPasses(control_, moves_, call_.cut, contour_.motions())
+      .go(contour_.position_before().physical, kRapid);
   modal_.comp = comp;
 }
 
@@ -238,24 +231,19 @@ void ContourCycles::read_first_block() {
 
 void ContourCycles::begin_contour() {
   first_block_ = true;
-  contour_.clear();
-  errors_before_ = reporter_.errors();
-  out_.capture(&contour_);
+  contour_.begin();
 }
 
 void ContourCycles::end_contour() {
-  out_.capture(nullptr);
-  modal_ = modal_before_;
-  position_ = position_before_;
-  modal_.comp = Code::comp_off;  // roughing ignores compensation
-  put_back_block(place_);
+  const bool faultless = contour_.end();
   block_.turn_cycle = call_.cut.number;
-  if (contour_.size() >= MotionEmitter::kMostCaptured)
-    error("value-range", fmt::format("the contour has {} motions or more", contour_.size()),
-          call_.cut.where);
-  if (reporter_.errors() == errors_before_)
-    ContourPasses(control_, moves_, call_.cut, contour_).run();
-  modal_.comp = modal_before_.comp;
+  const Code comp = std::exchange(modal_.comp, Code::comp_off);  // roughing ignores compensation
+  const std::size_t size = contour_.motions().size();
+  if (size >= MotionEmitter::kMostCaptured)
+    error("value-range", fmt::format("the contour has {} motions or more", size), call_.cut.where);
+  else if (faultless)
+    ContourPasses(control_, moves_, call_.cut, contour_.motions()).run();
+  modal_.comp = comp;
 }
 
 std::optional<LapContour> ContourCycles::lap_contour(std::string_view name, const Word& where) {

@@ -4,6 +4,7 @@
 // src/interp.
 #pragma once
 
+#include "interp/cycles/captured_contour.h"
 #include "interp/statements/blocks_between.h"
 #include "interp/statements/lap_contour.h"
 #include "interp/statements/statements.h"
@@ -14,7 +15,6 @@
 #include <string>
 #include <string_view>
 #include <utility>
-#include <vector>
 
 namespace mrsim {
 
@@ -22,7 +22,11 @@ class ContourCycles : public ControlPart {
  public:
   ContourCycles(Control& control, BlockReader& reader, Statements* statements, Moves& moves,
                 MotionEmitter& out)
-      : ControlPart(control), reader_(reader), statements_(statements), moves_(moves), out_(out) {}
+      : ControlPart(control),
+        reader_(reader),
+        statements_(statements),
+        moves_(moves),
+        contour_(control, out) {}
 
   /// Reads the words of G70 to G73, G85 or G87. False: an error was reported.
   bool run();
@@ -60,15 +64,10 @@ class ContourCycles : public ControlPart {
   BlockReader& reader_;
   Statements* statements_;
   Moves& moves_;
-  MotionEmitter& out_;
+  CapturedContour contour_;
   Call call_;
   bool waits_ = false;        ///< the contour of call_ comes next
   bool first_block_ = false;  ///< the block of the contour that leads to it comes next
-  std::vector<Motion> contour_;
-  Modal modal_before_;
-  Position position_before_;
-  BlockPlace place_;  ///< where the block of the cycle stands
-  std::size_t errors_before_ = 0;
   std::set<std::pair<std::string, std::uint64_t>> looked_between_;  ///< files and lines of cycles
 };
 
