@@ -118,12 +118,14 @@ THIRD_PARTY = {
     "zlib.h": r"src/core/text/zip\.cpp|src/mesh/.*|tests/.*",
 }
 # Public header -> the public headers that it may include.
-PUBLIC = {"events.h": set(), "types.h": {"events.h"}, "files.h": set(), "memory.h": {"types.h"}, "options.h": {"types.h"}, "collisions.h": {"types.h"}, "solid_files.h": {"compare.h"},
+PUBLIC = {"geometry.h": set(), "diagnostics.h": set(), "tool.h": {"geometry.h"}, "tri_mesh.h": {"geometry.h"}, "events.h": set(),
+          "types.h": {"geometry.h", "diagnostics.h", "tool.h", "tri_mesh.h", "events.h"},
+          "files.h": set(), "memory.h": {"types.h"}, "options.h": {"types.h"}, "collisions.h": {"types.h"}, "solid_files.h": {"compare.h"},
           "play.h": {"types.h"}, "job.h": {"files.h", "types.h", "options.h", "cycle_time.h", "history.h"},
           "result.h": {"types.h", "collisions.h", "cycle_time.h", "history.h", "play.h"},
           "mrsim.h": {"files.h", "types.h", "options.h", "collisions.h", "cycle_time.h", "history.h", "job.h", "play.h", "result.h"}, "job_file.h": {"types.h"},
-          "compare.h": {"types.h", "options.h", "cycle_time.h", "play.h"}, "cycle_time.h": {"types.h"}, "history.h": {"types.h", "cycle_time.h"},
-          "rest.h": {"types.h", "options.h"}}
+          "compare.h": {"types.h", "options.h"}, "report_html.h": {"compare.h", "types.h", "cycle_time.h", "play.h"},
+          "cycle_time.h": {"types.h"}, "history.h": {"types.h", "cycle_time.h"}, "rest.h": {"types.h", "options.h"}}
 
 
 def files(*folders):

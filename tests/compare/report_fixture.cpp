@@ -3,7 +3,7 @@
 #include "core/text/text_io.h"
 #include "support/shapes.h"
 #include "support/slot_parts.h"
-#include <mrsim/compare.h>
+#include <mrsim/report_html.h>
 
 #include <algorithm>
 #include <cmath>

@@ -2,7 +2,7 @@
 #include "core/text/text_io.h"
 #include "support/mesh_asserts.h"
 #include "support/shapes.h"
-#include <mrsim/compare.h>
+#include <mrsim/report_html.h>
 
 #include <algorithm>
 #include <cmath>

@@ -12,6 +12,7 @@
 #include "core/output/publish.h"
 #include "core/text/ascii.h"
 #include "core/text/text_io.h"
+#include <mrsim/report_html.h>
 
 #include <array>
 #include <cstdio>

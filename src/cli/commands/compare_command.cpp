@@ -10,6 +10,7 @@
 #include "core/output/publish.h"
 #include "core/text/text_io.h"
 #include "core/words/suggest.h"
+#include <mrsim/report_html.h>
 
 #include <algorithm>
 #include <array>

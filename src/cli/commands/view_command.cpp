@@ -7,7 +7,7 @@
 #include "core/process/child_process.h"
 #include "core/text/ascii.h"
 #include "core/text/text_io.h"
-#include <mrsim/compare.h>
+#include <mrsim/report_html.h>
 #include <mrsim/solid_files.h>
 
 #include <algorithm>

@@ -1,8 +1,8 @@
 // What the page of a report says of a run.
 #pragma once
 
-#include <mrsim/compare.h>
 #include <mrsim/mrsim.h>
+#include <mrsim/report_html.h>
 
 #include <string>
 #include <vector>

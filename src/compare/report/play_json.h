@@ -1,7 +1,7 @@
 // What the page plays, as the part "play" of the report's data (docs/report.md).
 #pragma once
 
-#include <mrsim/compare.h>
+#include <mrsim/report_html.h>
 
 #include <cstddef>
 

@@ -16,7 +16,7 @@
 #include "core/text/text_io.h"
 #include "core/words/tool_types.h"
 #include "mesh/solid/half_edges.h"
-#include <mrsim/compare.h>
+#include <mrsim/report_html.h>
 
 #include <algorithm>
 #include <cmath>
