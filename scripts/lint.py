@@ -1,9 +1,10 @@
 #!/usr/bin/env python3
-"""clang-tidy's short list (.clang-tidy) on the sources of src: lint.py [SOURCE...]
+"""clang-tidy's short list (.clang-tidy) on the sources of src: lint.py [--since COMMIT] [SOURCE...]
 
 Up to 40 sources of a stage are joined into one, so that the headers are read once: all of src takes as long as a tenth of it one by one.
 So a name that two sources of a stage define, each for itself, is an error here: it means two things, or one thing has two homes. Left
 out, unless they are named: sources that are little but headers of OpenVDB, CGAL, OpenMesh or Eigen. A minute and a half on two cores.
+--since: only those that have changed since then, or include a header that has; all where git does not know COMMIT, or the list has changed.
 """
 
 import concurrent.futures
@@ -15,6 +16,8 @@ import shutil
 import subprocess
 import sys
 import tempfile
+
+from check_sources import Includes, differences
 
 ROOT = os.path.realpath(os.path.join(os.path.dirname(os.path.abspath(__file__)), ".."))
 TOOL = shutil.which("clang-tidy-14") or "clang-tidy"
@@ -36,6 +39,20 @@ def flags_of_sources(folder):
 def is_light(source):
     with open(os.path.join(ROOT, source), encoding="utf-8") as file:
         return not HEAVY.search(file.read())
+
+
+def changed_since(commit):
+    """Sources of src that have changed since then, and those that include a changed header; None = any."""
+    changed = differences("--name-only", commit, "--", "src", "include", ".clang-tidy")
+    if changed is None or ".clang-tidy" in changed:
+        return None
+    files, includes = set(changed.split()), Includes()
+    todo = [name for name in files if not name.endswith(".cpp")]
+    while todo:
+        users = includes.users.get(re.sub("^(src|include)/", "", todo.pop()), set()) - files
+        files |= users
+        todo += [name for name in users if name.startswith("include/")]  # public headers stand for those that they include
+    return files
 
 
 def joins(sources, flags):
@@ -62,13 +79,20 @@ def lint(sources, words, folder):
 
 
 def main():
-    wanted = [os.path.relpath(path, ROOT) for path in sys.argv[1:]]
+    words = sys.argv[1:]
+    changed = None
+    if words[:1] == ["--since"]:
+        changed = changed_since(words[1])
+        words = words[2:]
+    wanted = [os.path.relpath(path, ROOT) for path in words]
     with tempfile.TemporaryDirectory() as folder:
         flags = flags_of_sources(folder)
         unknown = [source for source in wanted if source not in flags]
         if unknown:
             sys.exit(f"no source of the build: {unknown[0]}")
         sources = wanted or [s for s in flags if s.startswith("src/") and "/step/" not in s and is_light(s)]
+        if changed is not None:
+            sources = [source for source in sources if source in changed]
         with concurrent.futures.ThreadPoolExecutor(os.cpu_count()) as pool:
             found = list(pool.map(lambda join: lint(*join, folder), joins(sources, flags)))
     print("".join(found))
