@@ -188,6 +188,28 @@ TEST_F(Defaults, HelicalBoresAreMeshedWithinATolerance) {
   EXPECT_LT(j["mesh"]["triangles"], 20000);
 }
 
+// Too many cells for the tolerance that suits its size, but not for twice that one.
+TEST_F(Defaults, PlatesOfManyPocketsAreMeshedWithinACoarserTolerance) {
+  std::string program = "%\nO1\nG21 G90 G17 G54\nT1 M6\nS9000 M3\nG0 Z20. F800\n";
+  const auto at = [](char axis, double mm) { return axis + std::to_string(mm); };
+  for (int k = 0; k < 144; ++k) {
+    const double x = 100.0 * (k % 12 + 0.5) / 12, y = 100.0 * (k / 12 + 0.5) / 12;
+    program += "G0 " + at('X', x) + at('Y', y - 2) + "\nZ1.\nG1 Z-4.\n" + at('X', x + 1.2) +
+               "\nG3 " + at('X', x + 2) + at('Y', y - 1.2) + " J.8\nG1 " + at('Y', y + 1.2) +
+               "\nG3 " + at('X', x + 1.2) + at('Y', y + 2) + " I-.8\nG1 " + at('X', x - 1.2) +
+               "\nG3 " + at('X', x - 2) + at('Y', y + 1.2) + " J-.8\nG1 " + at('Y', y - 1.2) +
+               "\nG3 " + at('X', x - 1.2) + at('Y', y - 2) + " I.8\nG1 " + at('X', x) +
+               "\nG0 Z2.\n";
+  }
+  write("plate.nc", program + "G0 Z20.\nM30\n%\n");
+  const Outcome o = run(
+      "plate.nc --stock box:0,0,-8,100,100,0 --tool 1=endmill:d=2 -q -o part.stl --json r.json");
+  EXPECT_EQ(o.code, 0) << o.err;
+  const Json j = Json::parse(read("r.json"));
+  EXPECT_DOUBLE_EQ(j["tolerance"]["value"], 0.034);
+  EXPECT_LT(j["mesh"]["triangles"], 60000);
+}
+
 // Crests between the turns of one motion are as many as between motions of one turn.
 TEST_F(Defaults, CrestsOfAWindingHelixAreNoPlainBore) {
   write("wound.nc",
