@@ -85,6 +85,67 @@ TEST(TurnSweep, NothingIsCutBehindAnArcThatEndsSquare) {
     }
 }
 
+// A blade whose end is half a circle is a segment, thickened: it has no inside at any one position,
+// and yet it sweeps all that lies between the ends of its path.
+Tool round_blade(double width, double edge, int tip) {
+  Tool tool = insert("V", width / 2, tip);
+  tool.type = ToolType::grooving;
+  tool.width = width;
+  tool.edge_length = edge;
+  return tool;
+}
+
+TEST(TurnSweep, RoundBladeLeavesNothingWithinWhatItSweepsOnAnArc) {
+  const Tool tool = round_blade(2, 11, 8);
+  const Motion m = arc({20, 0, 0}, {20, 0, -10}, {0, 1, 0}, -kPi / 2);
+  const SweepTable s({&m, 1}, {&tool, 1});
+  // At Z-5 the middle of the blade is at Z-5 from X12.34 to X21.34. X18 is 3 mm off the curve that
+  // its upper end draws (13 mm from (30, -10), radius 10), farther off all others.
+  EXPECT_NEAR(s.distance(0, {18, 0, -5}), -3 - 1, 1e-9);
+  EXPECT_NEAR(s.distance(0, {0, 12, -5}), std::hypot(9, 5) - 10 - 1, 1e-9);
+}
+
+TEST(TurnSweep, RoundBladeOnAnArcHasTheFacesOfItsSurface) {
+  Random r(11);
+  int faces = 0;
+  for (int round = 0; round < 60; ++round) {
+    const Tool tool = round_blade(r(0.6, 3), r(4, 12), round % 2 == 0 ? 8 : 7);
+    InsertOutline o = make_insert(tool);
+    const auto same = [](Vec2 a, Vec2 b) { return length(b - a) < 1e-9; };
+    o.core.erase(std::unique(o.core.begin(), o.core.end(), same), o.core.end());
+    if (same(o.core.front(), o.core.back())) o.core.pop_back();
+    ASSERT_EQ(o.core.size(), 2u);
+    // Every other arc begins where the blade goes along itself, or square to that.
+    const double from = round % 4 < 2 ? r(0, kTwoPi) : kPi / 2 * r.pick(4), size = r(2, 9);
+    const Vec3 center = {r(24, 30), 0, r(-5, 5)};
+    const Motion m = arc(center + size * Vec3{std::cos(from), 0, std::sin(from)}, center, {0, 1, 0},
+                         r.pick(3) == 0 ? kPi / 2 : r(-6.2, 6.2));
+    const SweepTable s({&m, 1}, {&tool, 1});
+    for (int k = 0; k < 24; ++k) {
+      Vec3 p = {r(10, 50), 0, r(-25, 25)};
+      const double want = brute(m, o, p), got = s.distance(0, p);
+      if (want <= -o.round + 1e-7) {
+        EXPECT_LE(got, -o.round + 1e-6) << "round " << round;
+        continue;
+      }
+      EXPECT_NEAR(got, want, 1e-6) << "round " << round;
+      // Down to the surface, whose face there is 0 and leads out.
+      for (int step = 0; step < 60; ++step) {
+        const SweepSample at = s.sample(0, p);
+        p = p - at.distance * s.gradient(0, p, at.patch);
+      }
+      const SweepSample at = s.sample(0, p);
+      if (std::fabs(at.distance) > 1e-9) continue;  // to and fro across a crease
+      const Vec3 out = p + 1e-4 * s.gradient(0, p, at.patch);
+      EXPECT_NEAR(s.patch_distance(0, p, at.patch), 0, 1e-6) << "round " << round;
+      EXPECT_NEAR(s.patch_distance(0, out, at.patch), 1e-4, 1e-6) << "round " << round;
+      EXPECT_GT(brute(m, o, out), 1e-5) << "round " << round;
+      ++faces;
+    }
+  }
+  EXPECT_GT(faces, 1000);
+}
+
 TEST(TurnSweep, SharpInsertFacesAndTurnsAtTheProgrammedPoint) {
   const Motion m = line({15, 0, -5}, {15, 0, -19});
   const Tool tool = insert("", 0);

@@ -26,6 +26,7 @@ using Side = ConvexPolygon::Side;
 
 constexpr double kSquareSine = 1e-12;   // between unit vectors that are square to each other
 constexpr double kNoLength = 1e-12;     // mm
+constexpr double kSameCurve = 1e-10;    // mm: by rounding, of one curve that is drawn twice
 constexpr std::size_t kMostSides = 16;  // of an insert
 
 double arc_distance(const CircularArc& a, Vec2 q) {
@@ -85,15 +86,37 @@ struct NearestCurve {
   std::int32_t index = 0;  // arcs first, then sides
 };
 
+// Whether q lies in what a core without width sweeps: where the path, seen from q, crosses the
+// core.
+bool within_segments(const TurnSweep& s, Vec2 q) {
+  const Side& core = s.polygon.sides.front();
+  const Vec2 at = q - s.path.center - core.a, n = right_of(core.direction);
+  const double across = dot(n, at), r = s.path.radius, rest = r * r - across * across;
+  if (rest < 0) return false;
+  const auto covers = [&](double along) {
+    const double on = dot(core.direction, at) - along;
+    return on >= 0 && on <= core.length && in_sector(s.path, across * n + along * core.direction);
+  };
+  const double along = std::sqrt(rest);
+  return covers(along) || covers(-along);
+}
+
+// A core without width has two sides in one place: the one that q looks at counts.
 NearestCurve nearest_curve(const TurnSweep& s, Vec2 q) {
   NearestCurve best;
+  const bool two_sided = is_segment(s.polygon);
+  bool facing = true;
   for (std::size_t i = 0; i < s.arcs.size(); ++i) {
     const double d = arc_distance(s.arcs[i], q);
     if (d < best.distance) best = {d, static_cast<std::int32_t>(i)};
   }
   for (std::size_t i = 0; i < s.sides.size(); ++i) {
     const double d = side_distance(s.sides[i], q);
-    if (d < best.distance) best = {d, static_cast<std::int32_t>(s.arcs.size() + i)};
+    const bool faces = !two_sided || side_of(s.sides[i], q) > 0;
+    const double ahead = faces == facing ? 0 : faces ? kSameCurve : -kSameDistance;
+    if (d >= best.distance + ahead) continue;
+    best = {std::min(d, best.distance), static_cast<std::int32_t>(s.arcs.size() + i)};
+    facing = faces;
   }
   return best;
 }
@@ -101,6 +124,7 @@ NearestCurve nearest_curve(const TurnSweep& s, Vec2 q) {
 // Signed distance from arc + polygon given the distance to its boundary curves.
 double signed_by_depth(const TurnSweep& s, Vec2 q, double to_curves) {
   if (s.polygon.sides.empty()) return to_curves;
+  if (is_segment(s.polygon)) return within_segments(s, q) ? -to_curves : to_curves;
   // Outside of one side at every position: outside, at the cost of a few products.
   const Vec2 at = q - s.path.center;
   for (std::size_t i = 0; i < s.reach.size(); ++i)

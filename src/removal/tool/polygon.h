@@ -22,6 +22,11 @@ struct ConvexPolygon {
 /// The convex hull of the points, mm. Requires: at least one.
 ConvexPolygon make_polygon(std::span<const Vec2> points);
 
+/// Two points: both directions of one segment, each followed by its end.
+inline bool is_segment(const ConvexPolygon& polygon) {
+  return polygon.sides.size() == 4 && polygon.sides[1].length == 0;
+}
+
 /// Signed distance, exact inside and outside.
 double polygon_distance(const ConvexPolygon& polygon, Vec2 q);
 /// The side that decides the sign of the distance.
