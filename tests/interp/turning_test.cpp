@@ -313,6 +313,24 @@ TEST(Turning, ANoseOfG10ThatDiffersIsToldOf) {
   EXPECT_EQ(run("G10 P2 X0 Z0 R0.4 Q3\n"), "");
 }
 
+// A round insert is given by its diameter, the length of its edge or its nose: of all three the
+// centre keeps the distance.
+TEST(Turning, CompensationTakesTheRadiusOfARoundInsert) {
+  for (const Dialect dialect : {Dialect::fanuc, Dialect::sinumerik})
+    for (double Tool::*size : {&Tool::diameter, &Tool::edge_length, &Tool::nose_radius}) {
+      InterpOptions options = at_origin(dialect, MachineKind::lathe);
+      Tool& tool = options.table.tools[0];
+      tool.type = ToolType::turning;
+      tool.insert = "RCMT";
+      tool.diameter = 0;
+      tool.*size = size == &Tool::nose_radius ? 1 : 2;
+      tool.tip_is_nose_centre = true;
+      const std::string path =
+          path_text(read_text("G0 X20 Z5.\nG42 G1 X20. Z2. F.1\nZ-10.\nX30.\nG40 X40.\n", options));
+      EXPECT_NE(path.find("l11,0,-9"), std::string::npos) << path;
+    }
+}
+
 // The manuals forbid two contours of the same numbers; programs have them, one for each tool.
 TEST(Turning, OfTwoContoursOfTheSameNumbersTheLastIsFinished) {
   const auto run = [](const char* second) {

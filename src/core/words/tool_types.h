@@ -34,6 +34,15 @@ inline int tip_of_linuxcnc(int number) {
   return kTips[number];
 }
 
+/// mm: the radius of a turning tool's nose; that of a round insert follows from its size where it
+/// is not given. The insert and radius compensation must agree on it.
+inline double nose_radius(const Tool& tool) {
+  const bool round = tool.type != ToolType::grooving && !tool.insert.empty() &&
+                     (tool.insert.front() == 'R' || tool.insert.front() == 'r');
+  if (tool.nose_radius > 0 || !round) return tool.nose_radius;
+  return (tool.diameter > 0 ? tool.diameter : tool.edge_length) / 2;
+}
+
 /// Whether the tool works towards +X, inside of the part.
 inline bool is_inside_tool(const Tool& tool) {
   const int tip = tip_orientation(tool);

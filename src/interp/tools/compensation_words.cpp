@@ -143,7 +143,7 @@ void CompensationWords::set_radius(const Word& where) {
   const OffsetRegister* reg = is(Dialect::sinumerik) ? tools_.find_register(key) : nullptr;
   if (!reg) reg = tools_.find_register(edge);
   const bool turning = tool && is_turning(tool->type);
-  const double own = !tool ? 0 : turning ? tool->nose_radius : tool->diameter / 2;
+  const double own = !tool ? 0 : turning ? nose_radius(*tool) : tool->diameter / 2;
   const CompRadius comp =
       options_.comp == CompRadius::automatic ? tools_.commented_radius() : options_.comp;
   asked_option_ = asked_option_ || !reg;

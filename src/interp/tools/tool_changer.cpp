@@ -1,6 +1,7 @@
 #include "interp/tools/tool_changer.h"
 
 #include "core/text/text_io.h"
+#include "core/words/tool_types.h"
 #include "interp/comments/form_outline.h"
 #include "interp/text/characters.h"
 #include "interp/tools/tool_text.h"
@@ -316,7 +317,7 @@ double ToolChanger::radius(int edge) {
   if (reg) return reg->radius + reg->wear;
   const Tool* tool = current();
   if (!tool) return 0;
-  const double own = is_turning(tool->type) ? tool->nose_radius : tool->diameter / 2;
+  const double own = is_turning(tool->type) ? nose_radius(*tool) : tool->diameter / 2;
   return own + control_.bare_wear(fmt::format("D{}", edge));
 }
 

@@ -59,12 +59,12 @@ void ToolEdges::compare_edge(const Tool& tool, const Word& where) {
 void ToolEdges::compare_nose(const Tool& tool, const Word& where) {
   const auto told = control_.told_noses.find(static_cast<long>(tool_.written) % 100);
   if (told == control_.told_noses.end() || !is_turning(tool.type)) return;
-  if (std::abs(told->second - tool.nose_radius) < kSameNose) return;
+  if (std::abs(told->second - nose_radius(tool)) < kSameNose) return;
   reporter_.once(
       Severity::warning, "nose-differs",
       fmt::format("G10 gives tool {0} a nose radius of {1:.4g} mm, its data say {2:.4g}, which "
                   "cuts here: where {1:.4g} is right, say --tool {0}=turning:insert=..,r={1:.4g}",
-                  tool.id, told->second, tool.nose_radius),
+                  tool.id, told->second, nose_radius(tool)),
       where, tool.id);
 }
 

@@ -195,11 +195,10 @@ InsertOutline make_insert(const Tool& tool) {
   InsertOutline out;
   const InsertSide side = tip_side(orientation_of(tool));
   out.inside = side.x > 0;
-  out.round = tool.nose_radius;
+  out.round = nose_radius(tool);
   if (tool.type == ToolType::grooving) {
     out.core = blade(tool, side, out.round);
   } else if (shape_letter(tool) == 'R') {
-    if (out.round <= 0) out.round = (tool.diameter > 0 ? tool.diameter : tool.edge_length) / 2;
     require(out.round > 0, tool, "a round insert needs a diameter or a nose radius");
     out.core = {{0, 0}};
   } else {
