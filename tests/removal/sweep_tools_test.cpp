@@ -254,5 +254,24 @@ TEST(FormTool, EqualsTheLeastDistanceOverAllPositions) {
     for (int kind = 0; kind < 7; ++kind) expect_equals_brute(tool, kind, 6, 1e-6);
 }
 
+// Between the convex pieces of a tool and a concave arc of it lie places that no piece is near.
+TEST(FormTool, ALimitChangesNoDistanceBelowIt) {
+  for (const Tool& tool : form_tools())
+    for (int kind = 0; kind < 7; ++kind) {
+      Random r(300 + kind);
+      for (int round = 0; round < 12; ++round) {
+        const Motion m = move_of_kind(r, kind);
+        const SweepTable s({&m, 1}, {&tool, 1});
+        for (int k = 0; k < 40; ++k) {
+          const Vec3 p = near(r, m, 5);
+          const double distance = s.distance(0, p);
+          for (const double more : {1e-3, 0.1, 1.0})
+            ASSERT_EQ(s.columns().distance(0, p, distance + more), distance) << "move " << kind;
+          ASSERT_GT(s.columns().distance(0, p, distance - 0.1), distance - 0.1);
+        }
+      }
+    }
+}
+
 }  // namespace
 }  // namespace mrsim

@@ -207,6 +207,24 @@ bool is_beyond(std::span<const Profile> pieces, const ConeHelix& cones, double l
       pieces, [&](const Profile& piece) { return cones.minimum(piece).least.distance > limit; });
 }
 
+bool is_concave_arc(const ProfileEdge& edge) { return edge.is_arc() && !edge.convex; }
+
+// The least of `best` and what lies between the pieces and the concave arcs of a tool.
+PathSample search_fillets(const Profile& tool, const ToolPath& path, const Vec3& p, double begin,
+                          double end, PathSample best) {
+  for (const ProfileEdge& edge : tool.edges())
+    if (is_concave_arc(edge)) best = search_fillet(tool, edge, path, p, begin, end, best);
+  return best;
+}
+
+// Whether nothing of that is nearer than `limit`. Not known inside, where a search ends early.
+bool are_fillets_beyond(const Profile& tool, const ToolPath& path, const Vec3& p, double begin,
+                        double end, double limit) {
+  if (std::ranges::none_of(tool.edges(), is_concave_arc)) return true;
+  const PathSample most{limit + 2 * kPathError, begin};
+  return limit > 0 && search_fillets(tool, path, p, begin, end, most).distance > limit;
+}
+
 // Searches with each of a tool's convex pieces. The one that may be nearest comes first, so that
 // others need not be searched.
 PathSample search_pieces(const Profile& tool, const ToolPath& path, const Vec3& p, double begin,
@@ -226,16 +244,14 @@ PathSample search_pieces(const Profile& tool, const ToolPath& path, const Vec3& 
     }
   }
   const std::optional<ConeHelix> cones = cones_about(path, p, begin, end);
-  if (std::ranges::all_of(bounds, [&](double bound) { return bound > limit; }) ||
-      (limit < kInfinity && cones && is_beyond(pieces, *cones, limit)))
-    return {kInfinity, begin};
+  const bool are_beyond = std::ranges::all_of(bounds, [&](double b) { return b > limit; }) ||
+                          (limit < kInfinity && cones && is_beyond(pieces, *cones, limit));
+  if (are_beyond && are_fillets_beyond(tool, path, p, begin, end, limit)) return {kInfinity, begin};
   PathSample best = search_whole(pieces[first], path, p, begin, end, cones, {kInfinity, begin});
   for (std::size_t k = 0; k < pieces.size(); ++k)
     if (k != first && bounds[k] < best.distance)
       best = search_whole(pieces[k], path, p, begin, end, cones, best);
-  for (const ProfileEdge& e : tool.edges())
-    if (e.is_arc() && !e.convex) best = search_fillet(tool, e, path, p, begin, end, best);
-  return best;
+  return search_fillets(tool, path, p, begin, end, best);
 }
 
 }  // namespace
