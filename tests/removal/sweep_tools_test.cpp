@@ -255,14 +255,17 @@ TEST(FormTool, EqualsTheLeastDistanceOverAllPositions) {
 }
 
 // Between the convex pieces of a tool and a concave arc of it lie places that no piece is near.
-TEST(FormTool, ALimitChangesNoDistanceBelowIt) {
-  for (const Tool& tool : form_tools())
+TEST(SweepTools, ALimitChangesNoDistanceBelowIt) {
+  std::vector<Tool> tools = all_tools();
+  const std::vector<Tool> forms = form_tools();
+  tools.insert(tools.end(), forms.begin(), forms.end());
+  for (const Tool& tool : tools)
     for (int kind = 0; kind < 7; ++kind) {
       Random r(300 + kind);
-      for (int round = 0; round < 12; ++round) {
+      for (int round = 0; round < 6; ++round) {
         const Motion m = move_of_kind(r, kind);
         const SweepTable s({&m, 1}, {&tool, 1});
-        for (int k = 0; k < 40; ++k) {
+        for (int k = 0; k < 20; ++k) {
           const Vec3 p = near(r, m, 5);
           const double distance = s.distance(0, p);
           for (const double more : {1e-3, 0.1, 1.0})
