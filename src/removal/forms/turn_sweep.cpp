@@ -27,6 +27,7 @@ using Side = ConvexPolygon::Side;
 constexpr double kSquareSine = 1e-12;   // between unit vectors that are square to each other
 constexpr double kNoLength = 1e-12;     // mm
 constexpr double kSameCurve = 1e-10;    // mm: by rounding, of one curve that is drawn twice
+constexpr double kSameSide = 1e-12;     // mm: by rounding, of two sides that coincide
 constexpr std::size_t kMostSides = 16;  // of an insert
 
 double arc_distance(const CircularArc& a, Vec2 q) {
@@ -113,7 +114,7 @@ NearestCurve nearest_curve(const TurnSweep& s, Vec2 q) {
   for (std::size_t i = 0; i < s.sides.size(); ++i) {
     const double d = side_distance(s.sides[i], q);
     const bool faces = !two_sided || side_of(s.sides[i], q) > 0;
-    const double ahead = faces == facing ? 0 : faces ? kSameCurve : -kSameDistance;
+    const double ahead = faces == facing ? 0 : faces ? kSameCurve : -kSameSide;
     if (d >= best.distance + ahead) continue;
     best = {std::min(d, best.distance), static_cast<std::int32_t>(s.arcs.size() + i)};
     facing = faces;
