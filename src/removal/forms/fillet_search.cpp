@@ -30,11 +30,10 @@ class Fillet {
         behind_(across(arc.b, arc.a)) {}
 
   struct Seen {
-    double bound = kInfinity;  ///< no place of the arc is nearer over t +- half
-    bool in_sector = false;    ///< the place lies in the arc's sector at t
+    double bound = kInfinity;  ///< no place of the arc is nearer within half of t on both sides
+    bool in_sector = false;    ///< the place lies in the arc's sector at `at`
   };
-  Seen seen(double t, double half) const {
-    const PathPoint at = path_point(path_, t);
+  Seen seen(const PathPoint& at, double half) const {
     const Vec3 from = p_ - at.position;
     const double rho = std::sqrt(from.x * from.x + from.y * from.y), moved = path_.speed * half;
     const Vec2 q = Vec2{rho, from.z} - center_;
@@ -107,12 +106,14 @@ PathSample search_fillet(const Profile& tool, const ProfileEdge& arc, const Tool
   for (int values = 0; depth > 0 && !is_enough(values); ++values) {
     const Span in = stack[--depth];
     const double half = 0.5 * (in.hi - in.lo), mid = 0.5 * (in.lo + in.hi);
-    const Fillet::Seen seen = fillet.seen(mid, half);
+    const PathPoint at = path_point(path, mid);
+    const Fillet::Seen seen = fillet.seen(at, half);
     if (seen.bound >= best.distance - kPathError) continue;
-    const PathValue m = F(mid);
+    PathValue plane;
+    const PathValue m = F.beside_plane(mid, at, plane);
     const double found = std::max(m.f, deep);
     if (seen.in_sector && found < best.distance) best = {found, mid}, finest = half;
-    if (plane_bound(F.touching_plane(mid), half) >= best.distance - kPathError) continue;
+    if (plane_bound(plane, half) >= best.distance - kPathError) continue;
     if (depth + 2 > stack.size()) continue;
     const Span low{in.lo, mid}, high{mid, in.hi};
     stack[depth++] = m.slope < 0 ? low : high;  // the downhill half is looked at first

@@ -26,11 +26,13 @@ class PathObjective {
   PathObjective(const Profile& tool, const ToolPath& path, const Vec3& p)
       : tool_(tool), path_(path), p_(p) {}
 
-  PathValue operator()(double t) const { return value(t, false); }
+  PathValue operator()(double t) const { return value(t, path_point(path_, t), nullptr); }
 
-  /// The plane that touches the tool in the direction of its nearest place: of a tool that is not
-  /// convex, too, no place is nearer than that.
-  PathValue touching_plane(double t) const { return value(t, true); }
+  /// F at the position `at` of t. `plane`: the same of the plane that touches the tool in the
+  /// direction of its nearest place; of a tool that is not convex, too, no place is nearer.
+  PathValue beside_plane(double t, const PathPoint& at, PathValue& plane) const {
+    return value(t, at, &plane);
+  }
 
   /// Lower bound over t +- half for a path about Z: no position there is nearer in plan than
   /// `near`, and heights differ by at most the rise, against which a convex tool's distance is
@@ -94,19 +96,22 @@ class PathObjective {
   }
 
  private:
-  PathValue value(double t, bool of_plane) const {
-    const PathPoint at = path_point(path_, t);
+  PathValue value(double t, const PathPoint& at, PathValue* plane) const {
     const Vec3 q = p_ - at.position, d = at.direction;
     const double rho = std::sqrt(q.x * q.x + q.y * q.y);
     const ProfileSample s = tool_sample(tool_, rho, q.z);
     const double lateral = rho > 0 ? s.gradient.x / rho : 0;
     const Vec3 n{lateral * q.x, lateral * q.y, s.gradient.y};
     const Vec3 out = path_.arc ? at.position - path_.center - t * path_.rise : Vec3{};
-    const double f = of_plane ? dot(s.gradient, Vec2{rho, q.z}) -
-                                    tool_.support({std::fabs(s.gradient.x), s.gradient.y})
-                              : s.distance;
     const double inward = dot(n, out);
-    return {f, -dot(n, d), bend(s, q, d, rho) + inward, inward, std::fabs(dot(n, path_.rise))};
+    const PathValue found{s.distance, -dot(n, d), bend(s, q, d, rho) + inward, inward,
+                          std::fabs(dot(n, path_.rise))};
+    if (plane) {
+      *plane = found;
+      plane->f =
+          dot(s.gradient, Vec2{rho, q.z}) - tool_.support({std::fabs(s.gradient.x), s.gradient.y});
+    }
+    return found;
   }
 
   // F'' but for the path's own bend. On the axis, where F may have a kink: 0.
