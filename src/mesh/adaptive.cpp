@@ -47,8 +47,7 @@ constexpr std::size_t kCarefulRounds = 4;  ///< of splitting, by one step each
 constexpr int kLateSteps = 3;              ///< of splitting in one round after those
 constexpr double kMostDrawn = 0.4;         ///< share of loops up to which only these are drawn anew
 constexpr std::size_t kDrawnRounds = 8;    ///< in which more detail may take the place of splitting
-constexpr double kRaisedEstimate = 2;  ///< expected nodes of a raised octree, at most, / real ones
-constexpr int kLostRounds = 3;         ///< of splitting cells about walls that were lost
+constexpr int kLostRounds = 3;             ///< of splitting cells about walls that were lost
 
 class AdaptiveMesher {
  public:
@@ -91,9 +90,7 @@ class AdaptiveMesher {
     const double memory = detail::expected_memory(field_, tree_, tolerance_, options_.threads);
     detail::require_mesh_memory(memory, options_.max_memory, tolerance_);
     tree_.mark_drawn();  // their surface is part of the expected memory
-    // Of another octree, which has far fewer, about twice the nodes in the end may be expected.
-    const double usual = tolerance_ > options_.tolerance ? kRaisedEstimate : 1;
-    detail::require_cells(detail::expected_nodes(memory), usual * budget_.most());
+    detail::require_cells(detail::expected_nodes(memory), budget_.most_expected());
     timer_.expect(kSecondsPerByte * memory / resolve_threads(options_.threads));
     timer_.step("tree");
     budget_.begin(tree_.size());
@@ -166,7 +163,7 @@ class AdaptiveMesher {
     timer_.step("thin");
     const MeshReport report = report_;
     budget_.begin_lost();
-    tree_.raise_tolerance(tolerance_, static_cast<std::size_t>(budget_.most()));
+    tree_.go_on_within(tolerance_, static_cast<std::size_t>(budget_.most()));
     try {
       if (detail::split_lost(tree_, lost, tolerance_, room_for_lost()) == 0) return false;
       timer_.step("tree");
@@ -272,7 +269,7 @@ class AdaptiveMesher {
         throw Error("mesh-unresolved", detail::too_many_cells(budget_.most()));
       budget_.raise(tree_.size());
       tolerance_ = budget_.tolerance();
-      tree_.raise_tolerance(tolerance_, static_cast<std::size_t>(budget_.most()));
+      tree_.go_on_within(tolerance_, static_cast<std::size_t>(budget_.most()));
       found = find_failures();
     }
     return found;

@@ -387,20 +387,5 @@ TEST(Turning, TheRepeatsOfG73AreAWholeNumber) {
   EXPECT_EQ(run("G73 U2. R.5").substr(0, 11), "value-range");
 }
 
-// Cycles of other controls are refused with their names.
-TEST(Turning, CyclesOfOtherLathesAreRefusedByName) {
-  const auto why = [](const std::string& line) {
-    const Program p = read_text("G0 X40. Z5.\n" + line + "\nG1 X30. F.1\n",
-                                at_origin(Dialect::fanuc, MachineKind::lathe));
-    for (const Diagnostic& d : p.diagnostics)
-      if (d.severity == Severity::error) return d.text;
-    return std::string();
-  };
-  EXPECT_NE(why("G271 P1 Q2 U.5").find("write G71"), std::string::npos);
-  EXPECT_NE(why("G290 X30. Z-10.").find("write G90"), std::string::npos);
-  EXPECT_NE(why("G77 I0 J15. L4 R8.").find("flats"), std::string::npos);
-  EXPECT_NE(why("G247 X30.").find("SINUMERIK"), std::string::npos);
-}
-
 }  // namespace
 }  // namespace mrsim

@@ -1,5 +1,5 @@
-// Words that one maker's posts write: FZ of SINUMERIK, M25 of Centroid, and a word of Brother that
-// is refused by name.
+// Words that one maker's posts write: FZ of SINUMERIK, M25 of Centroid, and words of Brother and of
+// other lathes that are refused by name.
 #include "interp/support.h"
 
 namespace mrsim {
@@ -334,6 +334,21 @@ TEST(WordsOfMakers, RBesideG61AndBesideG64WithM19IsRefused) {
   EXPECT_EQ(of("G61 R0.5"), "word-unexpected");
   EXPECT_EQ(of("G64 M19 R90"), "word-unexpected");
   EXPECT_EQ(of("G64 P0.1 R0.5\nM19\nG61"), "");
+}
+
+// Cycles of other controls are refused with their names.
+TEST(WordsOfMakers, CyclesOfOtherLathesAreRefusedByName) {
+  const auto why = [](const std::string& line) {
+    const Program p = read_text("G0 X40. Z5.\n" + line + "\nG1 X30. F.1\n",
+                                at_origin(Dialect::fanuc, MachineKind::lathe));
+    for (const Diagnostic& d : p.diagnostics)
+      if (d.severity == Severity::error) return d.text;
+    return std::string();
+  };
+  EXPECT_NE(why("G271 P1 Q2 U.5").find("write G71"), std::string::npos);
+  EXPECT_NE(why("G290 X30. Z-10.").find("write G90"), std::string::npos);
+  EXPECT_NE(why("G77 I0 J15. L4 R8.").find("flats"), std::string::npos);
+  EXPECT_NE(why("G247 X30.").find("SINUMERIK"), std::string::npos);
 }
 
 }  // namespace

@@ -29,6 +29,10 @@ class NodeBudget {
   /// is worth less. 0 = any number.
   double most() const { return most_; }
 
+  /// The nodes that may be expected by the memory, before the surface is drawn. Twice as many for a
+  /// raised tolerance: the estimate is as much too large for coarse octrees.
+  double most_expected() const { return (tolerance_ > wish_ ? 2 : 1) * most_; }
+
   /// The octree is made; its surface is not drawn yet.
   void begin(std::size_t nodes) { first_ = static_cast<double>(nodes); }
   /// Notes that the surface was drawn in so many nodes. A round with few nodes counts as a larger
@@ -110,9 +114,10 @@ class NodeBudget {
 
  private:
   static constexpr double kNextShare = 0.7;  ///< of the nodes of an octree, which another may have
-  static constexpr double kUndrawn = 0.25;   ///< what making an octree takes of drawing its surface
-  static constexpr double kDense = 1.1;      ///< growth to draw the surface at all
-  static constexpr double kSmall = 0.25;    ///< share of the most nodes below which that is nothing
+  static constexpr double kUndrawn =
+      0.25;                               ///< of a drawn node: what a node counts that is not drawn
+  static constexpr double kDense = 1.1;   ///< growth to draw the surface at all
+  static constexpr double kSmall = 0.25;  ///< share of the most nodes below which that is nothing
   static constexpr double kSplitNodes = 8;  ///< nodes that a failed cell adds
   /// Share of the largest tolerance up to which it may be raised because of the nodes.
   static constexpr double kRaisedForNodes = 0.5;

@@ -83,7 +83,8 @@ class CellOctree final : public SurfaceCells {
   }
 
   /// Cells that are made from now on may hide and bend as a tolerance of so many mm allows.
-  void raise_tolerance(double tolerance, std::size_t most_nodes) {
+  /// `most_nodes`: in all, 0 = any number.
+  void go_on_within(double tolerance, std::size_t most_nodes) {
     tolerance_ = tolerance;
     limits_.nodes = most_nodes;
   }
